@@ -9,7 +9,7 @@ mod arm;
 #[path = "../derive/tests/common/chain.rs"]
 mod chain;
 
-use arm::arm;
+use arm::{Reactions, arm};
 use chain::chain;
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -60,7 +60,7 @@ fn chains(c: &mut Criterion) {
 fn arms(c: &mut Criterion) {
     let mut group = c.benchmark_group("an arm");
     for joints in [6, 10, 20, 40] {
-        let model = arm(joints, false);
+        let model = arm(joints, Reactions::None);
         let kane = || derive(&model, Formulation::Kane).unwrap_or_else(|e| panic!("{e}"));
         group.bench_function(format!("{joints} joints, M and f"), |b| b.iter(|| black_box(kane())));
         group.bench_function(format!("{joints} joints, solved"), |b| {

@@ -18,7 +18,7 @@ use tripos::code::{Code, Ready, code};
 use tripos::preparation::passage::Chosen;
 use tripos::{Problem, Scene};
 use tripos_derive::Formulation;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::Solve;
 use tripos_sim::{Method, Options, Output, Solution};
 
@@ -30,14 +30,15 @@ const TURNS: usize = 101;
 
 /// The equations of a mechanism in its speeds, and those in all rates.
 struct Equations {
-    by: [By; 2],
+    by: [EquationsOrigin; 2],
     code: [Code; 2],
 }
 
 impl Equations {
     fn new(scene: &Scene) -> Self {
-        let by = [Formulation::Kane, Formulation::Lagrange].map(By::from);
-        let compiled = |by: &By| code(scene.mechanism(), by, None, Ready::AsDerived).expect("a model of the library");
+        let by = [Formulation::Kane, Formulation::Lagrange].map(EquationsOrigin::from);
+        let compiled =
+            |by: &EquationsOrigin| code(scene.mechanism(), by, None, Ready::AsDerived).expect("a model of the library");
         let code = [compiled(&by[0]), compiled(&by[1])];
         assert!(code.iter().all(Code::is_compiled), "run `tripos regenerate`: interpreted equations are not measured");
         Self { by, code }

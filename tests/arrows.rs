@@ -190,7 +190,6 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/model/reading/names.rs",
             "derive/src/model/read_model.rs",
             "derive/src/model/reading/repetition.rs",
-            "derive/src/model/reactions/self_stress.rs",
             "derive/src/model/bodies/shapes.rs",
             "derive/src/model/constraints/speeds.rs",
             "derive/src/model/units.rs",

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use tripos::code::{Form, Ready, code};
 use tripos::{Mechanism, Reference};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::load;
 use tripos_derive::{Formulation, Model};
 use tripos_sim::work_precision::error;
@@ -55,7 +55,7 @@ fn interpreted_equations_have_28_digits_of_the_compiled_ones() {
     for name in tripos_models::MODELS.iter().map(|model| model.name) {
         let mechanism = Mechanism::new(Model::read(&folder(name).join("model.toml")).unwrap());
         for formulation in [Formulation::Kane, Formulation::Lagrange] {
-            let tape = code(&mechanism, &By::from(formulation), None, Ready::Solved).unwrap();
+            let tape = code(&mechanism, &EquationsOrigin::from(formulation), None, Ready::Solved).unwrap();
             assert_eq!(tape.form(), Form::Interpreted);
             let [tape, rust] = [tape.extended(), compiled(name, formulation.name()).extended];
             let both = tape.has_taylor() && rust.has_taylor();

@@ -10,7 +10,7 @@ use tripos::code::{Code, Ready, code};
 use tripos::studies::steady::{About, Wanted, Wide, linearise};
 use tripos::{Mechanism, Scene};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::{Loops, load_asked};
 use tripos_derive::{Formulation, Model, model};
 use tripos_traits::{DoubleDouble as Dd, Real, Scalar};
@@ -28,7 +28,7 @@ struct Rates {
 
 impl Rates {
     fn new(mechanism: &Mechanism, by: Formulation) -> Self {
-        let code = code(mechanism, &By::from(by), None, Ready::Solved).unwrap_or_else(|e| panic!("{e}"));
+        let code = code(mechanism, &EquationsOrigin::from(by), None, Ready::Solved).unwrap_or_else(|e| panic!("{e}"));
         Self { code, coordinates: mechanism.coordinates.len() }
     }
 

@@ -1,6 +1,6 @@
 //! Equations whose terms are named are those written out: random mechanisms derived both ways.
 
-use crate::arm::arm;
+use crate::arm::{Reactions, arm};
 use crate::mechanism::Mechanism;
 use crate::spoilt::Random;
 use tripos::code::{Ready, code};
@@ -10,7 +10,7 @@ use tripos_derive::algebra::term::calculus::Substitution;
 use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::mechanics::{Form, Kinematics, derive_all_with};
 use tripos_derive::{Equations, Formulation, Model, model};
 use tripos_traits::{DoubleDouble, Real, Scalar};
@@ -93,13 +93,13 @@ type Dd = DoubleDouble;
 #[test]
 fn large_models_run_interpreted() {
     let n = 5;
-    let mechanism = tripos::Mechanism::new(arm(n, false));
+    let mechanism = tripos::Mechanism::new(arm(n, Reactions::None));
     let p: Vec<Dd> = (0..mechanism.parameters.len()).map(|i| Dd::from_f64(1.0 + 0.07 * i as f64)).collect();
     let state: Vec<Dd> =
         (0..2 * n).map(|i| Dd::from_f64(0.3 + 0.4 * i as f64 - if i < n { 0.0 } else { 2.5 })).collect();
     let mut both = Vec::new();
     for formulation in [Formulation::Kane, Formulation::Lagrange] {
-        let code = code(&mechanism, &By::from(formulation), None, Ready::Solved).unwrap();
+        let code = code(&mechanism, &EquationsOrigin::from(formulation), None, Ready::Solved).unwrap();
         let system = code.extended();
         let derivative = |y: &[Dd]| {
             let (mut q_dot, mut v_dot) = (vec![Dd::int(0); n], vec![Dd::int(0); n]);

@@ -11,7 +11,7 @@ use tripos_derive::algebra::term::calculus::Differential;
 use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::value::evaluate::Tape as Values;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{By, Solved};
+use tripos_derive::mechanics::{EquationsOrigin, Solved};
 use tripos_derive::{Formulation, Model, derive};
 use tripos_sim::{Eliminated, Method, Options, Output, integrate};
 use tripos_traits::{DoubleDouble, Real, Scalar, System};
@@ -73,7 +73,8 @@ fn the_series_of_every_model_satisfies_its_equations_to_its_order() {
         let found = tripos_models::MODELS.iter().find(|m| m.name == model).unwrap();
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(model);
         let mechanism = Mechanism::new(Model::read(&folder.join("model.toml")).unwrap());
-        let tape = |formulation| code(&mechanism, &By::from(formulation), None, Ready::WithSeries).unwrap();
+        let tape =
+            |formulation| code(&mechanism, &EquationsOrigin::from(formulation), None, Ready::WithSeries).unwrap();
         for named in found.systems.iter().filter(|s| !s.name.starts_with("printed:")) {
             // Few have their recurrences compiled; those of all other formulations are interpreted.
             let interpreted = Formulation::named(named.name).filter(|_| !named.extended.has_taylor()).map(tape);

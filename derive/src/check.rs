@@ -22,7 +22,7 @@ use crate::algebra::value::rank::rank;
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Vector, apply_tensor};
 use crate::mechanics::{Derivation, DeriveError, Form, Formulation, Kinematics, derive, load_divisors};
-use crate::model::{Branch, DependentConstraint, Model, MotionConstraint, Tie};
+use crate::model::{Branch, DependentConstraint, Model, MotionConstraint, MotionConstraintKind};
 
 /// Kind of a constraint: an equation between coordinates or between velocities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,7 +105,11 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
         redundant: model.dependent.iter().any(|d| d.name == c.name),
     });
     let mut constraints: Vec<Checked> = configuration.chain(loops).collect();
-    for constraint in model.motion_constraints.iter().filter(|c| matches!(c.tie, Tie::Stated | Tie::Rolling(_))) {
+    for constraint in model
+        .motion_constraints
+        .iter()
+        .filter(|c| matches!(c.kind, MotionConstraintKind::Stated | MotionConstraintKind::Rolling(_)))
+    {
         let integrable = match reach.permits(model, &mut arena, constraint) {
             Some(true) if !is_known => None,
             decided => decided,
@@ -304,7 +308,8 @@ impl Reach {
             }
             fields.push(drift);
         }
-        let of_velocities = |c: &MotionConstraint| matches!(c.tie, Tie::Stated | Tie::Rolling(_));
+        let of_velocities =
+            |c: &MotionConstraint| matches!(c.kind, MotionConstraintKind::Stated | MotionConstraintKind::Rolling(_));
         let is_holonomic = !model.motion_constraints.iter().any(of_velocities);
         Self { fields, along: model.q(), drifts, is_holonomic }
     }

@@ -11,7 +11,7 @@ use crate::algebra::Expr;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Coordinate, Model, TIME};
 use crate::read::Reader;
-use numbers::values::{Number, Values, doubles};
+use numbers::values::{Number, ValueReader, doubles};
 use starts::state::Start;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -22,16 +22,17 @@ pub use families::axis::{Grid, MOST_POINTS};
 pub use families::family::Family;
 pub use families::ladder::Ladder;
 pub use families::neighbours::Nearby;
-pub use motions::motion::{Formulas, Given, Motion, Moving, load_motion};
+pub use motions::motion::{Formulas, Motion, MotionForm, MotionSample, load_motion};
 #[cfg(feature = "files")]
 pub use motions::samples::load_samples;
+pub use numbers::values::NamedNumber;
 pub use settings::impacts::{ContactFriction, Impact, ImpactLaw};
 pub use settings::inputs::load_bound;
 pub(crate) use settings::integration::SOLVES;
 pub use settings::integration::{Integration, Integrator, Project, Solve};
 pub use settings::outputs::ENERGIES;
-pub use starts::loops::Loops;
-pub use starts::start::{Closed, Exact, Stated};
+pub use starts::loops::{DependentLoop, Loops};
+pub use starts::start::{Exact, InitialMotion, SolvedVariable};
 pub use starts::unknowns::{Asked, load_asked, load_output};
 
 /// Event of a scene, detected during a run where a function is zero.
@@ -124,7 +125,7 @@ pub struct Scene {
     /// Values of the generalized speeds at the start, in the order of the model.
     pub u: Vec<f64>,
     /// Coordinates whose values at the start were solved for, so that the loops are closed.
-    pub closed: Vec<Closed>,
+    pub closed: Vec<SolvedVariable>,
     /// First and last instant of the run, s.
     pub span: (f64, f64),
     /// Parameters and start to 32 digits, for reference runs.
@@ -196,7 +197,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
     let table = table.get_ref();
     reader.schema(table);
     reader.finish()?;
-    let mut values = Values::new(reader, model);
+    let mut values = ValueReader::new(reader, model);
     values.reader.allow(table, "a scene file", &KEYS);
     let given = values.inputs(table);
     if given.bindings != values.model.bindings {
@@ -250,7 +251,7 @@ impl Scene {
                 scene.exact.q[ladder.at] = *value;
             } else {
                 scene.u[ladder.at - n] = value.hi();
-                if let Stated::Speeds(u) = &mut scene.exact.motion {
+                if let InitialMotion::Speeds(u) = &mut scene.exact.motion {
                     u[ladder.at - n] = *value;
                 }
             }
@@ -310,7 +311,7 @@ pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnosti
     settings::inputs::bind(source, model)?;
     let (reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
-    let mut values = Values::new(reader, model);
+    let mut values = ValueReader::new(reader, model);
     values.state_file(table, &[]);
     let parameters = values.parameters(table);
     let state = values.section(table, "state");
@@ -324,7 +325,7 @@ pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnosti
     Ok(State { parameters: doubles(&parameters.expect("reported if missing")), q, u })
 }
 
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     fn scene_numbers(&mut self, table: &'a DeTable<'a>) -> Numbers {
         let parameters = self.parameters(table);
         let span = self.span(table, parameters.as_deref().unwrap_or_default());

@@ -144,6 +144,14 @@ impl Chance {
     }
 }
 
+/// Axes along which the model text of a road train takes its contacts.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Axes {
+    /// Those of the ground, which the text states.
+    Stated,
+    Default,
+}
+
 /// A road train: an axle with two wheels, and behind it trailers with an axle each, hitched at a distance.
 struct Train {
     /// Half of the width of each axle, the radius of its wheels, and the length of the bar to the axle before.
@@ -156,9 +164,9 @@ impl Train {
         Self { axles: (0..axles).map(|_| draw(chance)).collect() }
     }
 
-    /// Its model, with contacts along the axes of the ground, as the file states or by default.
-    fn text(&self, is_stated: bool) -> String {
-        let along = if is_stated { "\nframe = \"N\"" } else { "" };
+    /// Its model, with its contacts along these axes.
+    fn text(&self, axes: Axes) -> String {
+        let along = if axes == Axes::Stated { "\nframe = \"N\"" } else { "" };
         let (mut parameters, mut coordinates, mut speeds) = (String::new(), String::new(), String::new());
         let (mut frames, mut points, mut bodies, mut rolling) =
             (String::new(), String::new(), String::new(), String::new());
@@ -272,7 +280,7 @@ fn wheels_on_axles_are_regular_at_every_heading() {
     let mut chance = Chance(7);
     for axles in [1, 2, 2, 3] {
         let train = Train::drawn(&mut chance, axles);
-        let model = read(&train.text(false)).unwrap_or_else(|e| panic!("{e}"));
+        let model = read(&train.text(Axes::Default)).unwrap_or_else(|e| panic!("{e}"));
         let found = check(&model).unwrap_or_else(|e| panic!("{}", model.diagnose(&e)));
         let loss = found.rank_loss.unwrap();
         assert_eq!((loss.rank, loss.pose.as_ref()), (3 * axles, None));
@@ -296,7 +304,7 @@ fn wheels_on_axles_are_regular_at_every_heading() {
 #[test]
 fn axes_of_contacts_make_no_heading_singular() {
     let mut chance = Chance(8);
-    let loss = checked(&Train::drawn(&mut chance, 1).text(true)).rank_loss.unwrap();
+    let loss = checked(&Train::drawn(&mut chance, 1).text(Axes::Stated)).rank_loss.unwrap();
     assert_eq!((loss.rank, loss.nowhere, loss.pose), (3, true, None));
 }
 

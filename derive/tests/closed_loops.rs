@@ -8,7 +8,7 @@ use crate::common;
 use common::read;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::derive_all;
-use tripos_derive::model::{Model, Tie};
+use tripos_derive::model::{Model, MotionConstraintKind};
 use tripos_derive::prove::prove;
 
 const BRICARD: &str = include_str!("../../models/bricard/model.toml");
@@ -47,8 +47,8 @@ fn bricards_linkage_moves() {
 fn bennetts_linkage_closes_and_moves() {
     let mut model = load(BENNETT);
     assert_eq!((model.loops.len(), model.closed.len(), model.dependent.len()), (2, 3, 3));
-    let ties: Vec<_> = model.motion_constraints.iter().map(|c| c.tie).collect();
-    assert_eq!(ties, [Tie::Loop(0), Tie::Loop(1)]);
+    let ties: Vec<_> = model.motion_constraints.iter().map(|c| c.kind).collect();
+    assert_eq!(ties, [MotionConstraintKind::Loop(0), MotionConstraintKind::Loop(1)]);
     proved(&model);
     let speed = model.speeds[0].name.clone();
     let (alpha, beta): (f64, f64) = (std::f64::consts::PI / 6.0, 0.75_f64.asin());

@@ -12,7 +12,7 @@ use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::identify::{Complete, Factor, Identification};
-use tripos_derive::mechanics::{Inertial, Of, Varied};
+use tripos_derive::mechanics::{ColumnParameter, Inertial, Varied};
 
 fn library(model: &str) -> Model {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models").join(model).join("model.toml");
@@ -167,7 +167,7 @@ fn the_puma_has_its_published_base_parameters() {
         found
             .base
             .iter()
-            .filter(|b| matches!(found.regressor.columns[b.column].of, Of::Body(of, _) if of == at))
+            .filter(|b| matches!(found.regressor.columns[b.column].of, ColumnParameter::Body(of, _) if of == at))
             .count()
     };
     assert_eq!((0..6).map(of_link).collect::<Vec<_>>(), [1, 7, 7, 7, 7, 7]);
@@ -209,8 +209,8 @@ fn the_puma_has_its_published_base_parameters() {
         .collect();
     let mut factors = tape.evaluate(&p).into_iter();
     let of = |column: usize, list: &[Ten]| match found.regressor.columns[column].of {
-        Of::Body(body, inertial) => list[body][place(inertial)],
-        Of::Parameter(_) => panic!("no load has one"),
+        ColumnParameter::Body(body, inertial) => list[body][place(inertial)],
+        ColumnParameter::Parameter(_) => panic!("no load has one"),
     };
     for base in std::mem::take(&mut found.base) {
         let sum = base

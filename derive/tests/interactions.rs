@@ -220,10 +220,17 @@ fn what_bricards_pins_hold_is_not_determined() {
     assert!(errors.contains(&format!("`{dependent}` more than once")), "{errors}");
 }
 
+/// Statement of the direction in which a sled slides.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Direction {
+    Formula,
+    Frame,
+}
+
 /// A sled that slides along a direction turned by `alpha` from its first axis, given by a formula or by a frame.
-fn sled(tilted: bool) -> Model {
+fn sled(direction: Direction) -> Model {
     let frame = "E = { from = \"B\", axis = 3, angle = \"alpha\" }\n";
-    let (frame, law) = if tilted {
+    let (frame, law) = if direction == Direction::Formula {
         ("", "v(P) @ B [2]*cos(alpha) - v(P) @ B [1]*sin(alpha) = 0")
     } else {
         (frame, "v(P) @ E [2] = 0")
@@ -261,7 +268,7 @@ fn at(model: &mut Model, text: &str, state: &[f64]) -> f64 {
 /// Goal: a direction that no frame has is held. Method: the same sled with a frame along it.
 #[test]
 fn a_tilted_blade_holds_as_one_along_a_frame() {
-    let (mut tilted, mut framed) = (sled(true), sled(false));
+    let (mut tilted, mut framed) = (sled(Direction::Formula), sled(Direction::Frame));
     proved(&tilted, "tilted");
     proved(&framed, "framed");
     assert!(tilted.reactions.iter().all(|r| r.is_shared) && tilted.reactions.len() == 3, "{:?}", tilted.reactions);

@@ -1,6 +1,6 @@
 //! Large models: growing terms are named, keep their meaning, grow at the expected rate, and are proved at full size.
 
-use crate::arm::{arm, tree};
+use crate::arm::{Reactions, arm, tree};
 use crate::chain::{chain, relative_chain};
 use std::collections::HashSet;
 use std::path::Path;
@@ -30,7 +30,12 @@ fn entries(e: &Equations) -> Vec<Expr> {
 #[test]
 fn trees_have_the_same_equations_with_names_and_without() {
     let slide = |i: usize| i == 2;
-    for model in [arm(2, true), arm(3, true), tree(3, |i| i / 2, slide, true), tree(4, |i| i / 3, slide, false)] {
+    for model in [
+        arm(2, Reactions::All),
+        arm(3, Reactions::All),
+        tree(3, |i| i / 2, slide, Reactions::All),
+        tree(4, |i| i / 3, slide, Reactions::None),
+    ] {
         let named = derive_all_with(&model, Kinematics::in_form(&model, Form::Steps).unwrap()).unwrap();
         let again = Model { arena: named.kinematics.arena.clone(), ..model.clone() };
         let plain = derive_all_with(&again, Kinematics::in_form(&again, Form::Closed).unwrap()).unwrap();
@@ -49,13 +54,13 @@ fn trees_have_the_same_equations_with_names_and_without() {
 /// Goal: what is short stays as a person writes it. Method: no term of the models that textbooks have gets a name.
 #[test]
 fn small_models_are_written_out() {
-    for model in [chain(1), chain(3), chain(6), arm(2, true)] {
+    for model in [chain(1), chain(3), chain(6), arm(2, Reactions::All)] {
         assert_eq!(Form::computed(&model), Form::Closed, "{}", model.title);
         let Derivation { arena, equations } = derive(&model, Formulation::Kane).unwrap();
         let parts = arena.reachable(&entries(&equations));
         assert!(parts.iter().all(|e| arena.behind(*e).is_none()), "{}", model.title);
     }
-    assert!([arm(3, false), chain(20)].iter().all(|model| Form::computed(model) == Form::Steps));
+    assert!([arm(3, Reactions::None), chain(20)].iter().all(|model| Form::computed(model) == Form::Steps));
 }
 
 /// Operations of these values and of the steps that they need, one for each + − × ÷: (with what moves, of parameters
@@ -97,7 +102,7 @@ fn counts(model: &Model) -> [usize; 4] {
 /// and accelerations, work of parameters alone apart.
 #[test]
 fn an_arm_of_six_joints_takes_few_operations() {
-    let [both, forcing, accelerations, inverse] = counts(&arm(6, false));
+    let [both, forcing, accelerations, inverse] = counts(&arm(6, Reactions::None));
     assert!(both <= 1400 && forcing <= 760 && accelerations <= 1650, "{both}, {forcing}, {accelerations}");
     assert!(inverse <= 800, "{inverse}");
 }
@@ -114,8 +119,12 @@ fn links_with_relative_angles_take_no_more_than_from_one_frame() {
 /// the accelerations of long ones divide by, and Newton's and Euler's of a short one.
 #[test]
 fn arms_and_chains_divide_by_nothing_that_vanishes() {
-    let list = [(arm(6, false), Formulation::Kane), (chain(10), Formulation::Kane), (chain(10), Formulation::Lagrange)];
-    for (model, formulation) in list.into_iter().chain([(arm(3, true), Formulation::NewtonEuler)]) {
+    let list = [
+        (arm(6, Reactions::None), Formulation::Kane),
+        (chain(10), Formulation::Kane),
+        (chain(10), Formulation::Lagrange),
+    ];
+    for (model, formulation) in list.into_iter().chain([(arm(3, Reactions::All), Formulation::NewtonEuler)]) {
         let Derivation { mut arena, equations } = derive(&model, formulation).unwrap();
         let solved = Solved::new(&mut arena, &equations).unwrap();
         let found = Divisors::of(&arena, &equations.written(&mut arena.clone()), Some(&solved.accelerations));
@@ -129,7 +138,7 @@ fn arms_and_chains_divide_by_nothing_that_vanishes() {
 #[test]
 fn operations_grow_as_they_must() {
     for (what, [short, long]) in [
-        ("arms", [20, 40].map(|n| counts(&arm(n, false)))),
+        ("arms", [20, 40].map(|n| counts(&arm(n, Reactions::None)))),
         ("chains", [20, 40].map(|n| counts(&chain(n)))),
         ("chains with relative angles", [20, 40].map(|n| counts(&relative_chain(n)))),
     ] {
@@ -148,9 +157,13 @@ fn operations_grow_as_they_must() {
 #[test]
 fn recursions_solve_the_equations() {
     let slide = |i: usize| i == 2;
-    for model in
-        [arm(3, false), tree(4, |i| i / 2, slide, false), tree(5, |i| i / 3, slide, false), chain(8), relative_chain(6)]
-    {
+    for model in [
+        arm(3, Reactions::None),
+        tree(4, |i| i / 2, slide, Reactions::None),
+        tree(5, |i| i / 3, slide, Reactions::None),
+        chain(8),
+        relative_chain(6),
+    ] {
         let Derivation { mut arena, equations } = derive(&model, Formulation::Kane).unwrap();
         let gauss = equations.gauss.as_ref().unwrap();
         let recursion = least(&mut arena, &mut Simplifier::default(), gauss, &equations.unknowns).unwrap();
@@ -177,7 +190,7 @@ fn recursions_solve_the_equations() {
 /// with branches, hinges and slides.
 #[test]
 fn a_tree_of_thirty_bodies_is_proved() {
-    let model = tree(30, |i| i / 2, |i| i % 7 == 3, false);
+    let model = tree(30, |i| i / 2, |i| i % 7 == 3, Reactions::None);
     let mut all = derive_all(&model).unwrap();
     let proof = prove(&model, &mut all);
     assert_eq!(proof.pairs.len(), 1);
@@ -202,7 +215,7 @@ fn the_arm_of_the_benchmarks_is_proved() {
 /// the formulations differ.
 #[test]
 fn a_wrong_entry_of_a_large_system_is_seen() {
-    let model = arm(5, false);
+    let model = arm(5, Reactions::None);
     let mut all = derive_all(&model).unwrap();
     let (_, kane) = all.list.iter_mut().find(|(f, _)| *f == Formulation::Kane).unwrap();
     let entry = &mut kane.as_mut().unwrap().matrix[1][3];
@@ -214,7 +227,7 @@ fn a_wrong_entry_of_a_large_system_is_seen() {
 /// Goal: written down, every step stands after what it needs and has a symbol of its own. Method: an arm's equations.
 #[test]
 fn steps_stand_after_what_they_need() {
-    let model = arm(4, true);
+    let model = arm(4, Reactions::All);
     for f in Formulation::ALL {
         let Derivation { mut arena, equations } = derive(&model, f).unwrap();
         let e = equations.written(&mut arena);

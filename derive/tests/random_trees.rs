@@ -46,7 +46,7 @@ fn accelerations_of_random_trees_are_those_of_first_principles() {
         for formulation in Formulation::ALL {
             match derive(&model, formulation) {
                 Ok(derivation) => {
-                    let numbers = numbers(&model, &tree, (&q, &u), derivation, seed);
+                    let numbers = numbers(&model, &tree, &q, &u, derivation, seed);
                     table.numbers += numbers;
                     table.formulations += 1;
                 }
@@ -60,7 +60,7 @@ fn accelerations_of_random_trees_are_those_of_first_principles() {
 }
 
 /// Compares all accelerations of one formulation at one state; returns the number of comparisons.
-fn numbers(model: &Model, tree: &Tree, (q, u): (&[f64], &[f64]), derivation: Derivation, seed: u64) -> usize {
+fn numbers(model: &Model, tree: &Tree, q: &[f64], u: &[f64], derivation: Derivation, seed: u64) -> usize {
     let Derivation { mut arena, equations } = derivation;
     let e = equations.written(&mut arena);
     let n = e.variables.len();

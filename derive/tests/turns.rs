@@ -9,7 +9,7 @@ use expect_test::{Expect, expect};
 use tripos_derive::algebra::meaning::compare::Comparer;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::derive_all;
-use tripos_derive::model::{Model, Turn};
+use tripos_derive::model::{Model, Turn, TurnSense};
 use tripos_derive::prove::prove;
 
 const WORLD: &str = "name = \"turns\"\n[parameters]\na = \"2 m\"\nb = { unit = \"1\", value = 0.3 }\nm = \"1 kg\"\nI = { unit = \"kg*m^2\", \
@@ -61,7 +61,7 @@ fn vectors_are_axes() {
             for column in 0..3 {
                 let mut unit = [Expr::ZERO; 3];
                 unit[column] = Expr::ONE;
-                let truth = turn.apply(arena, &unit, false);
+                let truth = turn.apply(arena, &unit, TurnSense::Forward);
                 for row in 0..3 {
                     assert!(is_equal(arena, found[row][column], truth[row]), "{vector} {row} {column}");
                 }

@@ -9,7 +9,7 @@ use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diff::printed_equations;
-use tripos_derive::mechanics::{By, Derivation, Distance, derive_all, in_distance};
+use tripos_derive::mechanics::{Derivation, Distance, EquationsOrigin, derive_all, in_distance};
 use tripos_derive::publication::{hash_beside, load_beside};
 use tripos_derive::reduce::Reduction;
 use tripos_derive::scene::{Scene, Solve};
@@ -128,16 +128,18 @@ pub fn formulation(name: &str) -> Result<Formulation, Error> {
 ///
 /// # Errors
 /// [`Error::Request`] if there are no such equations; [`Error::Input`] if the publication has errors.
-pub fn by(model: &Mechanism, name: &EquationsName) -> Result<By, Error> {
+pub fn by(model: &Mechanism, name: &EquationsName) -> Result<EquationsOrigin, Error> {
     let id = match name {
-        EquationsName::Derived(formulation) => return Ok(By::from(*formulation)),
+        EquationsName::Derived(formulation) => return Ok(EquationsOrigin::from(*formulation)),
         EquationsName::Printed(id) => id,
         // The reduced equations belong to a scene, and a model does not have them.
-        EquationsName::Reduced | EquationsName::Unknown(_) => return formulation(&name.to_string()).map(By::from),
+        EquationsName::Reduced | EquationsName::Unknown(_) => {
+            return formulation(&name.to_string()).map(EquationsOrigin::from);
+        }
     };
     let list = printed(model)?;
     list.iter().find(|by| by.printed_id() == Some(id)).cloned().ok_or_else(|| {
-        let names: Vec<String> = list.iter().map(By::name).collect();
+        let names: Vec<String> = list.iter().map(EquationsOrigin::name).collect();
         let help = if list.is_empty() {
             "the model has no publication.toml beside it".to_owned()
         } else {
@@ -152,16 +154,16 @@ pub fn by(model: &Mechanism, name: &EquationsName) -> Result<By, Error> {
 ///
 /// # Errors
 /// Errors of [`by`].
-pub fn by_or_first(model: &Mechanism, name: Option<&EquationsName>) -> Result<By, Error> {
+pub fn by_or_first(model: &Mechanism, name: Option<&EquationsName>) -> Result<EquationsOrigin, Error> {
     let first = || Formulation::ALL.into_iter().find(|f| derive(model, *f).is_ok()).unwrap_or(Formulation::Kane);
-    name.map_or_else(|| Ok(By::from(first())), |name| by(model, name))
+    name.map_or_else(|| Ok(EquationsOrigin::from(first())), |name| by(model, name))
 }
 
 /// Names of the printed equations in the publication file beside a model, in the order of that file.
 ///
 /// # Errors
 /// [`Error::Input`] if the publication file or the model has errors.
-pub fn printed(model: &Mechanism) -> Result<Vec<By>, Error> {
+pub fn printed(model: &Mechanism) -> Result<Vec<EquationsOrigin>, Error> {
     let list = printed_derivation(model)?.map(|(_, equations)| equations).unwrap_or_default();
     Ok(list.into_iter().map(|equations| equations.by).collect())
 }
@@ -217,7 +219,7 @@ impl Ready {
 /// # Errors
 /// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived;
 /// [`Error::Request`] if the equations cannot be run.
-pub fn code(model: &Mechanism, by: &By, distance: Option<Distance>, ready: Ready) -> Result<Code, Error> {
+pub fn code(model: &Mechanism, by: &EquationsOrigin, distance: Option<Distance>, ready: Ready) -> Result<Code, Error> {
     if let Some(code) = compiled_code(model, by, distance, ready) {
         return Ok(code);
     }
@@ -230,7 +232,12 @@ pub fn code(model: &Mechanism, by: &By, distance: Option<Distance>, ready: Ready
 }
 
 /// Finds the compiled equations of a model; `None` unless they are current and ready to the given extent.
-pub fn compiled_code(model: &Mechanism, by: &By, distance: Option<Distance>, ready: Ready) -> Option<Code> {
+pub fn compiled_code(
+    model: &Mechanism,
+    by: &EquationsOrigin,
+    distance: Option<Distance>,
+    ready: Ready,
+) -> Option<Code> {
     let compiled = compiled(model)?;
     let name = by.name_in(distance, model);
     let found = compiled.systems.iter().find(|system| system.name == name);
@@ -252,7 +259,7 @@ pub fn compiled_scene(mechanism: &Mechanism, reduction: &Reduction, ready: Ready
 ///
 /// # Errors
 /// [`Error::Request`] if the equations depend on a symbol that has no value during a run. Only printed ones can do so.
-pub fn code_of(model: &Mechanism, by: &By, derivation: &Derivation, ready: Ready) -> Result<Code, Error> {
+pub fn code_of(model: &Mechanism, by: &EquationsOrigin, derivation: &Derivation, ready: Ready) -> Result<Code, Error> {
     let code = Interpreted::new(model, derivation).map_err(NotInterpreted::from);
     let code = match ready {
         Ready::Solved | Ready::WithSeries if by.formulation().is_some() => {
@@ -272,7 +279,7 @@ pub fn interpreted_scene(reduction: &Reduction) -> Result<Code, Error> {
     let derivation = &reduction.derivation;
     let code = Interpreted::new(&reduction.model, derivation).map_err(NotInterpreted::from);
     let code = code.and_then(|code| Ok(code.solved(derivation)?.showing(reduction)?));
-    Ok(Code::interpreted(code.map_err(|why| not_interpreted(&By::Reduced.name(), &why))?))
+    Ok(Code::interpreted(code.map_err(|why| not_interpreted(&EquationsOrigin::Reduced.name(), &why))?))
 }
 
 /// Error for the named equations, which cannot be interpreted.
@@ -316,7 +323,7 @@ pub fn stepwise(
 ///
 /// # Errors
 /// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived.
-pub fn derivation(model: &Mechanism, by: &By) -> Result<Derivation, Error> {
+pub fn derivation(model: &Mechanism, by: &EquationsOrigin) -> Result<Derivation, Error> {
     if let Some(formulation) = by.formulation() {
         return model.derive(formulation);
     }

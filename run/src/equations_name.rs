@@ -2,7 +2,7 @@
 
 use std::fmt;
 use tripos_derive::Formulation;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 
 /// Name of the equations of motion that a run asks for.
 ///
@@ -25,20 +25,20 @@ impl From<&str> for EquationsName {
         if let Some(formulation) = Formulation::named(name) {
             return Self::Derived(formulation);
         }
-        match By::asked_id(name) {
+        match EquationsOrigin::asked_id(name) {
             Some(id) => Self::Printed(id.to_owned()),
-            None if name == By::Reduced.name() => Self::Reduced,
+            None if name == EquationsOrigin::Reduced.name() => Self::Reduced,
             None => Self::Unknown(name.to_owned()),
         }
     }
 }
 
-impl From<&By> for EquationsName {
-    fn from(by: &By) -> Self {
+impl From<&EquationsOrigin> for EquationsName {
+    fn from(by: &EquationsOrigin) -> Self {
         match by {
-            By::Derived(formulation) => Self::Derived(*formulation),
-            By::Printed { id, .. } => Self::Printed(id.clone()),
-            By::Reduced => Self::Reduced,
+            EquationsOrigin::Derived(formulation) => Self::Derived(*formulation),
+            EquationsOrigin::Printed { id, .. } => Self::Printed(id.clone()),
+            EquationsOrigin::Reduced => Self::Reduced,
         }
     }
 }
@@ -48,7 +48,7 @@ impl fmt::Display for EquationsName {
         match self {
             Self::Derived(formulation) => f.write_str(formulation.name()),
             Self::Printed(id) => write!(f, "printed:{id}"),
-            Self::Reduced => f.write_str(&By::Reduced.name()),
+            Self::Reduced => f.write_str(&EquationsOrigin::Reduced.name()),
             Self::Unknown(name) => f.write_str(name),
         }
     }

@@ -9,7 +9,7 @@ use tripos::{Error, Mechanism};
 use tripos_derive::algebra::value::evaluate::Numeric;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::Varied;
-use tripos_derive::scene::{Moving, load_motion, load_samples};
+use tripos_derive::scene::{MotionSample, load_motion, load_samples};
 use tripos_traits::DoubleDouble;
 
 fn read(model: &str) -> Mechanism {
@@ -22,7 +22,7 @@ fn parse(text: &str) -> Mechanism {
     Mechanism::new(model)
 }
 
-fn run(mut model: Mechanism, motion: &str, inputs: &[&str]) -> Result<Vec<(Moving, Forces)>, Error> {
+fn run(mut model: Mechanism, motion: &str, inputs: &[&str]) -> Result<Vec<(MotionSample, Forces)>, Error> {
     let motion = load_motion(&Source::from_text("motion.toml", motion), &mut model).unwrap_or_else(|e| panic!("{e}"));
     let inputs: Vec<String> = inputs.iter().map(|name| (*name).to_owned()).collect();
     let inverse = Inverse::new(&model, &inputs)?;
@@ -257,12 +257,12 @@ fn a_free_body_has_ten_base_parameters() {
 }
 
 /// Seeded states of a mechanism without loops.
-fn states(model: &Mechanism) -> Vec<Moving> {
+fn states(model: &Mechanism) -> Vec<MotionSample> {
     let wide = |k: usize| DoubleDouble::from((12.9898 * (1.0 + k as f64)).sin() * 1.5 + 0.2);
     let (n, p) = (model.coordinates.len(), model.speeds.len());
     let list = |from: usize, count: usize| (from..from + count).map(wide).collect::<Vec<_>>();
     (0..5)
-        .map(|k| Moving { t: None, q: list(100 * k, n), u: list(100 * k + 30, p), rates: list(100 * k + 60, p) })
+        .map(|k| MotionSample { t: None, q: list(100 * k, n), u: list(100 * k + 30, p), rates: list(100 * k + 60, p) })
         .collect()
 }
 

@@ -63,10 +63,10 @@ mod warning;
 pub mod work_precision;
 
 pub use constraints::multipliers::{Multipliers, Standing};
-pub use contacts::friction::{Found, Mode, Undecided};
-pub use contacts::impact::{Closed, ImpactRecord, Share};
+pub use contacts::friction::{ContactSolution, Mode, Undecided};
+pub use contacts::impact::{ClosedContacts, ImpactRecord, Share};
 pub use driver::integrate::{integrate, integrate_projected};
-pub use driver::second::{Second, seconds};
+pub use driver::second::{Second, TaylorSeries, seconds};
 pub use equations::dynamics::Dynamics;
 pub use equations::eliminated::Eliminated;
 pub use equations::tangents::Tangents;

@@ -15,7 +15,7 @@
 
 use tripos_traits::Real;
 
-use crate::constraints::correction::{Correction, Least};
+use crate::constraints::correction::{Correction, LeastVectorSolver};
 use crate::linear::metric::{DEPENDENT, dot};
 use crate::methods::options::Options;
 use crate::rhs::RightHandSide;
@@ -110,7 +110,7 @@ pub(crate) struct Projector<'p, 'a, S> {
     open: Vec<f64>,
     correction: Vec<f64>,
     in_rates: Correction,
-    in_weights: Least,
+    in_weights: LeastVectorSolver,
     /// Index of the component that is the time, which no correction moves.
     clock: Option<usize>,
     pub(crate) report: ProjectionReport,
@@ -138,7 +138,8 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         onto: Onto<'p, 'a, S>,
         rhs: &mut R,
         options: &Options,
-        (t0, y0): (f64, &[S]),
+        t0: f64,
+        y0: &[S],
     ) -> Self {
         let count = match &onto {
             Onto::Invariants(invariants) => invariants.count,
@@ -165,7 +166,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
             open: Vec::new(),
             correction: vec![0.0; n],
             in_rates: Correction::new(),
-            in_weights: Least::new(),
+            in_weights: LeastVectorSolver::new(),
             clock: options.clock,
             report: ProjectionReport {
                 moved: vec![0.0; n],
@@ -330,7 +331,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         let (reach, y, weights) = (self.reach(), &self.y, &self.weights);
         let size = |y: &S| y.to_f64().abs().min(reach);
         let weight = |(i, y)| weights.as_ref().map_or(1.0, |test| test.weight(i, size(y)));
-        let Least { metric, conditions } = &mut self.in_weights;
+        let LeastVectorSolver { metric, conditions } = &mut self.in_weights;
         metric.set_weights(y.iter().enumerate().map(weight));
         conditions.set(metric, &self.slopes, DEPENDENT);
         let may_depend = matches!(self.onto, Onto::Constraints(_));

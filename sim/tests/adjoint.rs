@@ -133,7 +133,7 @@ const SPAN: (f64, f64) = (0.0, 2.0);
 fn options(problem: Problem, p: &[f64], method: Method, tolerance: f64) -> Options {
     let corners = match problem {
         Problem::Driven(_) => {
-            vec![Corner { moves: [1.0, 0.0, 0.0, 0.0], ..Corner::still(p[2], true) }, Corner::still(BEND, false)]
+            vec![Corner { moves: [1.0, 0.0, 0.0, 0.0], ..Corner::jump(p[2]) }, Corner::bend(BEND)]
         }
         _ => Vec::new(),
     };
@@ -141,13 +141,22 @@ fn options(problem: Problem, p: &[f64], method: Method, tolerance: f64) -> Optio
     Options { method, step, corners, output: Output::Steps { refine: 1 }, ..Options::tolerances(tolerance, tolerance) }
 }
 
+/// Motion of a problem with parameters `p` from the state `y0` at the start.
+#[derive(Clone, Copy)]
+struct Motion<'a> {
+    problem: Problem,
+    p: &'a [f64],
+    y0: &'a [f64],
+}
+
 /// The gradient of Σ weightᵢ yᵢ at the end by a sweep in these segments, and how many steps there are.
 fn backwards(
-    (problem, p, y0): (Problem, &[f64], &[f64]),
+    motion: Motion<'_>,
     options: &Options,
     weights: &[f64],
     parts: impl Fn(usize) -> Vec<usize>,
 ) -> (Gradient, usize) {
+    let Motion { problem, p, y0 } = motion;
     let mut rhs = At { problem, p: p.to_vec() };
     let run = integrate(Lent(&mut rhs), SPAN, y0, options, &mut []).unwrap();
     assert!(!run.stop.is_failure(), "{run}");
@@ -162,7 +171,8 @@ fn backwards(
 }
 
 /// Gradient by runs that carry a slope forwards, one for each component of the start and each parameter.
-fn forwards((problem, p, y0): (Problem, &[f64], &[f64]), options: &Options, weights: &[f64]) -> Vec<f64> {
+fn forwards(motion: Motion<'_>, options: &Options, weights: &[f64]) -> Vec<f64> {
+    let Motion { problem, p, y0 } = motion;
     let along = |along: usize| {
         let slope = |at: usize| [f64::from(u8::from(at == along))];
         let y: Vec<_> = y0.iter().enumerate().map(|(i, y)| Tangent { value: *y, slopes: slope(i) }).collect();
@@ -179,11 +189,11 @@ fn forwards((problem, p, y0): (Problem, &[f64], &[f64]), options: &Options, weig
 }
 
 /// The largest difference of the two by the size of the gradient.
-fn apart(of: (Problem, &[f64], &[f64]), options: &Options) -> f64 {
+fn apart(motion: Motion<'_>, options: &Options) -> f64 {
     let weights = [1.0, -0.4, 0.7, 0.2];
-    let (found, steps) = backwards(of, options, &weights, segments);
+    let (found, steps) = backwards(motion, options, &weights, segments);
     assert!(found.states as f64 <= (2.0 * steps as f64).sqrt() + 2.0, "{} states for {steps} steps", found.states);
-    let truth = forwards(of, options, &weights);
+    let truth = forwards(motion, options, &weights);
     let size = truth.iter().fold(1.0, |most: f64, x| most.max(x.abs()));
     let found = found.state.iter().chain(&found.parameters);
     found.zip(&truth).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs())) / size
@@ -203,7 +213,7 @@ proptest! {
     ) {
         for method in METHODS {
             let problem = Problem::Free(a);
-            let off = apart((problem, &p, &y0), &options(problem, &p, method, 1e-7));
+            let off = apart(Motion { problem, p: &p, y0: &y0 }, &options(problem, &p, method, 1e-7));
             prop_assert!(off < 1e-12, "{:?}: {:e}", method, off);
         }
     }
@@ -217,7 +227,7 @@ proptest! {
     ) {
         for method in &METHODS[1..] {
             let (problem, p) = (Problem::Driven(a), [0.9, 0.5, at]);
-            let off = apart((problem, &p, &y0), &options(problem, &p, *method, 1e-7));
+            let off = apart(Motion { problem, p: &p, y0: &y0 }, &options(problem, &p, *method, 1e-7));
             prop_assert!(off < 1e-12, "{:?}: {:e}", method, off);
         }
     }
@@ -233,7 +243,7 @@ proptest! {
             for method in METHODS {
                 let (s, c) = angle.sin_cos();
                 let y0 = [p[0] * c, p[0] * s, -p[0] * s * rate, p[0] * c * rate];
-                let off = apart((problem, &p, &y0), &options(problem, &p, method, 1e-4));
+                let off = apart(Motion { problem, p: &p, y0: &y0 }, &options(problem, &p, method, 1e-4));
                 prop_assert!(off < 1e-11, "{:?}: {:e}", method, off);
             }
         }
@@ -292,7 +302,7 @@ fn how_many_states_are_kept_changes_no_bit() {
         let y0 = if problem.has_constraints() { [0.9, 0.0, 0.0, 1.2] } else { [0.4, -0.2, 0.9, 0.1] };
         let options = options(problem, &p, Method::Dopri5, 1e-11);
         let by = |parts: &dyn Fn(usize) -> Vec<usize>| {
-            backwards((problem, &p, &y0), &options, &[0.2, 1.0, -1.0, 0.6], parts)
+            backwards(Motion { problem, p: &p, y0: &y0 }, &options, &[0.2, 1.0, -1.0, 0.6], parts)
         };
         let (few, steps) = by(&segments);
         let (all, _) = by(&|steps| vec![1; steps]);

@@ -224,7 +224,7 @@ fn events<'a>(limit: f64) -> Vec<Event<'a>> {
     vec![top, bottom, up]
 }
 
-fn watched_alone(plan: &Plan, limit: f64, (parameters, start): &(Vec<f64>, Vec<f64>)) -> Solution {
+fn watched_alone(plan: &Plan, limit: f64, parameters: &[f64], start: &[f64]) -> Solution {
     let rhs = Alone { equations: &Pendulum, parameters, divisor: None };
     integrate(rhs, plan.span, start, &plan.options(), &mut events(limit)).unwrap()
 }
@@ -246,7 +246,7 @@ fn what_watches_a_lane_sees_a_run_alone() {
         let equations = Equations::<4> { rates: &Pendulum, series: Some(&Pendulum) };
         let outcomes = batch::integrate_in(equations, &plan, &trajectories(&starts), Some(&watching)).unwrap();
         for (i, (start, outcome)) in starts.iter().zip(&outcomes).enumerate() {
-            let run = watched_alone(&plan, limit(i), start);
+            let run = watched_alone(&plan, limit(i), &start.0, &start.1);
             assert_eq!((&outcome.stop, outcome.steps), (&run.stop, run.steps), "{method:?} {start:?}");
             *stops.entry(run.stop.code().split(':').next().unwrap().to_owned()).or_insert(0) += 1;
             let near = |a: f64, b: f64| (a - b).abs() < 1e-8;

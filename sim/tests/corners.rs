@@ -20,7 +20,7 @@ fn run(method: Method, span: (f64, f64), corners: &[f64]) -> tripos_sim::Solutio
     let output = Output::Steps { refine: 3 };
     let options = Options {
         method,
-        corners: corners.iter().map(|at| Corner::still(*at, true)).collect(),
+        corners: corners.iter().map(|at| Corner::jump(*at)).collect(),
         output,
         max_step: Some(4.0),
         ..Options::tolerances(1e-6, 1e-6)
@@ -55,7 +55,7 @@ fn a_clock_in_the_state_is_kept_to_its_side() {
         dydt[1] = DoubleDouble::from_f64(1.0);
         Ok(())
     };
-    let corners = vec![Corner::still(2.5, true)];
+    let corners = vec![Corner::jump(2.5)];
     let options = Options { method: Method::Dop853, corners, clock: Some(1), ..Options::tolerances(1e-24, 1e-24) };
     let run = integrate(slope, (0.0, 4.0), &[DoubleDouble::from_f64(0.0); 2], &options, &mut []).unwrap();
     let error = (run.y_end[0] - DoubleDouble::from_f64(-1.0)).to_f64();
@@ -78,7 +78,7 @@ fn bends_cost_nothing() {
         bend(1.0) + bend(1.3)
     };
     for method in [Method::Ode45, Method::Dopri5, Method::Dop853] {
-        let bend = |at| Corner::still(at, false);
+        let bend = |at| Corner::bend(at);
         let [told, not] = [vec![bend(1.0), bend(1.3)], Vec::new()].map(|corners| {
             let options = Options { method, corners, ..Options::tolerances(1e-10, 1e-10) };
             integrate(slope, (0.0, 20.0), &[0.0], &options, &mut []).unwrap()
@@ -90,7 +90,7 @@ fn bends_cost_nothing() {
 
 #[test]
 fn corners_that_are_no_instants() {
-    let options = Options { corners: vec![Corner::still(f64::NAN, false)], ..Options::default() };
+    let options = Options { corners: vec![Corner::bend(f64::NAN)], ..Options::default() };
     let slope = |_: f64, _: &[f64], dydt: &mut [f64]| {
         dydt[0] = 0.0;
         Ok(())

@@ -4,10 +4,10 @@ use tripos_traits::{DoubleDouble, Dual, Real, Scalar, Tangent};
 
 type Digits = DoubleDouble;
 
-type Of<S> = fn(S, S) -> S;
+type BinaryFunction<S> = fn(S, S) -> S;
 
 /// Every function of a [`Scalar`], of two numbers.
-fn list<S: Scalar>() -> Vec<(&'static str, Of<S>)> {
+fn list<S: Scalar>() -> Vec<(&'static str, BinaryFunction<S>)> {
     vec![
         ("+", |x, y| x + y),
         ("-", |x, y| x - y),

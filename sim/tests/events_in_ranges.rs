@@ -44,8 +44,17 @@ impl RightHandSide for Clock {
     }
 }
 
+/// Equal steps of length `step` from 0 to `way` · `span`, s; `way` is 1 or −1.
+#[derive(Clone, Copy)]
+struct Steps {
+    span: f64,
+    step: f64,
+    way: f64,
+}
+
 /// The clock from 0 to `span` in equal steps.
-fn run(event: Event<'_>, (span, step, way): (f64, f64, f64), method: Method) -> Solution {
+fn run(event: Event<'_>, steps: Steps, method: Method) -> Solution {
+    let Steps { span, step, way } = steps;
     let options = Options { method, step: Some(step), output: Output::Ends, ..Options::default() };
     integrate(Clock { way }, (0.0, way * span), &[0.0, 0.0], &options, &mut [event]).unwrap()
 }
@@ -62,7 +71,7 @@ fn kinds(solution: &Solution) -> Vec<Kind> {
 fn in_one_step(function: &impl Function, effect: Effect) -> Vec<Solution> {
     let methods = [Method::Rk4, Method::Ode45, Method::Dop853, Method::Gauss6, Method::Radau5, Method::Taylor];
     let runs = methods.into_iter().flat_map(|method| [1.0, -1.0].map(|way| (method, way)));
-    runs.map(|(method, way)| run(watch(function, effect), (1.0, 1.0, way), method)).collect()
+    runs.map(|(method, way)| run(watch(function, effect), Steps { span: 1.0, step: 1.0, way }, method)).collect()
 }
 
 fn number<S: Scalar>(x: f64) -> S {
@@ -192,7 +201,7 @@ fn every_zero_of_random_functions_is_found_once() {
         let method = Method::ALL[trial % Method::ALL.len()];
         let way = if trial % 2 == 0 { 1.0 } else { -1.0 };
         let step = numbers.size(0.02, 1.0);
-        let solution = run(watch(&factors, Effect::Record), (1.0, step, way), method);
+        let solution = run(watch(&factors, Effect::Record), Steps { span: 1.0, step, way }, method);
         let found = seen(&solution);
         let what = format!("{trial} {} {step} {factors:?}: {found:?} {zeros:?}", method.name());
         assert_eq!(found.len(), zeros.len(), "{what}");
@@ -251,7 +260,8 @@ fn touches_are_recorded_once_and_end_nothing() {
                 assert!((solution.events[0].y[0] - a).abs() < 1e-7);
             }
             for way in [1.0, -1.0] {
-                let solution = run(watch(&factors, Effect::Record), (1.0, 0.125, way), Method::Dopri5);
+                let solution =
+                    run(watch(&factors, Effect::Record), Steps { span: 1.0, step: 0.125, way }, Method::Dopri5);
                 assert_eq!(kinds(&solution), [Touch], "{factors:?} {:?}", seen(&solution));
             }
         }
@@ -348,7 +358,7 @@ impl Function for Hidden {
 fn more_than_ranges_can_tell_is_undecided() {
     for (effect, warnings) in [(Effect::Record, 0), (Effect::Terminal, 1), (Effect::Domain, 1)] {
         for step in [1.0, 0.25] {
-            let solution = run(watch(&Hidden, effect), (1.0, step, 1.0), Method::Dop853);
+            let solution = run(watch(&Hidden, effect), Steps { span: 1.0, step, way: 1.0 }, Method::Dop853);
             let seen = kinds(&solution);
             assert!((1..=solution.steps).contains(&(seen.len() as u64)), "{seen:?}");
             assert!(seen.iter().all(|kind| *kind == Undecided) && solution.stop == Stop::End, "{seen:?}");
@@ -357,10 +367,10 @@ fn more_than_ranges_can_tell_is_undecided() {
         }
     }
     // Of 318 309 zeros some thousand are found, and it is said that there may be more.
-    let solution = run(watch(&Chirp(1e6), Effect::Record), (1.0, 1.0, 1.0), Method::Dop853);
+    let solution = run(watch(&Chirp(1e6), Effect::Record), Steps { span: 1.0, step: 1.0, way: 1.0 }, Method::Dop853);
     assert!(kinds(&solution).contains(&Undecided));
     // 300 x² + ½ passes 95 multiples of π.
-    let solution = run(watch(&Chirp(300.0), Effect::Record), (1.0, 1.0, 1.0), Method::Rk4);
+    let solution = run(watch(&Chirp(300.0), Effect::Record), Steps { span: 1.0, step: 1.0, way: 1.0 }, Method::Rk4);
     assert_eq!(solution.events.len(), 95);
     assert!(!kinds(&solution).contains(&Undecided));
 }
@@ -378,7 +388,7 @@ impl Function for Nothing {
 fn rounding_around_zero_is_no_crossing() {
     for way in [1.0, -1.0] {
         for step in [1.0, 0.1] {
-            let solution = run(watch(&Nothing, Effect::Terminal), (1.0, step, way), Method::Dop853);
+            let solution = run(watch(&Nothing, Effect::Terminal), Steps { span: 1.0, step, way }, Method::Dop853);
             assert_eq!((kinds(&solution), solution.stop), (vec![AtStart], Stop::End), "{step}");
         }
     }
@@ -389,17 +399,17 @@ fn a_zero_at_the_start_or_at_the_end_of_a_step_is_met_once() {
     for way in [1.0, -1.0] {
         for step in [1.0, 0.5, 0.25, 0.125] {
             let factors = vec![Factor::Line(0.5)];
-            let solution = run(watch(&factors, Effect::Terminal), (1.0, step, way), Method::Ode45);
+            let solution = run(watch(&factors, Effect::Terminal), Steps { span: 1.0, step, way }, Method::Ode45);
             assert_eq!(kinds(&solution), [Rising], "{step}");
             assert!((solution.y_end[0] - 0.5).abs() < 1e-15, "{step} {solution}");
             let factors = vec![Factor::Line(0.0), Factor::Line(0.6)];
-            let solution = run(watch(&factors, Effect::Terminal), (1.0, step, way), Method::Ode45);
+            let solution = run(watch(&factors, Effect::Terminal), Steps { span: 1.0, step, way }, Method::Ode45);
             assert_eq!(kinds(&solution), [AtStart, Rising], "{step}");
             let factors = vec![Factor::Line(0.0)];
-            let into = run(watch(&factors, Effect::Domain), (1.0, step, way), Method::Ode45);
+            let into = run(watch(&factors, Effect::Domain), Steps { span: 1.0, step, way }, Method::Ode45);
             assert_eq!((kinds(&into), into.stop), (vec![AtStart], Stop::End), "{step}");
             let factors = vec![Factor::Line(0.0), Factor::Line(1.5)];
-            let out = run(watch(&factors, Effect::Domain), (1.0, step, way), Method::Ode45);
+            let out = run(watch(&factors, Effect::Domain), Steps { span: 1.0, step, way }, Method::Ode45);
             assert_eq!((out.stop.code().as_str(), out.t_end), ("domain:zero", 0.0), "{step}");
         }
     }
@@ -417,10 +427,11 @@ impl Function for Beyond {
 #[test]
 fn an_event_that_is_not_a_number_ends_the_run_before_it_unless_another_comes_first() {
     for way in [1.0, -1.0] {
-        let solution = run(watch(&Beyond(-1.0), Effect::Record), (1.0, 0.25, way), Method::Dop853);
+        let solution = run(watch(&Beyond(-1.0), Effect::Record), Steps { span: 1.0, step: 0.25, way }, Method::Dop853);
         assert_eq!(solution.stop.code(), "event-not-a-number");
         assert!((solution.y_end[0] - 0.5).abs() < 1e-15, "{solution}");
-        let solution = run(watch(&Beyond(0.1_f64.sqrt()), Effect::Terminal), (1.0, 1.0, way), Method::Dop853);
+        let solution =
+            run(watch(&Beyond(0.1_f64.sqrt()), Effect::Terminal), Steps { span: 1.0, step: 1.0, way }, Method::Dop853);
         assert_eq!(solution.stop.code(), "event:zero");
         assert!((solution.y_end[0] - 0.5).abs() < 1e-15, "{solution}");
     }

@@ -2,15 +2,15 @@
 
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
-use tripos_sim::{Closed, Mode, Undecided};
+use tripos_sim::{ClosedContacts, Mode, Undecided};
 
 /// One contact with friction, of this compliance.
-fn one(g: [f64; 3], mu: f64) -> Closed {
+fn one(g: [f64; 3], mu: f64) -> ClosedContacts {
     let compliance = DMatrix::from_row_slice(2, 2, &[g[0], g[1], g[1], g[2]]);
-    Closed { compliance, rows: vec![vec![0, 1]], friction: vec![Some(mu)] }
+    ClosedContacts { compliance, rows: vec![vec![0, 1]], friction: vec![Some(mu)] }
 }
 
-fn modes(closed: &Closed, c: [f64; 2], slips: Option<f64>) -> Result<(Mode, [f64; 2]), Undecided> {
+fn modes(closed: &ClosedContacts, c: [f64; 2], slips: Option<f64>) -> Result<(Mode, [f64; 2]), Undecided> {
     let found = closed.ways(&DVector::from_column_slice(&c), &[slips])?;
     Ok((found[0].modes[0], [found[0].forces[0], found[0].forces[1]]))
 }
@@ -69,7 +69,7 @@ fn contacts_that_share_a_slip_share_what_friction_bears() {
         (1, 1) => along,
         _ => 0.0,
     });
-    let block = Closed { compliance, rows: vec![vec![0, 1], vec![2, 3]], friction: vec![Some(0.5); 2] };
+    let block = ClosedContacts { compliance, rows: vec![vec![0, 1], vec![2, 3]], friction: vec![Some(0.5); 2] };
     let pulled = |pull: f64| {
         let c = DVector::from_vec(vec![-2.0, pull, -6.0, pull]);
         block.ways(&c, &[None, None]).unwrap().swap_remove(0)
@@ -173,7 +173,7 @@ proptest! {
                 Err(()) => return Err(TestCaseError::reject("too close to call")),
             }
         }
-        let closed = Closed { compliance: g.clone(), rows: vec![vec![0, 1], vec![2, 3]], friction: mu.map(Some).to_vec() };
+        let closed = ClosedContacts { compliance: g.clone(), rows: vec![vec![0, 1], vec![2, 3]], friction: mu.map(Some).to_vec() };
         match closed.ways(&c, &[None, None]) {
             Ok(ways) => {
                 prop_assert!(found.len() == 1 && ways.len() == 1, "{found:?} {ways:?}");

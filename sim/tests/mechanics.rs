@@ -17,9 +17,9 @@ trait Small {
     fn potential(p: &[f64], q: &[f64]) -> f64;
 }
 
-struct Of<S>(S);
+struct SmallSystem<S>(S);
 
-impl<S: Small> System<f64> for Of<S> {
+impl<S: Small> System<f64> for SmallSystem<S> {
     fn lengths(&self) -> Lengths {
         let n = S::COORDINATES;
         Lengths { parameters: S::PARAMETERS, coordinates: n, variables: n, speeds: n, reactions: S::REACTIONS }
@@ -158,7 +158,7 @@ fn period(system: &dyn System<f64>, amplitude: f64) -> f64 {
 #[test]
 fn a_pendulum_keeps_its_exact_period() {
     for (amplitude, exact) in [(1.0, 2.139_137_600_558_689), (3.0, 5.158_066_754_267_866)] {
-        for system in [&Of(Pendulum) as &dyn System<f64>, &Of(PendulumWithTension)] {
+        for system in [&SmallSystem(Pendulum) as &dyn System<f64>, &SmallSystem(PendulumWithTension)] {
             let found = period(system, amplitude);
             assert!((found - exact).abs() < 1e-9, "{amplitude}: {found}");
         }
@@ -168,7 +168,7 @@ fn a_pendulum_keeps_its_exact_period() {
 /// S = m (g cos q + l q̇²), whatever the state: a system that is not symmetric, with a reaction.
 #[test]
 fn the_tension_comes_out_beside_the_acceleration() {
-    let mut dynamics = Dynamics::new(&Of(PendulumWithTension), &PARAMETERS).unwrap();
+    let mut dynamics = Dynamics::new(&SmallSystem(PendulumWithTension), &PARAMETERS).unwrap();
     let [m, l, g] = PARAMETERS;
     for (q, v) in [(0.0, 0.0), (0.3, -2.0), (2.0, 1.0), (-3.0, 0.5)] {
         let x = dynamics.unknowns(&[q], &[v]).unwrap().to_vec();
@@ -184,7 +184,7 @@ fn the_tension_comes_out_beside_the_acceleration() {
 /// steps.
 #[test]
 fn a_double_pendulum_conserves_energy() {
-    let mut dynamics = Dynamics::new(&Of(DoublePendulum), &PARAMETERS).unwrap();
+    let mut dynamics = Dynamics::new(&SmallSystem(DoublePendulum), &PARAMETERS).unwrap();
     let y0 = dynamics.state(&[2.0, 2.5], &[0.0, 0.0]).unwrap();
     let rhs = |t: f64, y: &[f64], dydt: &mut [f64]| dynamics.rhs(t, y, dydt);
     let solution = integrate(rhs, (0.0, 10.0), &y0, &tight(1e-10), &mut []).unwrap();
@@ -198,7 +198,7 @@ fn a_double_pendulum_conserves_energy() {
 /// Small oscillations have the frequencies ω² = (2 ± √2) g/l; the slow mode keeps q2 = √2 q1.
 #[test]
 fn a_double_pendulum_swings_in_its_slow_mode() {
-    let mut dynamics = Dynamics::new(&Of(DoublePendulum), &PARAMETERS).unwrap();
+    let mut dynamics = Dynamics::new(&SmallSystem(DoublePendulum), &PARAMETERS).unwrap();
     let amplitude = 1e-5;
     let y0 = [amplitude, amplitude * 2_f64.sqrt(), 0.0, 0.0];
     let rhs = |t: f64, y: &[f64], dydt: &mut [f64]| dynamics.rhs(t, y, dydt);
@@ -213,7 +213,8 @@ fn a_double_pendulum_swings_in_its_slow_mode() {
 
 #[test]
 fn a_singular_matrix_is_named() {
-    let mut dynamics = Dynamics::new(&Of(DoublePendulum), &[0.0, 1.0, 9.81]).unwrap().labelled("double pendulum, kane");
+    let mut dynamics =
+        Dynamics::new(&SmallSystem(DoublePendulum), &[0.0, 1.0, 9.81]).unwrap().labelled("double pendulum, kane");
     let failure = dynamics.unknowns(&[0.1, 0.2], &[0.0, 0.0]).unwrap_err();
     assert_eq!(failure.code, "singular");
     assert_eq!(failure.message, "double pendulum, kane: mass matrix of order 2 is singular");
@@ -232,7 +233,7 @@ fn a_singular_matrix_is_named() {
 
 #[test]
 fn the_condition_of_a_mass_matrix_is_at_hand() {
-    let mut dynamics = Dynamics::new(&Of(DoublePendulum), &PARAMETERS).unwrap();
+    let mut dynamics = Dynamics::new(&SmallSystem(DoublePendulum), &PARAMETERS).unwrap();
     // Perpendicular rods: diagonal, so perfect once scaled. Aligned rods: [[1, 1/2], [1, 1]] scaled
     // by rows and columns, ‖A‖ = 2, A⁻¹ = [[2, −1], [−2, 2]], ‖A⁻¹‖ = 4.
     let perpendicular = [std::f64::consts::FRAC_PI_2, 0.0];
@@ -242,11 +243,11 @@ fn the_condition_of_a_mass_matrix_is_at_hand() {
 
 #[test]
 fn lengths_and_parameters_are_checked() {
-    let few = Dynamics::new(&Of(Pendulum), &[1.0]).err();
+    let few = Dynamics::new(&SmallSystem(Pendulum), &[1.0]).err();
     assert_eq!(few, Some(SimError::Length { what: "parameters", expected: 3, found: 1 }));
-    let nan = Dynamics::new(&Of(Pendulum), &[1.0, f64::NAN, 1.0]).err();
+    let nan = Dynamics::new(&SmallSystem(Pendulum), &[1.0, f64::NAN, 1.0]).err();
     assert_eq!(nan, Some(SimError::NotFinite { what: "parameter 1".into() }));
-    let mut dynamics = Dynamics::new(&Of(Pendulum), &PARAMETERS).unwrap();
+    let mut dynamics = Dynamics::new(&SmallSystem(Pendulum), &PARAMETERS).unwrap();
     assert!(dynamics.state(&[0.0], &[]).is_err());
     assert_eq!(dynamics.unknowns(&[], &[0.0]).unwrap_err().code, "length");
     assert_eq!(dynamics.rhs(0.0, &[0.0; 3], &mut [0.0; 3]).unwrap_err().code, "length");

@@ -5,7 +5,7 @@ use crate::spoilt::Random;
 use std::path::Path;
 use tripos::Mechanism;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::{Scene, Stated, load};
+use tripos_derive::scene::{InitialMotion, Scene, load};
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// Samples of a run.
@@ -101,5 +101,5 @@ fn move_start(random: &mut Random, scene: &mut Scene, edge: Option<(usize, f64)>
     }
     let exact = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
     scene.exact.q = exact(&scene.q);
-    scene.exact.motion = Stated::Speeds(exact(&scene.u));
+    scene.exact.motion = InitialMotion::Speeds(exact(&scene.u));
 }

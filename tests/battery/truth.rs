@@ -3,7 +3,7 @@
 use super::problem::Problem;
 use tripos::code::{Ready, code};
 use tripos_derive::Formulation;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::Solve;
 use tripos_sim::{Eliminated, Lent, Method, Options, Output, RightHandSide, Stop, integrate};
 use tripos_traits::{DoubleDouble, Real};
@@ -46,7 +46,7 @@ impl Truth {
 }
 
 fn run(problem: &Problem, tolerance: f64, times: &[f64]) -> Option<Vec<Vec<f64>>> {
-    let by = By::from(Formulation::Kane);
+    let by = EquationsOrigin::from(Formulation::Kane);
     let code = code(&problem.mechanism, &by, None, Ready::Solved).ok()?;
     let ready = tripos::Problem::new(&problem.mechanism, &problem.scene, &by, &code, Some(Solve::Eliminated)).ok()?;
     let (p, start) = ready.extended_start().ok()?;

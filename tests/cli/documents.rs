@@ -465,7 +465,7 @@ fn a_pendulum_in_typst() {
 fn large_models_come_out_in_steps() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("model.toml");
-    std::fs::write(&path, crate::arm::tree_text(5, |i| i / 2, |i| i == 3, true)).unwrap();
+    std::fs::write(&path, crate::arm::tree_text(5, |i| i / 2, |i| i == 3, crate::arm::Reactions::All)).unwrap();
     for (format, heading) in
         [("markdown", "\n### Terms that stand by a name\n"), ("typst", "\n=== Terms that stand by a name\n")]
     {

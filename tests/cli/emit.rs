@@ -1,6 +1,6 @@
 //! `tripos emit`: the module of any model file, and what it leaves alone.
 
-use crate::arm::tree_text;
+use crate::arm::{Reactions, tree_text};
 use crate::support::{cargo, make_crate, root, tripos_in};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -318,7 +318,7 @@ CALLS}
 fn large_modules_compile_and_agree() {
     let folder = tempfile::tempdir().unwrap();
     let model = folder.path().join("arm.toml");
-    std::fs::write(&model, tree_text(20, |i| i / 2, |i| i % 5 == 4, false)).unwrap();
+    std::fs::write(&model, tree_text(20, |i| i / 2, |i| i % 5 == 4, Reactions::None)).unwrap();
     assert_eq!(emit(&model, &folder.path().join("src/arm"), &[]).0, 0);
     make_crate(folder.path());
     let main = r#"

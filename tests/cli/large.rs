@@ -1,6 +1,6 @@
 //! Large models on the command line: what is printed is complete, and small enough to be read.
 
-use crate::arm::tree_text;
+use crate::arm::{Reactions, tree_text};
 use crate::support::{root, tripos_in};
 use std::collections::HashSet;
 
@@ -11,14 +11,14 @@ use std::collections::HashSet;
 fn every_name_of_a_large_derivation_is_defined_before_it_is_used() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("model.toml");
-    std::fs::write(&path, tree_text(5, |i| i / 2, |i| i == 3, true)).unwrap();
+    std::fs::write(&path, tree_text(5, |i| i / 2, |i| i == 3, Reactions::All)).unwrap();
     let model = path.to_str().unwrap();
     for by in ["kane", "lagrange", "newton-euler"] {
         let (status, out, err) = tripos_in(&root(), &["derive", model, "--by", by, "--format", "json"]);
         assert_eq!(status, 0, "{err}");
         let value: serde_json::Value = serde_json::from_str(&out).unwrap();
         let found = &value["formulations"][0];
-        let mut known: HashSet<String> = words(&tree_text(5, |i| i / 2, |i| i == 3, true)).collect();
+        let mut known: HashSet<String> = words(&tree_text(5, |i| i / 2, |i| i == 3, Reactions::All)).collect();
         known.extend(["sin", "cos"].map(str::to_owned));
         for i in 1..=5 {
             known.extend([format!("q{i}'"), format!("q{i}''"), format!("u{i}'")]);
@@ -76,7 +76,7 @@ fn scenes_of_large_models_run_by_whole_equations() {
     for (n, whole) in [(3, false), (6, true)] {
         let home = folder.path().join(format!("arm{n}"));
         std::fs::create_dir_all(home.join("scenes")).unwrap();
-        std::fs::write(home.join("model.toml"), tree_text(n, |i| i - 1, |_| false, false)).unwrap();
+        std::fs::write(home.join("model.toml"), tree_text(n, |i| i - 1, |_| false, Reactions::None)).unwrap();
         let start: Vec<String> = (1..=n).map(|i| format!("q{i} = 0.{i}\nu{i} = 0\n")).collect();
         let start = start.concat();
         let scene = home.join("scenes/fall.toml");
@@ -97,7 +97,7 @@ fn scenes_of_large_models_run_by_whole_equations() {
 fn a_model_that_is_too_large_is_refused_with_its_counts() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("model.toml");
-    std::fs::write(&path, tree_text(300, |i| i - 1, |_| false, false)).unwrap();
+    std::fs::write(&path, tree_text(300, |i| i - 1, |_| false, Reactions::None)).unwrap();
     let (status, out, err) = tripos_in(&root(), &["derive", path.to_str().unwrap()]);
     assert_eq!((status, out.as_str()), (2, ""), "{err}");
     let wanted = "the equations are too large: 300 bodies and 300 coordinates make 91200 frames and points between its \
@@ -110,7 +110,7 @@ fn a_model_that_is_too_large_is_refused_with_its_counts() {
 #[test]
 fn terms_of_the_old_model_are_told_from_those_of_the_new() {
     let folder = tempfile::tempdir().unwrap();
-    let text = tree_text(3, |i| i - 1, |_| false, false);
+    let text = tree_text(3, |i| i - 1, |_| false, Reactions::None);
     for (side, text) in [("old", text.clone()), ("new", text.replace("\"lx3\"", "\"2*lx3\""))] {
         std::fs::create_dir(folder.path().join(side)).unwrap();
         std::fs::write(folder.path().join(side).join("model.toml"), text).unwrap();

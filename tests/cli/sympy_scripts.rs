@@ -149,7 +149,7 @@ fn programs_define_the_equations_of_json() {
 fn programs_of_large_models_have_steps() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("model.toml");
-    std::fs::write(&path, crate::arm::tree_text(5, |i| i / 2, |i| i == 3, true)).unwrap();
+    std::fs::write(&path, crate::arm::tree_text(5, |i| i / 2, |i| i == 3, crate::arm::Reactions::All)).unwrap();
     let script = derived(path.to_str().unwrap(), "sympy");
     assert!(script.lines().filter(|line| line.starts_with("    (")).count() > 150);
     assert!(script.lines().map(str::len).max().unwrap() < 5000);

@@ -81,7 +81,7 @@ fn names(model: &Model) -> Vec<String> {
         }
     };
     for point in &model.points {
-        let own = point.position.as_ref().map_or(inertial, |(_, frame, _)| model.frames[*frame].name.as_str());
+        let own = point.position.map_or(inertial, |placement| model.frames[placement.frame].name.as_str());
         for frame in [inertial, own] {
             axes(&mut names, &["p", "v", "a"], &point.name, frame, "");
         }

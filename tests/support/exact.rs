@@ -8,7 +8,7 @@ use super::stability::Start;
 use std::path::Path;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::{Scene, Stated, load};
+use tripos_derive::scene::{InitialMotion, Scene, load};
 use tripos_sim::exact::{
     BodyStart, FreeSymmetricBody, HeavyTop, Pendulum, SphericalPendulum, Top as Inertia, TopStart,
 };
@@ -47,8 +47,8 @@ pub fn start_of(model: &str, scene: &str) -> Start {
     let (_, scene) = read(model, scene);
     let (p, q) = (scene.exact.parameters, scene.exact.q);
     let u = match &scene.exact.motion {
-        Stated::Speeds(u) => u.clone(),
-        Stated::Rates(rates) => {
+        InitialMotion::Speeds(u) => u.clone(),
+        InitialMotion::Rates(rates) => {
             let mut u = vec![Dd::int(0); rates.len()];
             // Lagrange's equations have the definitions of the speeds.
             compiled(model, "lagrange").extended.generalized_speeds(&p, &q, rates, &mut u);

@@ -9,7 +9,7 @@ use std::process::ExitCode;
 
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::{self, Scene, Stated};
+use tripos_derive::scene::{self, InitialMotion, Scene};
 use tripos_sim::{Failure, Method, Options, Output, RightHandSide};
 use tripos_traits::{DoubleDouble, Real, System};
 
@@ -38,7 +38,7 @@ pub fn read(name: &str) -> Result<(Model, Scene), String> {
 /// # Errors
 /// What is wrong, in words, if the scene states generalized speeds.
 pub fn numbers_of<S: Real>(scene: &Scene) -> Result<(Vec<S>, Vec<S>), String> {
-    let Stated::Rates(rates) = &scene.exact.motion else { return Err("a scene here states q̇".to_owned()) };
+    let InitialMotion::Rates(rates) = &scene.exact.motion else { return Err("a scene here states q̇".to_owned()) };
     let list = |numbers: &[DoubleDouble]| numbers.iter().map(narrow).collect::<Vec<S>>();
     Ok((list(&scene.exact.parameters), [list(&scene.exact.q), list(rates)].concat()))
 }

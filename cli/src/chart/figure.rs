@@ -6,7 +6,7 @@ use crate::plot::styles::{BY_QUADRATURE, FRONT, METHODS, MOST_PRINTED, NUMERIC, 
 use crate::plot::{Figure, Panel, PlotError, Scale, Series, draw, draw_heat};
 use tripos::studies::case::MethodAtTolerance;
 use tripos::studies::chart::Measurement;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::Solve;
 use tripos_sim::Method;
 use tripos_sim::work_precision::pareto;
@@ -68,8 +68,8 @@ pub fn panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
 }
 
 /// Style of the curve of a set of equations; each printed set has a style of its own.
-fn own_style(list: &[Measurement], by: &By) -> usize {
-    let mut printed: Vec<&By> = Vec::new();
+fn own_style(list: &[Measurement], by: &EquationsOrigin) -> usize {
+    let mut printed: Vec<&EquationsOrigin> = Vec::new();
     for m in list.iter().filter(|m| m.by.printed_id().is_some()) {
         if !printed.contains(&&m.by) {
             printed.push(&m.by);
@@ -84,7 +84,7 @@ type Group<'a> = &'a dyn Fn(&Measurement) -> Option<(String, usize)>;
 fn panel(list: &[Measurement], title: &str, group: Group<'_>, uncertainty: f64) -> Panel {
     let shown: Vec<((String, usize), &Measurement)> = list.iter().filter_map(|m| Some((group(m)?, m))).collect();
     // Curves of one name and style may be of several sets of equations.
-    let mut curves: Vec<(&(String, usize), &By)> = Vec::new();
+    let mut curves: Vec<(&(String, usize), &EquationsOrigin)> = Vec::new();
     for (name, m) in &shown {
         if !curves.contains(&(name, &m.by)) {
             curves.push((name, &m.by));

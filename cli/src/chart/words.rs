@@ -1,7 +1,7 @@
 //! Sentences about a speed chart. Every number in a sentence is one of its measurements.
 
 use tripos::studies::chart::Measurement;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::Solve;
 use tripos_sim::Method;
 use tripos_sim::work_precision::cheapest;
@@ -74,8 +74,8 @@ fn factor<Kind>(times: &[(Kind, Option<f64>)]) -> Option<f64> {
 }
 
 /// Derived equations that were measured, each once.
-fn equations(list: &[Measurement]) -> Vec<&By> {
-    let mut found: Vec<&By> = Vec::new();
+fn equations(list: &[Measurement]) -> Vec<&EquationsOrigin> {
+    let mut found: Vec<&EquationsOrigin> = Vec::new();
     for m in list.iter().filter(|m| is_derived(m)) {
         if !found.contains(&&m.by) {
             found.push(&m.by);
@@ -96,7 +96,7 @@ pub fn is_whole(m: &Measurement) -> bool {
 }
 
 /// Time that each set of equations needs, s, with the best choice of everything else.
-fn by_equations(list: &[Measurement], target: f64) -> Vec<(&By, Option<f64>)> {
+fn by_equations(list: &[Measurement], target: f64) -> Vec<(&EquationsOrigin, Option<f64>)> {
     each(list, target, equations(list), |m| Some(&m.by))
 }
 
@@ -210,9 +210,9 @@ mod tests {
     use tripos_sim::Stop;
     use tripos_sim::work_precision::Spread;
 
-    const KANE: By = By::Derived(Formulation::Kane);
+    const KANE: EquationsOrigin = EquationsOrigin::Derived(Formulation::Kane);
 
-    fn run(by: By, solve: Solve, method: Method, time: f64, error: Option<f64>) -> Measurement {
+    fn run(by: EquationsOrigin, solve: Solve, method: Method, time: f64, error: Option<f64>) -> Measurement {
         Measurement {
             by,
             solve,
@@ -238,7 +238,7 @@ mod tests {
             run(KANE, Solve::Eliminated, Method::Rk4, 1e-3, Some(1e-2)),
             run(KANE, Solve::Eliminated, Method::Gauss6, 1e-3, None),
             run(
-                By::Printed { id: "x".to_owned(), formulation: Formulation::Kane },
+                EquationsOrigin::Printed { id: "x".to_owned(), formulation: Formulation::Kane },
                 Solve::Numeric,
                 Method::Dop853,
                 1e-6,
@@ -261,7 +261,7 @@ mod tests {
             run(KANE, Solve::Eliminated, Method::Dop853, 1e-3, Some(1e-10)),
             run(KANE, Solve::Numeric, Method::Dop853, 3e-3, Some(1e-10)),
             run(KANE, Solve::Eliminated, Method::Ode45, 8e-3, Some(1e-10)),
-            run(By::Reduced, Solve::Eliminated, Method::Dop853, 1e-4, Some(1e-10)),
+            run(EquationsOrigin::Reduced, Solve::Eliminated, Method::Dop853, 1e-4, Some(1e-10)),
         ];
         let said = lead(&list);
         assert!(said.starts_with("Use the scene's reduced equations by dop853: on this scene"), "{said}");

@@ -9,7 +9,7 @@ use tripos::code::{Ready, by as equations, code_of, derivation, tape};
 use tripos::{EquationsName, Error, Mechanism, near_divisors};
 use tripos_derive::algebra::Expr;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::{By, Derivation, Kinematics, rates_to_speeds};
+use tripos_derive::mechanics::{Derivation, EquationsOrigin, Kinematics, rates_to_speeds};
 use tripos_derive::model::Reaction;
 use tripos_derive::scene::{State, load_state};
 use tripos_sim::Dynamics;
@@ -63,7 +63,7 @@ pub fn evaluate(model: &Path, by: &EquationsName, at: &Path, output: Output) -> 
     Ok(0)
 }
 
-fn values(model: &Mechanism, by: &By, derivation: &Derivation, state: &State) -> Result<Values, Failure> {
+fn values(model: &Mechanism, by: &EquationsOrigin, derivation: &Derivation, state: &State) -> Result<Values, Failure> {
     let code = code_of(model, by, derivation, Ready::AsDerived)?;
     let system = code.system();
     let State { parameters: p, q, u } = state;

@@ -12,8 +12,8 @@ use tripos::studies::inverse::moments;
 use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::value::evaluate::Numeric;
 use tripos_derive::identify::{Base, Complete, Factor, Identification};
-use tripos_derive::mechanics::{Of, Varied};
-use tripos_derive::scene::Moving;
+use tripos_derive::mechanics::{ColumnParameter, Varied};
+use tripos_derive::scene::MotionSample;
 use tripos_traits::DoubleDouble;
 
 /// Finds the base parameters of a model, and prints the regressor at the states of a file. Returns the exit status.
@@ -94,8 +94,8 @@ fn json_of(
     let regressor = &found.regressor;
     let columns = regressor.columns.iter().map(|column| {
         let of = match column.of {
-            Of::Body(body, _) => json!({ "body": model.bodies[body].name }),
-            Of::Parameter(at) => json!({ "about": model.parameters[at].about }),
+            ColumnParameter::Body(body, _) => json!({ "body": model.bodies[body].name }),
+            ColumnParameter::Parameter(at) => json!({ "about": model.parameters[at].about }),
         };
         json!({ "name": column.name, "unit": column.unit.to_string(), "of": of, "stated": text(&regressor.arena, column.stated) })
     });
@@ -151,7 +151,7 @@ fn finite(x: f64) -> Option<f64> {
     x.is_finite().then_some(x)
 }
 
-fn json_of_row(model: &Mechanism, states: &[Moving], row: &Row) -> Value {
+fn json_of_row(model: &Mechanism, states: &[MotionSample], row: &Row) -> Value {
     json!({
         "t": states[row.state].t, "state": row.state, "speed": model.speeds[row.speed].name,
         "factors": row.factors.iter().map(|x| x.hi()).collect::<Vec<_>>(), "rest": row.rest.hi(),
@@ -160,7 +160,7 @@ fn json_of_row(model: &Mechanism, states: &[Moving], row: &Row) -> Value {
 
 /// Table of the regressor as CSV: t if it is known, the state, the speed, a column for each base parameter, and the
 /// known rest.
-fn csv_of(model: &Mechanism, found: &Identification, states: &[Moving], rows: &[Row]) -> String {
+fn csv_of(model: &Mechanism, found: &Identification, states: &[MotionSample], rows: &[Row]) -> String {
     let names: Vec<&str> = found.base.iter().map(|base| name(found, base.column)).collect();
     let heads: Vec<&str> = ["t", "state", "speed"].into_iter().chain(names).chain(["rest"]).collect();
     table(

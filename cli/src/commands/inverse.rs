@@ -9,7 +9,7 @@ use tripos::Mechanism;
 use tripos::studies::inverse::{Forces, Inverse, moments};
 use tripos_derive::algebra::value::evaluate::Numeric;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
-use tripos_derive::scene::{Given, Motion, Moving, load_motion, load_samples};
+use tripos_derive::scene::{Motion, MotionForm, MotionSample, load_motion, load_samples};
 use tripos_traits::DoubleDouble;
 
 /// Format of printed results.
@@ -57,7 +57,7 @@ pub fn read_motion(path: &Path, model: &mut Mechanism) -> Result<Motion, Failure
             }
         });
     }
-    Ok(Motion { parameters, given: Given::Samples(load_samples(&source, model)?) })
+    Ok(Motion { parameters, given: MotionForm::Samples(load_samples(&source, model)?) })
 }
 
 /// Writes a table as CSV.
@@ -75,7 +75,7 @@ pub fn inverse(model: &Path, motion: &Path, inputs: &[String], shape: Shape) -> 
     let mut model = read_model(model)?;
     let motion = read_motion(motion, &mut model)?;
     let inverse = Inverse::new(&model, inputs)?;
-    let mut list: Vec<(Moving, Forces)> = Vec::new();
+    let mut list: Vec<(MotionSample, Forces)> = Vec::new();
     for moving in moments(&model, &motion)? {
         let forces = inverse.at(&motion.parameters, &moving)?;
         list.push((moving, forces));
@@ -104,15 +104,15 @@ fn along(forces: &Forces) -> Vec<f64> {
     forces.along.iter().map(|x| x.hi()).collect()
 }
 
-fn state_of(model: &Mechanism, moving: &Moving) -> Vec<(String, f64)> {
+fn state_of(model: &Mechanism, moving: &MotionSample) -> Vec<(String, f64)> {
     let q = model.coordinates.iter().map(|c| c.name.clone()).zip(&moving.q);
     let u = model.speeds.iter().map(|s| s.name.clone()).zip(&moving.u);
     let rates = model.speeds.iter().map(|s| format!("{}'", s.name)).zip(&moving.rates);
     q.chain(u).chain(rates).map(|(name, x)| (name, x.hi())).collect()
 }
 
-fn json_of(model: &Mechanism, inverse: &Inverse, list: &[(Moving, Forces)]) -> Value {
-    let one = |(moving, forces): &(Moving, Forces)| {
+fn json_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]) -> Value {
+    let one = |(moving, forces): &(MotionSample, Forces)| {
         let (names, values): (Vec<String>, Vec<f64>) = state_of(model, moving).into_iter().unzip();
         json!({
             "t": moving.t,
@@ -134,7 +134,7 @@ fn json_of(model: &Mechanism, inverse: &Inverse, list: &[(Moving, Forces)]) -> V
 
 /// Table of the result as CSV, a row for each instant: t if it is known, the state, `force(u)` along each speed, then
 /// the inputs. Inputs are empty if none give the forces.
-fn csv_of(model: &Mechanism, inverse: &Inverse, list: &[(Moving, Forces)]) -> String {
+fn csv_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]) -> String {
     let has_instants = list.iter().all(|(moving, _)| moving.t.is_some()) && model.time().is_none();
     let names = list.first().map_or(Vec::new(), |(moving, _)| state_of(model, moving));
     let names_of_forces = inverse.speeds.iter().map(|speed| format!("force({speed})"));
@@ -146,7 +146,7 @@ fn csv_of(model: &Mechanism, inverse: &Inverse, list: &[(Moving, Forces)]) -> St
         .chain(inverse.inputs.iter().cloned())
         .collect();
     let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
-    let row = |(moving, forces): &(Moving, Forces)| {
+    let row = |(moving, forces): &(MotionSample, Forces)| {
         let number = |x: &f64| format!("{x:?}");
         let inputs: Vec<String> = match &forces.inputs {
             Some(inputs) => inputs.iter().map(number).collect(),
@@ -159,7 +159,7 @@ fn csv_of(model: &Mechanism, inverse: &Inverse, list: &[(Moving, Forces)]) -> St
     table(&heads, list.iter().map(row))
 }
 
-fn text_of(model: &Mechanism, inverse: &Inverse, list: &[(Moving, Forces)]) -> String {
+fn text_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]) -> String {
     let mut out = format!("{}: what its motion needs\n", model.title);
     match list {
         [(_, forces)] => {
@@ -211,11 +211,11 @@ fn least(inverse: &Inverse, forces: &Forces) -> String {
 }
 
 /// Sentence on why the inputs do not give the motion; empty if they do.
-fn refusal(inverse: &Inverse, list: &[(Moving, Forces)]) -> String {
+fn refusal(inverse: &Inverse, list: &[(MotionSample, Forces)]) -> String {
     if inverse.inputs.is_empty() {
         return "\nthe model has no inputs; --input NAME asks for parameters that loads are linear in\n".to_owned();
     }
-    let missed: Vec<&(Moving, Forces)> = list.iter().filter(|(_, forces)| forces.inputs.is_none()).collect();
+    let missed: Vec<&(MotionSample, Forces)> = list.iter().filter(|(_, forces)| forces.inputs.is_none()).collect();
     let worst = missed.iter().flat_map(|(moving, forces)| {
         inverse.speeds.iter().zip(&forces.left).map(|(speed, left)| (moving.t, speed, *left, forces.reached))
     });

@@ -33,7 +33,7 @@ use tripos::trust::comparison::Compared;
 use tripos::{Course, Error, Mechanism, Run, Watch, run_code};
 use tripos_codegen::scene_files::{is_same, scene_files};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::mechanics::{DerivationInSteps, derive_in_steps};
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{FigureKind, Integrator, Scene, Solve, load, model_path};
@@ -165,7 +165,7 @@ struct Work<'a> {
     model: &'a Mechanism,
     study: &'a Study,
     watch: Watch,
-    derived: Vec<(By, Code)>,
+    derived: Vec<(EquationsOrigin, Code)>,
     printed: Vec<Printed>,
 }
 
@@ -196,7 +196,7 @@ impl<'a> Work<'a> {
     fn new(model: &'a Mechanism, study: &'a Study, derivations: &Derivations) -> Result<Self, Failure> {
         let mut derived = Vec::new();
         for (f, _) in derivations.iter().filter(|(_, result)| result.is_ok()) {
-            let by = By::from(*f);
+            let by = EquationsOrigin::from(*f);
             let code = code(model, &by, None, Ready::Solved)?;
             derived.push((by, code));
         }
@@ -237,7 +237,7 @@ impl<'a> Work<'a> {
 
     /// Runs a scene by all equations. Printed equations may fail: the page shows that, and the command goes on.
     fn runs(&self, scene: &Scene, bar: &ProgressBar) -> Result<Runs, Failure> {
-        let message = |by: &By| format!("running {} by {}", path_in_line(&scene.source.path), by.name());
+        let message = |by: &EquationsOrigin| format!("running {} by {}", path_in_line(&scene.source.path), by.name());
         let own = Own::new(self.model, scene, &self.watch).map_err(|failure| failure.first_line());
         let mut runs =
             Runs { derived: Vec::new(), own, printed: Vec::new(), standings: Vec::new(), not_run: Vec::new() };

@@ -1,12 +1,12 @@
 //! Styles of curves by meaning, as indices into the table of looks, equal in every figure.
 
 use tripos_derive::Formulation;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_sim::Method;
 
 /// Style of a set of equations. Formulations and a scene's reduced equations have styles of their own, for any model;
 /// printed systems have later styles.
-pub fn style(by: &By) -> usize {
+pub fn style(by: &EquationsOrigin) -> usize {
     let reduced = Formulation::ALL.len();
     let formulation = Formulation::ALL.iter().position(|f| by.formulation() == Some(*f));
     formulation.unwrap_or(if by.is_reduced() { reduced } else { PRINTED })

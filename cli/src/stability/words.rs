@@ -4,7 +4,7 @@ use crate::plot::pretty;
 use tripos::studies::stability::{Findings, Looked, Passed, Variable};
 use tripos_derive::algebra::solve::elimination::divisors;
 use tripos_derive::algebra::text::print::text;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::Solve;
 use tripos_derive::{Formulation, Model};
 use tripos_sim::Method;
@@ -55,7 +55,7 @@ fn errors(list: &[Passed], of: impl Fn(&Passed) -> bool) -> Vec<&Passed> {
 fn solves(list: &[Passed]) -> Option<String> {
     let mut parts = Vec::new();
     for solve in Solve::ALL {
-        let mut all: Vec<&By> = Vec::new();
+        let mut all: Vec<&EquationsOrigin> = Vec::new();
         for p in list.iter().filter(|p| p.solve == solve.name()) {
             if !all.contains(&&p.by) {
                 all.push(&p.by);
@@ -97,7 +97,7 @@ pub fn own(list: &[Passed]) -> Option<String> {
 /// in other speeds lose. It states the errors of both, also in the distance; `None` if the findings do not show it.
 pub fn coordinate(model: &Model, list: &[Passed]) -> Option<String> {
     let of = |formulation: Formulation, variable: Variable| {
-        let by = By::from(formulation);
+        let by = EquationsOrigin::from(formulation);
         errors(list, |p| p.by == by && p.variable == variable && p.solve == Solve::Eliminated.name())
     };
     let lagrange = Formulation::Lagrange;

@@ -13,7 +13,7 @@ use tripos_codegen::js::{Module, Written};
 use tripos_codegen::plan::{Arguments, Function, MotionPlan, Planner, Returns, Watched};
 use tripos_derive::Formulation;
 use tripos_derive::algebra::Expr;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_traits::{AbsoluteTolerance, Direction};
 
 /// Largest error of a step, relative and absolute, that a run in the page is allowed.
@@ -96,7 +96,7 @@ impl Live {
         let mut data = data(seen, &plan, &stops, &title);
         // If the independent speeds fail on the way, the equations in all rates may go on.
         if !mechanism.loops.is_empty() && written.solved.is_some() {
-            let lagrange = By::from(Formulation::Lagrange);
+            let lagrange = EquationsOrigin::from(Formulation::Lagrange);
             let general = Written::unsolved(derivation(mechanism, &lagrange)?);
             let own = general.planner(mechanism);
             let plan = MotionPlan::new(&own, None, &stops.watched, balance.as_ref());

@@ -9,7 +9,7 @@ use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{By, Constrained, Divisors, Solved, bare};
+use tripos_derive::mechanics::{Constrained, Divisors, EquationsOrigin, Solved, bare};
 
 /// Most steps of accelerations for which q̇ and v̇ are also computed together, with shared terms.
 const MOST_REPEATED: usize = 100;
@@ -259,7 +259,7 @@ pub(super) fn kinematics_and_energies(planner: &Planner<'_>) -> Vec<Function> {
     let function = |name, about, arguments, returns, values: &[Value]| {
         planner.stepwise(name, about, arguments, returns, &e.definitions, values)
     };
-    let about_potential = if e.by == By::Reduced && !e.definitions.is_empty() {
+    let about_potential = if e.by == EquationsOrigin::Reduced && !e.definitions.is_empty() {
         "Potential energy V, with the kinetic energy of what the momenta determine."
     } else {
         "Potential energy V: of gravity, and of the applied loads that have a potential."

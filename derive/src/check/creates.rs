@@ -13,7 +13,7 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::value::range::never_positive;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::mechanics::{DeriveError, Kinematics, potential_at_rest, rates_to_speeds};
-use crate::model::{Model, Tie};
+use crate::model::{Model, MotionConstraintKind};
 use rustc_hash::FxHashMap;
 use std::fmt::Write;
 
@@ -194,7 +194,8 @@ impl<'m> Judge<'m> {
     /// True if the work of the forces at rest is proved to depend on the path: ∂F_i/∂q_j ≠ ∂F_j/∂q_i. False if
     /// constraints or loops restrict the paths.
     fn depends_on_way(&mut self, forces: &[Expr]) -> bool {
-        let is_free = self.model.motion_constraints.iter().all(|c| c.tie == Tie::Clock) && self.model.loops.is_empty();
+        let is_free = self.model.motion_constraints.iter().all(|c| c.kind == MotionConstraintKind::Clock)
+            && self.model.loops.is_empty();
         let Some(resting) = self.at_rest(forces).filter(|_| is_free) else { return false };
         let n = resting.len();
         let mut gradient = Gradient::new(&self.model.q());

@@ -13,7 +13,7 @@ mod pose;
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr};
-use crate::model::{Model, Tie};
+use crate::model::{Model, MotionConstraintKind};
 use minors::{Matrix, surfaces};
 use pose::Constraints;
 
@@ -83,7 +83,7 @@ pub fn rank_loss(model: &Model) -> Option<RankLoss> {
 fn rows(model: &Model, arena: &mut Arena, columns: &[usize]) -> (Vec<Vec<Expr>>, usize) {
     let rates: Vec<Expr> = columns.iter().map(|at| model.coordinates[*at].rate).collect();
     let places: Vec<Expr> = columns.iter().map(|at| model.coordinates[*at].symbol).collect();
-    let stated = model.motion_constraints.iter().filter(|c| c.tie != Tie::Clock).map(|c| c.equation);
+    let stated = model.motion_constraints.iter().filter(|c| c.kind != MotionConstraintKind::Clock).map(|c| c.equation);
     let mut rows: Vec<Vec<Expr>> = stated.map(|e| slopes(arena, e, &rates)).collect();
     let rank = rows.len();
     let left_out = model.repeated.iter().map(|r| r.elsewhere).chain(model.dependent.iter().map(|d| d.equation));

@@ -15,7 +15,7 @@ use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use crate::mechanics::{Kinematics, Quantities};
-use crate::model::{Model, TIME, Tie};
+use crate::model::{Model, MotionConstraintKind, TIME};
 
 /// Most multiplications of terms for the numerator of one equation.
 const BUDGET: u64 = 100_000;
@@ -42,7 +42,7 @@ pub fn permitted(quantities: &mut Quantities<'_>) -> Permitted {
     let arena = &mut quantities.derivations.kinematics.arena;
     let shorter = shorter_sums(model, arena);
     let permitted = Permitted::new(arena, solved, conditions).with_shorter(&shorter).with_open(open);
-    let is_told = model.motion_constraints.iter().any(|constraint| constraint.tie != Tie::Clock);
+    let is_told = model.motion_constraints.iter().any(|constraint| constraint.kind != MotionConstraintKind::Clock);
     if is_told { permitted } else { permitted.untold() }
 }
 

@@ -17,7 +17,7 @@ use crate::prove::IntegralKind;
 
 /// Velocity of a steady motion along one symmetry.
 #[derive(Clone, Debug)]
-pub struct Along {
+pub struct SymmetryVelocity {
     /// Symbol of the velocity: that of the coordinate's rate if `is_rate`.
     pub symbol: Expr,
     /// Index of the symmetry in [`Flow::symmetries`].
@@ -26,11 +26,20 @@ pub struct Along {
     pub is_rate: bool,
 }
 
+/// Kind of a motion whose variables are constant, except those along symmetries.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Steadiness {
+    /// State in which nothing moves except drives at a constant rate.
+    Rest,
+    /// Motion at constant velocities along the symmetries.
+    SteadyMotion,
+}
+
 /// Conditions of rest, or of motion along the symmetries, as terms that must vanish.
 #[derive(Clone, Debug, Default)]
 pub struct Balance {
     /// Velocities along symmetries; empty for rest.
-    pub along: Vec<Along>,
+    pub along: Vec<SymmetryVelocity>,
     /// Generalized speeds, in coordinates and velocities along symmetries.
     pub speeds: Vec<Expr>,
     /// Terms that must vanish, in parameters, coordinates and velocities along symmetries.
@@ -40,9 +49,12 @@ pub struct Balance {
 }
 
 impl Flow {
-    /// Conditions of rest, or of motion along the symmetries if `moves`. Drives at a constant rate continue in both.
-    pub fn balance(&mut self, model: &Model, moves: bool) -> Balance {
-        let along = if moves { self.velocities(model) } else { Vec::new() };
+    /// Conditions of rest, or of motion along the symmetries. Drives at a constant rate continue in both.
+    pub fn balance(&mut self, model: &Model, steadiness: Steadiness) -> Balance {
+        let along = match steadiness {
+            Steadiness::Rest => Vec::new(),
+            Steadiness::SteadyMotion => self.velocities(model),
+        };
         let q_count = model.coordinates.len();
         // Time continues by itself. Rest at any time is stated at time 0.
         let by_time = self.by_time(model);
@@ -89,10 +101,10 @@ impl Flow {
     }
 
     /// Velocities along all symmetries except the shift of time, with their symbols.
-    fn velocities(&mut self, model: &Model) -> Vec<Along> {
+    fn velocities(&mut self, model: &Model) -> Vec<SymmetryVelocity> {
         let n = model.coordinates.len();
         let rates = model.q_dot();
-        let mut list: Vec<Along> = Vec::new();
+        let mut list: Vec<SymmetryVelocity> = Vec::new();
         let by_time = self.by_time(model);
         for (symmetry, field) in self.symmetries.iter().enumerate().filter(|(at, _)| Some(*at) != by_time) {
             // The velocity c is q' if no other symmetry changes the coordinate.
@@ -105,7 +117,7 @@ impl Flow {
                 Some(at) => rates[at],
                 None => fresh_symbol(&mut self.arena, &name(model, field.kind)),
             };
-            list.push(Along { symbol, symmetry, is_rate: own.is_some() });
+            list.push(SymmetryVelocity { symbol, symmetry, is_rate: own.is_some() });
         }
         list
     }

@@ -31,7 +31,7 @@ pub struct Chosen {
 
 /// State and numbers at which the linear system is taken.
 #[derive(Clone, Debug, Default)]
-pub struct Stated {
+pub struct OperatingPoint {
     /// Symbols of parameters with their exact values.
     pub numbers: Vec<(Expr, Rational)>,
     /// Formula of each state, in parameters and letters.
@@ -65,7 +65,7 @@ impl Flow {
     ///
     /// # Errors
     /// [`NotInLetters`] if the state is not steady, or a divisor is zero.
-    pub fn in_letters(&self, stated: &Stated, chosen: &Chosen) -> Result<InLetters, NotInLetters> {
+    pub fn in_letters(&self, stated: &OperatingPoint, chosen: &Chosen) -> Result<InLetters, NotInLetters> {
         let mut work = Work { arena: self.arena.clone(), simplifier: Simplifier::default() };
         let (values, slopes) = work.slopes(self, stated)?;
         let along = work.carried(self, &values, chosen)?;
@@ -137,7 +137,11 @@ struct Work {
 
 impl Work {
     /// Values of the flow at the stated state, and slopes along each state and input.
-    fn slopes(&mut self, flow: &Flow, stated: &Stated) -> Result<(Rates<Expr>, Vec<Rates<Expr>>), NotInLetters> {
+    fn slopes(
+        &mut self,
+        flow: &Flow,
+        stated: &OperatingPoint,
+    ) -> Result<(Rates<Expr>, Vec<Rates<Expr>>), NotInLetters> {
         let Self { arena, simplifier } = self;
         let zetas = flow.symmetries.iter().flat_map(|symmetry| &symmetry.along);
         let terms: Vec<Expr> =

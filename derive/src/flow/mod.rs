@@ -10,10 +10,10 @@ mod program;
 mod rest;
 mod symmetry;
 
-pub use balance::{Along, Balance};
-pub use letters::{Chosen, InLetters, NotInLetters, Stated};
+pub use balance::{Balance, Steadiness, SymmetryVelocity};
+pub use letters::{Chosen, InLetters, NotInLetters, OperatingPoint};
 pub use program::{Program, Rates, Sizes};
-pub use rest::Rest;
+pub use rest::RestBalance;
 pub use symmetry::Symmetry;
 pub(crate) use symmetry::{candidates, turned};
 

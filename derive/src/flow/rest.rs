@@ -12,7 +12,7 @@ use crate::mechanics::{DeriveError, Formulation, Kinematics, derive_with};
 use crate::model::Model;
 
 /// Balance of forces at rest, in coordinates and multipliers.
-pub struct Rest {
+pub struct RestBalance {
     /// Residuals in the form of a flow. The states are the coordinates, then the multipliers; the rates are the
     /// unbalanced force along each coordinate, then the velocity that each constraint demands at rest.
     pub residuals: Flow,
@@ -22,7 +22,7 @@ pub struct Rest {
     pub speeds: Vec<Expr>,
 }
 
-impl Rest {
+impl RestBalance {
     /// Derives the balance of forces at rest by Lagrange's method.
     ///
     /// # Errors

@@ -68,7 +68,7 @@ pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> 
     let is_of_centre =
         |symmetry: &Symmetry| matches!(symmetry.kind, IntegralKind::Angular { through: Pivot::MassCentre, .. });
     for at in (0..list.len()).rev() {
-        if is_of_centre(&list[at]) && follows(flow, (&list, model.coordinates.len()), at) {
+        if is_of_centre(&list[at]) && follows(flow, &list, model.coordinates.len(), at) {
             list.remove(at);
         }
     }
@@ -100,7 +100,7 @@ pub fn turned(
 
 /// True if a field moves coordinates as a combination of the other fields does, at a random state. The coefficients may
 /// depend on the state, so the speeds may change otherwise.
-fn follows(flow: &mut Flow, (list, count): (&[Symmetry], usize), at: usize) -> bool {
+fn follows(flow: &mut Flow, list: &[Symmetry], count: usize, at: usize) -> bool {
     let fields: Vec<Expr> = list.iter().flat_map(|symmetry| symmetry.along[..count].iter().copied()).collect();
     let fields = flow.behind(&fields);
     let symbols = [flow.parameters.clone(), flow.states.clone()].concat();

@@ -8,7 +8,7 @@ mod vector;
 pub(crate) use components::transposed;
 pub use components::{Components, apply_tensor, cross_components};
 pub use motion::{Motion, angular_velocities, linear_velocities};
-pub use turn::{Oriented, Turn};
+pub use turn::{Oriented, Turn, TurnSense};
 pub use vector::{Dots, Frames, Part, Vector};
 
 use crate::algebra::Expr;
@@ -22,11 +22,22 @@ pub struct Frame {
     pub rotation: Option<(usize, Turn)>,
 }
 
+/// Position of a point from its parent point.
+#[derive(Clone, Copy, Debug)]
+pub struct Placement {
+    /// Index of the parent point.
+    pub parent: usize,
+    /// Index of the frame of the components.
+    pub frame: usize,
+    /// Components of the vector from the parent point to the point, m.
+    pub components: [Expr; 3],
+}
+
 /// A point, placed from its parent point.
 #[derive(Clone, Debug)]
 pub struct Point {
     /// Name of the point in the model file.
     pub name: String,
-    /// Number of the parent point, number of the frame of the components, and components in m; `None` for the origin.
-    pub position: Option<(usize, usize, [Expr; 3])>,
+    /// Position of the point from its parent point; `None` for the origin.
+    pub position: Option<Placement>,
 }

@@ -4,7 +4,7 @@
 //! fixed on a body, and moving on it).
 
 use super::vector::{Frames, Vector};
-use super::{Frame, Point};
+use super::{Frame, Placement, Point};
 use crate::algebra::Arena;
 use crate::algebra::term::calculus::Differential;
 
@@ -39,7 +39,8 @@ impl Motion {
         &self,
         arena: &mut Arena,
         frames: &mut Frames,
-        (frame, centre): (usize, usize),
+        frame: usize,
+        centre: usize,
         point: usize,
     ) -> Vector {
         let back = self.positions[centre].neg(arena);
@@ -78,7 +79,7 @@ pub fn linear_velocities(
 ) -> (Vec<Vector>, Vec<Vector>) {
     let (mut positions, mut linear): (Vec<Vector>, Vec<Vector>) = (Vec::new(), Vec::new());
     for point in points {
-        let Some((parent, frame, components)) = point.position else {
+        let Some(Placement { parent, frame, components }) = point.position else {
             positions.push(Vector::default());
             linear.push(Vector::default());
             continue;

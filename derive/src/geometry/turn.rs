@@ -25,6 +25,15 @@ pub struct Oriented {
     pub spins: Vec<(Expr, Components)>,
 }
 
+/// Direction in which a turn is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TurnSense {
+    /// From the frame before the turn to the frame after it.
+    Forward,
+    /// From the frame after the turn to the frame before it.
+    Back,
+}
+
 impl Turn {
     /// True if the turn only exchanges components and changes their signs.
     pub(crate) fn is_exchange(&self) -> bool {
@@ -167,12 +176,12 @@ impl Turn {
         components
     }
 
-    /// Components of a vector in the new frame, from its components `v` in the frame before; with `back`, the reverse.
-    pub fn apply(&self, arena: &mut Arena, v: &Components, back: bool) -> Components {
+    /// Components of a vector in the frame that the turn leads to, from its components `v` in the other frame.
+    pub fn apply(&self, arena: &mut Arena, v: &Components, sense: TurnSense) -> Components {
         match self {
             Self::About(axis, angle) => {
                 let (mut s, c) = (arena.sin(*angle), arena.cos(*angle));
-                if back {
+                if sense == TurnSense::Back {
                     s = arena.neg(s);
                 }
                 let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -183,7 +192,10 @@ impl Turn {
                 result
             }
             Self::Oriented(turn) => {
-                let rows = if back { transposed(&turn.cosines) } else { turn.cosines };
+                let rows = match sense {
+                    TurnSense::Forward => turn.cosines,
+                    TurnSense::Back => transposed(&turn.cosines),
+                };
                 rows.map(|row| row_times(arena, &row, v))
             }
         }

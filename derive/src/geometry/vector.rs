@@ -6,7 +6,7 @@
 
 use super::Frame;
 use super::components::{Components, cross_components, row_times, transposed};
-use super::turn::Turn;
+use super::turn::{Turn, TurnSense};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::{Arena, Expr};
@@ -184,31 +184,31 @@ impl Frames {
         self.tree.iter().all(|frame| frame.rotation.as_ref().is_none_or(|(parent, _)| *parent == 0))
     }
 
-    /// Turns that lead from the axes of `from` to those of `to`, each with true if it is taken back. Adjacent turns
-    /// about one axis are merged.
-    fn turns(&self, arena: &mut Arena, from: usize, to: usize) -> Vec<(Turn, bool)> {
+    /// Turns that lead from the axes of `from` to those of `to`, each with the sense in which it is taken. Adjacent
+    /// turns about one axis are merged.
+    fn turns(&self, arena: &mut Arena, from: usize, to: usize) -> Vec<(Turn, TurnSense)> {
         let (up, down) = (self.ancestors(from), self.ancestors(to));
         let mut shared = 0;
         while shared < up.len().min(down.len()) && up[up.len() - 1 - shared] == down[down.len() - 1 - shared] {
             shared += 1;
         }
-        let way = up[..up.len() - shared].iter().map(|frame| (*frame, true));
-        let way = way.chain(down[..down.len() - shared].iter().rev().map(|frame| (*frame, false)));
-        let mut turns: Vec<(Turn, bool)> = Vec::new();
-        for (frame, back) in way {
+        let way = up[..up.len() - shared].iter().map(|frame| (*frame, TurnSense::Back));
+        let way = way.chain(down[..down.len() - shared].iter().rev().map(|frame| (*frame, TurnSense::Forward)));
+        let mut turns: Vec<(Turn, TurnSense)> = Vec::new();
+        for (frame, sense) in way {
             match (self.turned_into(frame).expect("not the inertial frame"), turns.last_mut()) {
                 (Turn::About(axis, angle), Some((Turn::About(last, sum), _))) if last == axis => {
-                    let angle = if back { arena.neg(*angle) } else { *angle };
+                    let angle = if sense == TurnSense::Back { arena.neg(*angle) } else { *angle };
                     *sum = arena.add(*sum, angle);
                     if *sum == Expr::ZERO {
                         turns.pop();
                     }
                 }
                 (Turn::About(axis, angle), _) => {
-                    let angle = if back { arena.neg(*angle) } else { *angle };
-                    turns.push((Turn::About(*axis, angle), false));
+                    let angle = if sense == TurnSense::Back { arena.neg(*angle) } else { *angle };
+                    turns.push((Turn::About(*axis, angle), TurnSense::Forward));
                 }
-                (turn @ Turn::Oriented(_), _) => turns.push((turn.clone(), back)),
+                (turn @ Turn::Oriented(_), _) => turns.push((turn.clone(), sense)),
             }
         }
         turns
@@ -221,8 +221,8 @@ impl Frames {
         }
         let (i, o) = (Expr::ONE, Expr::ZERO);
         let mut matrix = [[i, o, o], [o, i, o], [o, o, i]];
-        for (turn, back) in self.turns(arena, from, to) {
-            let columns = transposed(&matrix).map(|column| turn.apply(arena, &column, back));
+        for (turn, sense) in self.turns(arena, from, to) {
+            let columns = transposed(&matrix).map(|column| turn.apply(arena, &column, sense));
             matrix = transposed(&columns);
         }
         self.rotations.insert((from, to), matrix);
@@ -232,7 +232,7 @@ impl Frames {
     /// Components of a whole vector in one frame.
     pub fn express(&mut self, arena: &mut Arena, v: &Vector, frame: usize) -> Components {
         if self.carries {
-            return self.carry(arena, v, frame, ("x", &self.tree[frame].name));
+            return self.carry(arena, v, frame, "x", &self.tree[frame].name);
         }
         let mut sums: [Vec<Expr>; 3] = Default::default();
         for (from, components) in &v.parts {
@@ -250,7 +250,7 @@ impl Frames {
     /// Component of a whole vector along the axis 0, 1 or 2 of one frame.
     pub fn component(&mut self, arena: &mut Arena, v: &Vector, frame: usize, axis: usize) -> Expr {
         if self.carries {
-            return self.carry(arena, v, frame, ("x", &self.tree[frame].name))[axis];
+            return self.carry(arena, v, frame, "x", &self.tree[frame].name)[axis];
         }
         let mut products = Vec::new();
         for (from, components) in &v.parts {
@@ -264,7 +264,7 @@ impl Frames {
     pub fn dot(&mut self, arena: &mut Arena, a: &Vector, b: &Vector) -> Expr {
         if self.carries {
             let home = self.home([a, b]);
-            let [a, b] = [a, b].map(|v| self.carry(arena, v, home, ("x", &self.tree[home].name)));
+            let [a, b] = [a, b].map(|v| self.carry(arena, v, home, "x", &self.tree[home].name));
             return row_times(arena, &a, &b);
         }
         let mut terms = Vec::new();

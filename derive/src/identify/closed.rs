@@ -155,7 +155,7 @@ fn rows(model: &Model, found: &mut Identification, most: usize) -> Option<([DMat
     let loops: Vec<Expr> = model.loops.iter().chain(&model.closed).map(|c| c.equation).collect();
     let poses = Poses { known: &of_poses, coordinates: &coordinates, reach: &reach, loops: &loops, flat: 0.0 };
     let tries = poses.tries() * most / POSES[0];
-    let poses = poses.seek_from(&mut regressor.arena, (tries, most))?;
+    let poses = poses.seek_from(&mut regressor.arena, tries, most)?;
     if poses.is_empty() {
         return None;
     }

@@ -38,7 +38,7 @@ pub fn factors(table: &mut Table<'_>, arena: &mut Arena, letters: &Letters, colu
         let mut list = Vec::new();
         for (i, pivot) in support.into_iter().enumerate() {
             let unit = columns[table.pivots[pivot]].unit.over(&columns[column].unit);
-            let factor = known.formula(table, arena, letters, (k, i), &unit);
+            let factor = known.formula(table, arena, letters, Entry { k, i }, &unit);
             if factor != Factor::Exact(Expr::ZERO) {
                 list.push((pivot, factor));
             }
@@ -46,6 +46,15 @@ pub fn factors(table: &mut Table<'_>, arena: &mut Arena, letters: &Letters, colu
         made.push((column, list));
     }
     made
+}
+
+/// Place of a factor among those of all dependent columns.
+#[derive(Clone, Copy)]
+struct Entry {
+    /// Index of the column among the dependent columns.
+    k: usize,
+    /// Index of the factor among those of the column.
+    i: usize,
 }
 
 /// Residues of the factors at random points, that is, random values of the letters.
@@ -77,9 +86,10 @@ impl Known {
         table: &mut Table<'_>,
         arena: &mut Arena,
         letters: &Letters,
-        (k, i): (usize, usize),
+        entry: Entry,
         unit: &Unit,
     ) -> Factor {
+        let Entry { k, i } = entry;
         let here = self.rows[0].factors[k][i];
         let depends: Vec<usize> = (0..letters.list.len()).filter(|at| self.beside[*at].factors[k][i] != here).collect();
         for stage in STAGES {
@@ -93,7 +103,7 @@ impl Known {
                 self.rows.push(row);
             }
             let f = table.field();
-            if let Some(found) = self.sum(f, &products, (k, i))
+            if let Some(found) = self.sum(f, &products, entry)
                 && let Some(formula) = formula_of(arena, letters, f, products.iter().zip(found))
             {
                 return Factor::Exact(formula);
@@ -104,7 +114,8 @@ impl Known {
 
     /// Residues of the coefficients with which the products add up to a factor at all points; `None` if no coefficients
     /// do.
-    fn sum(&self, f: Field, products: &[Powers], (k, i): (usize, usize)) -> Option<Vec<u64>> {
+    fn sum(&self, f: Field, products: &[Powers], entry: Entry) -> Option<Vec<u64>> {
+        let Entry { k, i } = entry;
         let rows: Option<Vec<Vec<u64>>> = self
             .rows
             .iter()

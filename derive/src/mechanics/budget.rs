@@ -19,7 +19,8 @@ const MOST_TERMS: usize = 6_000_000;
 pub(super) fn check_tree(model: &Model) -> Result<(), DeriveError> {
     let frames = Frames::new(&model.frames);
     let links = |centre: usize, frame: Option<usize>| {
-        let points = std::iter::successors(Some(centre), |at| model.points[*at].position.map(|(parent, ..)| parent));
+        let points =
+            std::iter::successors(Some(centre), |at| model.points[*at].position.map(|placement| placement.parent));
         points.count() + frame.map_or(0, |frame| frames.ancestors(frame).len())
     };
     let count = model.bodies.iter().map(|body| links(body.centre, body.rigid.as_ref().map(|(own, _)| *own))).sum();

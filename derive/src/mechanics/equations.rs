@@ -3,14 +3,14 @@
 use super::error::DeriveError;
 use super::formulations::formulation::{Formulation, MotionVariables};
 use super::motion::kinematics::Kinematics;
-use super::origin::{By, Distance};
+use super::origin::{Distance, EquationsOrigin};
 use super::rows::{Embedding, RowName, Rows};
 use crate::algebra::solve::least::Sum;
 use crate::algebra::term::calculus::{Differential, Gradient};
 use crate::algebra::term::steps::Definition;
 use crate::algebra::text::definitions::written;
 use crate::algebra::{Arena, Expr};
-use crate::model::{Model, Tie};
+use crate::model::{Model, MotionConstraintKind};
 
 /// Most definitions of a system that may be solved in closed form.
 const MOST_WRITTEN_OUT: usize = 40;
@@ -19,7 +19,7 @@ const MOST_WRITTEN_OUT: usize = 40;
 #[derive(Clone, Debug)]
 pub struct Equations {
     /// Origin of the equations: a formulation, a publication or a reduction.
-    pub by: By,
+    pub by: EquationsOrigin,
     /// Distance that stands for one of the coordinates; `None` if every coordinate is the model's own.
     pub distance: Option<Distance>,
     /// Formulation whose motion variables and unknowns these equations have.
@@ -224,9 +224,12 @@ pub(super) fn complete(
 /// Constraints that a run by this formulation can break.
 fn constraints(model: &Model, kinematics: &mut Kinematics, formulation: Formulation) -> Vec<Constrained> {
     let loops = model.loops.iter().map(|c| (c.name.clone(), c.equation));
-    let of_motion =
-        model.motion_constraints.iter().filter(|c| formulation.is_in_rates() && c.tie != Tie::Clock).map(|c| {
-            let prime = if matches!(c.tie, Tie::Loop(_)) { "'" } else { "" };
+    let of_motion = model
+        .motion_constraints
+        .iter()
+        .filter(|c| formulation.is_in_rates() && c.kind != MotionConstraintKind::Clock)
+        .map(|c| {
+            let prime = if matches!(c.kind, MotionConstraintKind::Loop(_)) { "'" } else { "" };
             (format!("{}{prime}", c.name), c.equation)
         });
     let states = [model.q(), formulation.variables(model)].concat();

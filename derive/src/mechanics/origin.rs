@@ -5,7 +5,7 @@ use crate::model::Model;
 
 /// Origin of a set of equations of motion.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum By {
+pub enum EquationsOrigin {
     /// Derived by the program, with this formulation.
     Derived(Formulation),
     /// Equations of a published system or listing, as printed.
@@ -22,7 +22,7 @@ pub enum By {
 /// Prefix of the id of printed equations.
 const PRINTED: &str = "printed:";
 
-impl By {
+impl EquationsOrigin {
     /// Name of the equations on the command line and in files: `kane`, `printed:ID`, `reduced`.
     #[must_use]
     pub fn name(&self) -> String {
@@ -74,7 +74,7 @@ impl By {
     }
 }
 
-impl From<Formulation> for By {
+impl From<Formulation> for EquationsOrigin {
     fn from(formulation: Formulation) -> Self {
         Self::Derived(formulation)
     }

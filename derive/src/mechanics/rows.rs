@@ -197,7 +197,9 @@ pub(super) fn kinematic_step(model: &Model) -> Step {
 
 /// Components of a vector in a frame, one line for each.
 pub(super) fn component_lines(
-    (vector, of, frame): (VectorName, usize, usize),
+    vector: VectorName,
+    of: usize,
+    frame: usize,
     components: [Expr; 3],
 ) -> impl Iterator<Item = (LineName, Expr)> {
     let name = move |axis| LineName::Quantity(QuantityKind::Component { vector, of, frame, axis });

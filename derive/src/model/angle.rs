@@ -66,9 +66,11 @@ impl Model {
                 Node::Number(_) | Node::Pi => Kind::Constant,
                 Node::Named(_, term) => kinds[term].clone(),
                 Node::Sum(_, terms) => sum(terms.iter().map(|(term, factor)| (kinds[term].clone(), factor.clone()))),
-                Node::Product(factors) => {
-                    product(factors.iter().map(|(base, n)| (arena.node(*base), kinds[base].clone(), *n)))
-                }
+                Node::Product(factors) => product(factors.iter().map(|(base, n)| Factor {
+                    base: arena.node(*base),
+                    kind: kinds[base].clone(),
+                    exponent: *n,
+                })),
                 Node::Apply(Function::Asin | Function::Acos | Function::Atan, _) => {
                     Kind::Angle(Measure::Radians, Rational::ONE)
                 }
@@ -99,14 +101,22 @@ fn sum(terms: impl Iterator<Item = (Kind, Rational)>) -> Kind {
     found
 }
 
+/// Power of a term in a product.
+struct Factor<'a> {
+    base: &'a Node,
+    /// Kind of the base.
+    kind: Kind,
+    exponent: i32,
+}
+
 /// A product is an angle if exactly one factor is, and the others are constant.
-fn product<'a>(factors: impl Iterator<Item = (&'a Node, Kind, i32)>) -> Kind {
+fn product<'a>(factors: impl Iterator<Item = Factor<'a>>) -> Kind {
     let (mut angle, mut per_pi) = (None, false);
-    for (base, kind, n) in factors {
+    for Factor { base, kind, exponent } in factors {
         match kind {
-            Kind::Constant if matches!(base, Node::Pi) && n == -1 => per_pi = true,
+            Kind::Constant if matches!(base, Node::Pi) && exponent == -1 => per_pi = true,
             Kind::Constant => {}
-            Kind::Angle(Measure::Radians, factor) if n == 1 && angle.is_none() => angle = Some(factor),
+            Kind::Angle(Measure::Radians, factor) if exponent == 1 && angle.is_none() => angle = Some(factor),
             Kind::Angle(..) | Kind::Other => return Kind::Other,
         }
     }

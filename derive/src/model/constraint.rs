@@ -49,6 +49,8 @@ pub struct Loop {
 /// A component of the velocity at which the material of a rolling body would slip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rolled {
+    /// Index of the contact in [`super::Contacts::rolling`].
+    pub contact: usize,
     /// Index of the body that rolls.
     pub body: usize,
     /// Index of the body on which the rolling body rolls; `None` for the ground.
@@ -65,7 +67,7 @@ pub struct Rolled {
 
 /// Kind of a motion constraint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tie {
+pub enum MotionConstraintKind {
     /// An equation between velocities that the model file states.
     Stated,
     /// Rolling without slip: one component of the velocity at which the body would slip is zero.
@@ -91,7 +93,7 @@ pub struct MotionConstraint {
     /// Multiplier λ of the constraint in Lagrange's equations: the constraint adds Aᵀλ to the generalized forces.
     pub multiplier: Expr,
     /// Kind of the constraint.
-    pub tie: Tie,
+    pub kind: MotionConstraintKind,
     /// Index of the reaction that enforces the constraint; `None` if the model file names none.
     pub enforced_by: Option<usize>,
 }

@@ -1,16 +1,26 @@
-//! Contacts of bodies that the model file states, other than rolling and reactions: friction, and equations that
-//! compare two bodies.
+//! Contacts of bodies that the model file states, other than reactions: rolling, friction, and equations that compare
+//! two bodies.
 
 use crate::algebra::text::parse::VelocityOf;
+
+/// Component of a velocity that one constraint states.
+#[derive(Clone, Debug)]
+pub struct StatedVelocity {
+    /// Point, frame or material whose velocity is stated.
+    pub of: VelocityOf<usize>,
+    /// Index of the frame that has the axis of the component.
+    pub frame: usize,
+    /// Axis of the component: 0, 1 or 2.
+    pub axis: usize,
+}
 
 /// Velocities, places and bodies that one constraint of the model file ties together. The bodies may touch.
 #[derive(Clone, Debug)]
 pub struct Compared {
     /// Name of the constraint.
     pub name: String,
-    /// Velocity that the constraint states alone, with the frame and the axis, 0, 1 or 2, of its component. `None` if
-    /// the constraint contains other velocities, rates or speeds.
-    pub alone: Option<(VelocityOf<usize>, usize, usize)>,
+    /// Velocity that the constraint states alone; `None` if the constraint contains other velocities, rates or speeds.
+    pub alone: Option<StatedVelocity>,
     /// Velocities and places that the constraint names.
     pub named: Vec<VelocityOf<usize>>,
     /// Indices of bodies whose own coordinates, or their rates, the constraint contains, in the order of the model
@@ -23,9 +33,11 @@ pub struct Compared {
     pub is_difference: bool,
 }
 
-/// Contacts of bodies that the model file states, other than rolling and reactions.
+/// Contacts of bodies that the model file states, other than reactions.
 #[derive(Clone, Debug, Default)]
 pub struct Contacts {
+    /// Names of the contacts where bodies roll, in the order of the model file.
+    pub rolling: Vec<String>,
     /// Bodies on which friction acts, each with the body against which it rubs; `None` is the ground.
     pub rubbing: Vec<(usize, Option<usize>)>,
     /// Bodies and velocities that each constraint of the model file ties.

@@ -14,15 +14,17 @@ mod reading;
 mod units;
 mod velocities;
 
-pub use crate::geometry::{Frame, Point, Turn};
+pub use crate::geometry::{Frame, Placement, Point, Turn, TurnSense};
 pub(crate) use bodies::joint_kinds::JOINT_KINDS;
 pub(crate) use bodies::shapes::SHAPE_KINDS;
 pub use bodies::shapes::{Shape, ShapeForm, equations_text};
 pub use constraint::{
-    AddedVelocity, Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Opening, Rolled, Tie,
+    AddedVelocity, Branch, Constraint, DependentConstraint, Loop, MotionConstraint, MotionConstraintKind, Opening,
+    Rolled,
 };
-pub use contacts::{Compared, Contacts};
+pub use contacts::{Compared, Contacts, StatedVelocity};
 pub use input::{Binding, Input};
+pub use physics::ImpossibleBody;
 pub use reactions::interactions::GROUND;
 pub(crate) use reactions::interactions::{StatedInteraction, is_redundant};
 pub use read_model::{is_model, load};
@@ -202,7 +204,7 @@ pub struct Potential {
 
 /// A body that a joint carries, with the body or ground that holds it.
 #[derive(Clone, Copy, Debug)]
-pub struct Hung {
+pub struct CarriedBody {
     /// Index of the body that the joint carries.
     pub body: usize,
     /// Index of the body that holds the carried body; `None` for the ground.
@@ -265,6 +267,17 @@ pub struct Reaction {
     pub law: Option<usize>,
 }
 
+/// Reaction of an equation of a joint that closes a loop.
+#[derive(Clone, Debug)]
+pub struct JointReaction {
+    /// Name of the joint.
+    pub joint: String,
+    /// Name of the joint's equation that the reaction enforces.
+    pub equation: String,
+    /// Reaction that the joint exerts.
+    pub reaction: Reaction,
+}
+
 /// A condition of the domain in which the model holds.
 #[derive(Clone, Debug)]
 pub struct Condition {
@@ -308,9 +321,9 @@ impl Repeated {
 
     /// A repeated equation that others imply: in every pose, or with `elsewhere` only where those others are
     /// independent.
-    fn of(name: String, tie: Tie, elsewhere: Option<Expr>) -> Self {
-        let rolled = if let Tie::Rolling(rolled) = tie { Some(rolled) } else { None };
-        Self { name, is_of_loop: matches!(tie, Tie::Loop(_)), rolled, elsewhere }
+    fn of(name: String, kind: MotionConstraintKind, elsewhere: Option<Expr>) -> Self {
+        let rolled = if let MotionConstraintKind::Rolling(rolled) = kind { Some(rolled) } else { None };
+        Self { name, is_of_loop: matches!(kind, MotionConstraintKind::Loop(_)), rolled, elsewhere }
     }
 }
 
@@ -362,10 +375,9 @@ pub struct Model {
     pub velocities: Vec<NamedVelocity>,
     /// Reactions: first those of the model file, then those that were found.
     pub reactions: Vec<Reaction>,
-    /// Reactions of joints along directions that are held otherwise as well, each after the name of its joint equation.
-    /// They are taken as zero.
-    pub redundant: Vec<(String, Reaction)>,
-    /// Contacts of bodies that the model file states, other than rolling and reactions.
+    /// Reactions of joints along directions that are held otherwise as well. They are taken as zero.
+    pub redundant: Vec<JointReaction>,
+    /// Contacts of bodies that the model file states, other than reactions.
     pub contacts: Contacts,
     /// Holonomic constraints that are solved for a coordinate.
     pub constraints: Vec<Constraint>,
@@ -385,7 +397,7 @@ pub struct Model {
     /// Conditions of the domain in which the model holds.
     pub domain: Vec<Condition>,
     /// Bodies that joints carry, each with its holder.
-    pub hung: Vec<Hung>,
+    pub carried: Vec<CarriedBody>,
     /// Shapes of the parts that the model file states.
     pub shapes: Vec<Shape>,
     /// Rates q̇ in terms of the speeds u.
@@ -465,7 +477,8 @@ impl Model {
     pub fn count(&self) -> String {
         let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
         let clock = usize::from(self.time().is_some());
-        let nonholonomic = |c: &&MotionConstraint| matches!(c.tie, Tie::Stated | Tie::Rolling(_));
+        let nonholonomic =
+            |c: &&MotionConstraint| matches!(c.kind, MotionConstraintKind::Stated | MotionConstraintKind::Rolling(_));
         let count = format!(
             "{}, {}, {}, {}, {}",
             plural(self.configuration_variables, "configuration variable"),

@@ -16,11 +16,21 @@ pub fn values_at(arena: &Arena, known: &[(Expr, f64)], outputs: &[Expr]) -> Opti
     Some(Tape::new(arena, &symbols, outputs).ok()?.evaluate(&values))
 }
 
+/// Mass or inertia of a body that no body can have.
+#[derive(Clone, Debug)]
+pub struct ImpossibleBody {
+    /// Message that names the body and its fault.
+    pub message: String,
+    /// Advice on the way out.
+    pub help: String,
+    /// Indices of the parameters on which the mass or inertia depends.
+    pub parameters: Vec<usize>,
+}
+
 impl Model {
-    /// Masses and inertias that no body can have, at these values of the parameters. Each has a message, advice, and
-    /// the indices of the parameters on which it depends.
+    /// Bodies whose mass or inertia no body can have, at these values of the parameters.
     #[must_use]
-    pub fn impossible(&self, parameters: &[f64]) -> Vec<(String, String, Vec<usize>)> {
+    pub fn impossible(&self, parameters: &[f64]) -> Vec<ImpossibleBody> {
         let known: Vec<(Expr, f64)> = self.p().into_iter().zip(parameters.iter().copied()).collect();
         let objections = self.bodies.iter().filter_map(|body| {
             let (message, help) = objection(&self.arena, &known, body, "these")?;
@@ -28,7 +38,7 @@ impl Model {
             let values: Vec<Expr> = tensor.chain([body.mass]).collect();
             let mentions = |p: &Parameter| values.iter().any(|e| self.arena.mentions(*e, p.symbol));
             let places = (0..self.parameters.len()).filter(|at| mentions(&self.parameters[*at]));
-            Some((message, help, places.collect()))
+            Some(ImpossibleBody { message, help, parameters: places.collect() })
         });
         objections.collect()
     }

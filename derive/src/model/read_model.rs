@@ -6,16 +6,15 @@
 use super::bodies::elements::Elements;
 use super::bodies::inputs::Signals;
 use super::bodies::joints::Joints;
-use super::bodies::motion::Moving;
-use super::constraints::configuration::{Solved, Stated, solve_all};
-use super::constraints::joint_frames::Holding;
+use super::bodies::motion::MechanismMotion;
+use super::constraints::configuration::{Solved, StatedConstraint, solve_all};
 use super::constraints::motion::{Tied, Ties};
 use super::constraints::openings::openings;
 use super::input::Binding;
 use super::reading::names::{Kind, Names};
 use super::reading::reader::Loading;
 use super::reading::repetition::written_out;
-use super::{Compared, Condition, Coordinate, Model, NamedVelocity, Repeated, Rolled};
+use super::{Compared, Condition, Coordinate, JointReaction, Model, NamedVelocity, Repeated, Rolled};
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
@@ -144,13 +143,13 @@ struct Connections {
     /// Velocities and positions that formulas name.
     velocities: Vec<NamedVelocity>,
     /// Constraints that contain coordinates only.
-    configuration: Vec<Stated>,
+    configuration: Vec<StatedConstraint>,
     /// Constraints that contain rates or speeds.
-    motion: Vec<Stated>,
+    motion: Vec<StatedConstraint>,
     /// Components of the velocities at which rolling bodies would slip, each as an equation.
-    slips: Vec<(Stated, Rolled)>,
+    slips: Vec<(StatedConstraint, Rolled)>,
     /// Reactions that may hold joints that close loops.
-    holding: Vec<Holding>,
+    holding: Vec<JointReaction>,
     /// True if all connections could be read.
     is_known: bool,
 }
@@ -192,8 +191,8 @@ impl<'a> Loading<'a> {
         let mut fixed = Substitution::new(&replacements);
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
         elements.check(self, &parameters);
-        let mut fix = |c: Stated| Stated { equation: fixed.apply(&mut self.arena, c.equation), ..c };
-        let [kept, stated] = [kept, motion].map(|list| -> Vec<Stated> { list.into_iter().map(&mut fix).collect() });
+        let mut fix = |constraint: StatedConstraint| constraint.with(&mut self.arena, &mut fixed);
+        let [kept, stated]: [Vec<_>; 2] = [kept, motion].map(|list| list.into_iter().map(&mut fix).collect());
         let tied = Tied {
             coordinates: &coordinates,
             elements: &elements,
@@ -207,7 +206,7 @@ impl<'a> Loading<'a> {
         let ties = if is_known { self.ties(tied) } else { None };
         let known = ties.as_ref().filter(|_| motion_errors == 0 && speeds.len() == stated_speeds);
         let (speeds, left_out) = match known {
-            Some(ties) => self.independent_speeds((&coordinates, &replacements), speeds, &joints, ties),
+            Some(ties) => self.independent_speeds(&coordinates, &replacements, speeds, &joints, ties),
             None => (speeds, Vec::new()),
         };
         let stated_speeds = stated_speeds - left_out.len();
@@ -236,7 +235,7 @@ impl<'a> Loading<'a> {
             speeds: speeds.into_iter().map(|(speed, _)| speed).collect(),
             dependent_speeds: left_out.into_iter().map(|speed| joints.dependent(speed)).collect(),
             motion_constraints: motion.into_iter().map(|(constraint, _)| constraint).collect(),
-            hung: joints.hung(&elements),
+            carried: joints.carried(&elements),
             frames: elements.frames,
             points: elements.points,
             bodies: elements.bodies,
@@ -265,7 +264,7 @@ impl<'a> Loading<'a> {
             unused: self.names.unused(),
             declared: self.names.places(),
         };
-        self.complete(&mut model, (holding, &prescribing), &mut fixed);
+        self.complete(&mut model, holding, &prescribing, &mut fixed);
         Some(model)
     }
 
@@ -293,7 +292,8 @@ impl<'a> Loading<'a> {
     fn complete(
         &mut self,
         model: &mut Model,
-        (holding, prescribing): (Vec<Holding>, &[String]),
+        holding: Vec<JointReaction>,
+        prescribing: &[String],
         fixed: &mut Substitution,
     ) {
         model.loops.iter_mut().for_each(|one| one.prescribes = prescribing.contains(&one.name));
@@ -349,8 +349,9 @@ impl<'a> Loading<'a> {
         let names: Vec<Expr> = self.names.velocities.iter().map(|v| v.symbol).collect();
         let velocities = elements.velocities(self);
         let mut compared: Vec<Compared> =
-            stated.iter().map(|c| self.compared(elements, coordinates, &velocities, (&c.name, c.equation))).collect();
-        let names_motion = |c: &Stated| self.arena.reachable(&[c.equation]).iter().any(|part| names.contains(part));
+            stated.iter().map(|c| self.compared(elements, coordinates, &velocities, &c.name, c.equation)).collect();
+        let names_motion =
+            |c: &StatedConstraint| self.arena.reachable(&[c.equation]).iter().any(|part| names.contains(part));
         let needs_motion = !closings.is_empty()
             || !rolling.is_empty()
             || !springs.is_empty()
@@ -363,8 +364,9 @@ impl<'a> Loading<'a> {
         if !is_known {
             stated.clear();
         } else if needs_motion {
-            let mut moving = Moving::new(&mut self.arena, elements, coordinates);
+            let mut moving = MechanismMotion::new(&mut self.arena, elements, coordinates);
             let forces = self.spring_forces(&mut moving, elements, springs);
+            elements.contacts.rolling = rolling.iter().map(|rolling| rolling.name.text.clone()).collect();
             slips = self.slips(&mut moving, elements, rolling);
             let value = |v: &NamedVelocity| (v.symbol, moving.named(&mut self.arena, elements, v));
             let mut put = Substitution::new(&velocities.iter().map(value).collect::<Vec<_>>());

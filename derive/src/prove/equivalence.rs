@@ -63,7 +63,7 @@ pub fn prove(
 }
 
 /// Verdict on two formulations, and the combination that leads from one to the other, in words.
-type Found = (Verdict, String);
+type FormulationVerdict = (Verdict, String);
 
 struct Prover<'a> {
     model: &'a Model,
@@ -77,7 +77,7 @@ struct Prover<'a> {
 impl Prover<'_> {
     /// Compares two systems by the combination that leads from `left` to `right`. `None` if only the other direction is
     /// known.
-    fn one_from_the_other(&mut self, left: &Equations, right: &Equations) -> Option<Found> {
+    fn one_from_the_other(&mut self, left: &Equations, right: &Equations) -> Option<FormulationVerdict> {
         let (from, to) = (left.formulation, right.formulation);
         match (from.carries_reactions(), to.carries_reactions()) {
             (false, false) if from.is_in_rates() == to.is_in_rates() => Some(self.row_by_row(left, right)),
@@ -89,14 +89,14 @@ impl Prover<'_> {
     }
 
     /// Compares two systems of the same kind row by row.
-    fn row_by_row(&mut self, left: &Equations, right: &Equations) -> Found {
-        let rows = (left.matrix.clone(), left.forcing.clone());
+    fn row_by_row(&mut self, left: &Equations, right: &Equations) -> FormulationVerdict {
+        let rows = Combined { matrix: left.matrix.clone(), right: left.forcing.clone() };
         let verdict = equal_systems(&mut self.kinematics.arena, self.comparer, &rows, right, 0);
         (verdict, format!("{} = {}, row by row", label(left), label(right)))
     }
 
     /// Proves Speeds = Wᵀ · Rates and Rates = Jᵀ · Speeds.
-    fn speeds_and_rates(&mut self, speeds: &Equations, rates: &Equations) -> Found {
+    fn speeds_and_rates(&mut self, speeds: &Equations, rates: &Equations) -> FormulationVerdict {
         if !self.model.motion_constraints.is_empty() {
             return self.speeds_and_multipliers(speeds, rates);
         }
@@ -121,7 +121,7 @@ impl Prover<'_> {
     }
 
     /// Proves Speeds = Wᵀ · Rates, which cancels the multipliers; the rows of the constraints vanish.
-    fn speeds_and_multipliers(&mut self, speeds: &Equations, rates: &Equations) -> Found {
+    fn speeds_and_multipliers(&mut self, speeds: &Equations, rates: &Equations) -> FormulationVerdict {
         let Self { model, kinematics, comparer, maps, .. } = self;
         let arena = &mut kinematics.arena;
         let (n, m) = (model.coordinates.len(), model.motion_constraints.len());
@@ -140,7 +140,7 @@ impl Prover<'_> {
     }
 
     /// Proves Speeds = P · Balances; rows of the balances that P does not use give the reactions.
-    fn speeds_and_balances(&mut self, speeds: &Equations, balances: &Equations) -> Found {
+    fn speeds_and_balances(&mut self, speeds: &Equations, balances: &Equations) -> FormulationVerdict {
         let Self { model, kinematics, comparer, .. } = self;
         let combined = combine(&mut kinematics.arena, &balances.projection, balances);
         let identity = equal_systems(&mut kinematics.arena, comparer, &combined, speeds, model.reactions.len());
@@ -157,13 +157,13 @@ impl Prover<'_> {
     }
 
     /// Proves Rates = P · Balances, with the partial velocities with respect to q̇.
-    fn rates_and_balances(&mut self, rates: &Equations, balances: &Equations) -> Found {
+    fn rates_and_balances(&mut self, rates: &Equations, balances: &Equations) -> FormulationVerdict {
         let Self { model, kinematics, comparer, maps, .. } = self;
         let rows = rows_of(model, kinematics, balances);
         let velocities = kinematics.in_rates.clone();
         let mut partial = partial_velocities(model, kinematics, &velocities, &rows, &model.q_dot());
         if !model.motion_constraints.is_empty() {
-            return multipliers_and_balances((model, kinematics, comparer, maps), &partial, rates, balances);
+            return self.multipliers_and_balances(&partial, rates, balances);
         }
         // Jᵀ turns rows along u into rows along q̇.
         let of_powers: Matrix = balances.projection.iter().map(|row| row[rows.len()..].to_vec()).collect();
@@ -179,41 +179,42 @@ impl Prover<'_> {
         let (q, b) = (label(rates), label(balances));
         (identity, format!("{q} = (partial velocities with respect to q') · {b}, the reactions cancel"))
     }
-}
 
-/// Proves Rates = P · Balances up to the forces of the constraints. Wᵀ cancels these forces on both sides. So the
-/// reactions along q̇ are Aᵀλ for exactly one λ.
-fn multipliers_and_balances(
-    (model, kinematics, comparer, maps): (&Model, &mut Kinematics, &mut Comparer, &Maps),
-    partial: &Matrix,
-    rates: &Equations,
-    balances: &Equations,
-) -> Found {
-    let arena = &mut kinematics.arena;
-    let p = model.speeds.len();
-    let in_speeds = maps.to_speeds(model, arena, rates);
-    let (matrix, right) = combine(arena, partial, balances);
-    let mut pairs = Vec::new();
-    for (at, (row, value)) in matrix.iter().zip(&right).enumerate() {
-        pairs.extend(row[..p].iter().copied().zip(in_speeds.matrix[at].iter().copied()).take(p));
-        pairs.push((*value, in_speeds.forcing[at]));
-    }
-    // The power of shared reactions along a speed is cancelled by the rows that set their total power to zero.
-    let is_power = |row: &RowName| matches!(row, RowName::Power(_) | RowName::Law { .. });
-    let powers = balances.rows.iter().position(is_power).unwrap_or(balances.rows.len());
-    for (column, multipliers) in transposed(&maps.w).into_iter().zip(&balances.projection) {
-        for reaction in p..balances.unknowns.len() {
-            let along: Vec<Expr> = matrix.iter().map(|row| row[reaction]).collect();
-            let shared: Vec<Expr> = balances.matrix[powers..].iter().map(|row| row[reaction]).collect();
-            let (alone, others) = (dot(arena, &column, &along), dot(arena, &multipliers[powers..], &shared));
-            pairs.push((arena.add(alone, others), Expr::ZERO));
+    /// Proves Rates = P · Balances up to the forces of the constraints. Wᵀ cancels these forces on both sides. So the
+    /// reactions along q̇ are Aᵀλ for exactly one λ.
+    fn multipliers_and_balances(
+        &mut self,
+        partial: &Matrix,
+        rates: &Equations,
+        balances: &Equations,
+    ) -> FormulationVerdict {
+        let Self { model, kinematics, comparer, maps, .. } = self;
+        let arena = &mut kinematics.arena;
+        let p = model.speeds.len();
+        let in_speeds = maps.to_speeds(model, arena, rates);
+        let Combined { matrix, right } = combine(arena, partial, balances);
+        let mut pairs = Vec::new();
+        for (at, (row, value)) in matrix.iter().zip(&right).enumerate() {
+            pairs.extend(row[..p].iter().copied().zip(in_speeds.matrix[at].iter().copied()).take(p));
+            pairs.push((*value, in_speeds.forcing[at]));
         }
+        // The power of shared reactions along a speed is cancelled by the rows that set their total power to zero.
+        let is_power = |row: &RowName| matches!(row, RowName::Power(_) | RowName::Law { .. });
+        let powers = balances.rows.iter().position(is_power).unwrap_or(balances.rows.len());
+        for (column, multipliers) in transposed(&maps.w).into_iter().zip(&balances.projection) {
+            for reaction in p..balances.unknowns.len() {
+                let along: Vec<Expr> = matrix.iter().map(|row| row[reaction]).collect();
+                let shared: Vec<Expr> = balances.matrix[powers..].iter().map(|row| row[reaction]).collect();
+                let (alone, others) = (dot(arena, &column, &along), dot(arena, &multipliers[powers..], &shared));
+                pairs.push((arena.add(alone, others), Expr::ZERO));
+            }
+        }
+        let (q, b) = (label(rates), label(balances));
+        let map = format!(
+            "{q} = (partial velocities with respect to q') · {b}, the reactions being Aᵀλ along q', which W cancels on both sides"
+        );
+        (all_equal(arena, comparer, &pairs), map)
     }
-    let (q, b) = (label(rates), label(balances));
-    let map = format!(
-        "{q} = (partial velocities with respect to q') · {b}, the reactions being Aᵀλ along q', which W cancels on both sides"
-    );
-    (all_equal(arena, comparer, &pairs), map)
 }
 
 fn label(equations: &Equations) -> &'static str {
@@ -302,24 +303,30 @@ fn dot(arena: &mut Arena, a: &[Expr], b: &[Expr]) -> Expr {
     arena.sum(&products)
 }
 
-/// Combination of rows of a system, one for each row of `multipliers`: (matrix, right-hand side).
-fn combine(arena: &mut Arena, multipliers: &Matrix, system: &Equations) -> (Matrix, Vec<Expr>) {
+/// Linear system: its matrix and its right-hand side.
+struct Combined {
+    matrix: Matrix,
+    right: Vec<Expr>,
+}
+
+/// Combination of rows of a system, one for each row of `multipliers`.
+fn combine(arena: &mut Arena, multipliers: &Matrix, system: &Equations) -> Combined {
     let width = system.unknowns.len();
     let matrix =
         multipliers.iter().map(|by| (0..width).map(|c| dot(arena, by, &column(&system.matrix, c))).collect()).collect();
-    (matrix, multipliers.iter().map(|by| dot(arena, by, &system.forcing)).collect())
+    Combined { matrix, right: multipliers.iter().map(|by| dot(arena, by, &system.forcing)).collect() }
 }
 
 /// Compares combined rows with the rows of `expected`. The coefficients of `extra` further unknowns must vanish.
 fn equal_systems(
     arena: &mut Arena,
     comparer: &mut Comparer,
-    (matrix, right): &(Matrix, Vec<Expr>),
+    combined: &Combined,
     expected: &Equations,
     extra: usize,
 ) -> Verdict {
     let mut pairs = Vec::new();
-    for (at, (row, value)) in matrix.iter().zip(right).enumerate() {
+    for (at, (row, value)) in combined.matrix.iter().zip(&combined.right).enumerate() {
         let wanted = expected.matrix[at].iter().copied().chain(std::iter::repeat_n(Expr::ZERO, extra));
         pairs.extend(row.iter().copied().zip(wanted));
         pairs.push((*value, expected.forcing[at]));
@@ -364,7 +371,7 @@ fn reactions_from(
         return (Verdict::Undecided(why), Vec::new());
     }
     let n = model.speeds.len();
-    let (matrix, right) = combine(&mut kinematics.arena, &further, newton_euler);
+    let Combined { matrix, right } = combine(&mut kinematics.arena, &further, newton_euler);
     let Kinematics { arena, simplifier, .. } = kinematics;
     let mut known = Vec::new();
     for (row, right) in matrix.iter().zip(&right) {

@@ -106,7 +106,7 @@ impl Lagrangian {
             unknowns.push((i, Expr::ONE));
             unknowns.extend(self.q.iter().map(|q| (i, *q)));
         }
-        self.conserved(model, (arena, simplifier), &unknowns)
+        self.conserved(model, arena, simplifier, &unknowns)
     }
 
     /// Fields with conserved momenta among the sums of these components with constant factors; (i, e) is the component
@@ -114,7 +114,8 @@ impl Lagrangian {
     fn conserved(
         &self,
         model: &Model,
-        (arena, simplifier): (&mut Arena, &mut Simplifier),
+        arena: &mut Arena,
+        simplifier: &mut Simplifier,
         unknowns: &[(usize, Expr)],
     ) -> Option<Vec<Field>> {
         let n = self.q.len();
@@ -149,7 +150,7 @@ impl Lagrangian {
         // The last components normalize the basis.
         let along = cyclic.iter().flat_map(|s| products.iter().map(|m| (*s, *m)));
         let unknowns: Vec<(usize, Expr)> = along.chain((0..self.q.len()).map(|k| (k, Expr::ONE))).collect();
-        let found = self.conserved(model, (arena, simplifier), &unknowns).unwrap_or_default();
+        let found = self.conserved(model, arena, simplifier, &unknowns).unwrap_or_default();
         let constant = |x: &Expr| !self.q.iter().any(|q| arena.mentions(*x, *q));
         found.into_iter().filter(|field| !field.xi.iter().all(constant)).collect()
     }

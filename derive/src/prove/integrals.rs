@@ -123,7 +123,7 @@ pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Compare
     match Basis::new(model, derivations) {
         Some(basis) => {
             let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
-            basis.search(model, (arena, simplifier), comparer)
+            basis.search(model, arena, simplifier, comparer)
         }
         None => {
             let covered = "no search: it needs the equations by Kane and by Lagrange".to_owned();
@@ -170,7 +170,8 @@ impl Basis {
     pub fn search(
         &self,
         model: &Model,
-        (arena, simplifier): (&mut Arena, &mut Simplifier),
+        arena: &mut Arena,
+        simplifier: &mut Simplifier,
         comparer: &mut Comparer,
     ) -> (Vec<Integral>, Search) {
         let affine = self.lagrangian.affine(model, arena, simplifier);
@@ -235,7 +236,7 @@ impl Searching<'_> {
         }
         let energy = arena.add(kane.kinetic_energy, potential);
         let multipliers = self.moved_by_speeds(None);
-        self.keep((kind, None, Expr::ZERO), energy, &multipliers);
+        self.keep(kind, None, Expr::ZERO, energy, &multipliers);
         self.jacobi(energy);
     }
 
@@ -264,7 +265,7 @@ impl Searching<'_> {
         let value = self.arena.sub(energy, momentum);
         let value = self.simplifier.simplify(self.arena, value);
         let multipliers = self.moved_by_speeds(Some(time));
-        self.keep((IntegralKind::Jacobi, None, Expr::ZERO), value, &multipliers);
+        self.keep(IntegralKind::Jacobi, None, Expr::ZERO, value, &multipliers);
     }
 
     fn momentum(&mut self, field: &Field) {
@@ -290,17 +291,12 @@ impl Searching<'_> {
             let terms: Vec<Expr> = coefficients.iter().zip(&field.xi).map(|(j, x)| arena.mul(*j, *x)).collect();
             multipliers.push(arena.sum(&terms));
         }
-        self.keep((field.kind, Some(&field.xi), of_place), momentum, &multipliers);
+        self.keep(field.kind, Some(&field.xi), of_place, momentum, &multipliers);
     }
 
     /// Keeps an integral unless it is a function of the integrals found. A further kind of a known integral is added to
     /// it.
-    fn keep(
-        &mut self,
-        (kind, field, of_place): (IntegralKind, Option<&[Expr]>, Expr),
-        value: Expr,
-        multipliers: &[Expr],
-    ) {
+    fn keep(&mut self, kind: IntegralKind, field: Option<&[Expr]>, of_place: Expr, value: Expr, multipliers: &[Expr]) {
         let arena = &mut *self.arena;
         for known in &mut self.found {
             let (difference, sum) = (arena.sub(value, known.expression), arena.add(value, known.expression));
@@ -405,7 +401,7 @@ mod tests {
         let fields = basis.lagrangian.quasi_cyclic(&model, arena, simplifier);
         let shown: Vec<Vec<String>> = fields.iter().map(|f| f.xi.iter().map(|x| text(arena, *x)).collect()).collect();
         assert_eq!(shown, [["1", "0", "0", "R*cos(q1)*sin(q2)", "R*sin(q1)*sin(q2)"]]);
-        let mut search = |basis: &Basis| basis.search(&model, (arena, simplifier), &mut Comparer::default()).0;
+        let mut search = |basis: &Basis| basis.search(&model, arena, simplifier, &mut Comparer::default()).0;
         let all = search(&basis);
         basis.fields.retain(|f| matches!(f.kind, IntegralKind::Coordinate(_)));
         let found = search(&basis);

@@ -101,10 +101,20 @@ fn mass_centre(model: &Model, kinematics: &mut Kinematics) -> Vector {
     sum
 }
 
+/// Component of a velocity of a body.
+#[derive(Clone, Copy)]
+struct RowLabel {
+    body: usize,
+    /// True for ω, false for the velocity v of the mass centre.
+    is_angular: bool,
+    frame: usize,
+    axis: usize,
+}
+
 /// Linear forms in q̇: ω and v of all bodies, and the rates of loops.
 struct Rows {
-    /// Label of each row: (body, true for ω, frame, axis); `None` for a loop.
-    labels: Vec<Option<(usize, bool, usize, usize)>>,
+    /// Velocity component of each row; `None` for a loop.
+    labels: Vec<Option<RowLabel>>,
     matrix: Vec<Vec<Expr>>,
     /// Indices of independent rows, one for each coordinate; fewer if the bodies do not determine q̇.
     chosen: Vec<usize>,
@@ -129,7 +139,7 @@ impl Rows {
                             simplifier.simplify(arena, slope)
                         })
                         .collect();
-                    labels.push(Some((at, is_angular, frame, axis)));
+                    labels.push(Some(RowLabel { body: at, is_angular, frame, axis }));
                     matrix.push(row);
                 }
             }
@@ -161,10 +171,10 @@ impl Rows {
         }
         let mut wanted = Vec::new();
         for label in &self.labels {
-            let of_body = label.and_then(|label| Some((label, motion.of_body[label.0].as_ref()?)));
-            let value = of_body.map_or(Expr::ZERO, |((_, is_angular, frame, axis), (omega, v))| {
-                let vector = if is_angular { omega } else { v };
-                kinematics.frames.express(&mut kinematics.arena, vector, frame)[axis]
+            let of_body = label.and_then(|label| Some((label, motion.of_body[label.body].as_ref()?)));
+            let value = of_body.map_or(Expr::ZERO, |(label, (omega, v))| {
+                let vector = if label.is_angular { omega } else { v };
+                kinematics.frames.express(&mut kinematics.arena, vector, label.frame)[label.axis]
             });
             wanted.push(kinematics.simplifier.simplify(&mut kinematics.arena, value));
         }

@@ -16,10 +16,10 @@ mod levels;
 mod result;
 mod slices;
 
-pub use basis::ground::Ground;
 pub use basis::prose::{Piece, Prose};
+pub use basis::reduction_basis::ReductionBasis;
 pub use result::proof::Proof;
-pub use result::reduction::{Omission, Output, Quantity, Reduction, Turned};
+pub use result::reduction::{MovingFrame, Omission, Output, Quantity, Reduction};
 pub use slices::one_degree::Slope;
 
 use crate::mechanics::{DeriveError, has_inertia_at};
@@ -39,16 +39,24 @@ use std::cmp::Reverse;
 /// determine. [`DeriveError::ReductionNotProved`] if not even the system without momenta is proved to give the scene's
 /// outputs.
 pub fn reduce(model: &Model, scene: &Scene) -> Result<Reduction, DeriveError> {
-    Ground::new(model)?.reduce(scene)
+    ReductionBasis::new(model)?.reduce(scene)
 }
 
-impl Ground {
-    /// Reduced system of a scene of the model that this ground was made from.
+/// Frames in which a reduction may write its equations.
+#[derive(Clone, Copy)]
+enum FrameChoice {
+    /// Moving frame, if one saves work; otherwise the inertial frame.
+    MayMove,
+    Inertial,
+}
+
+impl ReductionBasis {
+    /// Reduced system of a scene of the model that this basis was made from.
     ///
     /// # Errors
     /// [`DeriveError`], for the same reasons as [`reduce`].
     pub fn reduce(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
-        self.reduce_with(scene, true)
+        self.reduce_with(scene, FrameChoice::MayMove)
     }
 
     /// Reduced system of a scene without a moving frame; its variables are functions of the model's variables.
@@ -56,17 +64,17 @@ impl Ground {
     /// # Errors
     /// [`DeriveError`], for the same reasons as [`reduce`].
     pub fn reduce_without_frame(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
-        self.reduce_with(scene, false)
+        self.reduce_with(scene, FrameChoice::Inertial)
     }
 
-    fn reduce_with(&self, scene: &Scene, may_turn: bool) -> Result<Reduction, DeriveError> {
+    fn reduce_with(&self, scene: &Scene, frame: FrameChoice) -> Result<Reduction, DeriveError> {
         self.has_motion_of_its_own()?;
-        let mut ground = self.clone();
+        let mut basis = self.clone();
         has_inertia_at(&self.arena, &self.kane, &self.model, &scene.exact.rational)?;
-        ground.fold(scene);
-        let wanted = ground.wanted(scene)?;
+        basis.fold(scene);
+        let wanted = basis.wanted(scene)?;
         let mut best: Option<(Weight, Vec<usize>)> = None;
-        let choices = ground.choices();
+        let choices = basis.choices();
         // A single choice needs no comparison. Choices that hold most momenta come first: they are most often the best,
         // and the work is limited.
         let mut compared = if choices.len() > 1 { choices.clone() } else { Vec::new() };
@@ -76,9 +84,9 @@ impl Ground {
             if work.is_done() {
                 break;
             }
-            let mut trial = ground.clone();
+            let mut trial = basis.clone();
             let weight = trial.weight_on(&momenta, &wanted);
-            work.add(&trial, &ground);
+            work.add(&trial, &basis);
             if let Some(weight) = weight
                 && best.as_ref().is_none_or(|(least, _)| weight < *least)
             {
@@ -86,20 +94,23 @@ impl Ground {
             }
         }
         let momenta = best.map(|(_, momenta)| momenta).unwrap_or_default();
-        let mut framed = ground.clone();
-        let framing = if may_turn { framed.framing(&wanted, &choices, &momenta, &mut work) } else { None };
+        let mut framed = basis.clone();
+        let framing = match frame {
+            FrameChoice::MayMove => framed.framing(&wanted, &choices, &momenta, &mut work),
+            FrameChoice::Inertial => None,
+        };
         // Without a frame, the terms of the search are dropped, so that the equations are written as before the search.
         match framing {
-            Some(_) => ground = framed,
-            None => ground.kept_by_domain = framed.kept_by_domain,
+            Some(_) => basis = framed,
+            None => basis.kept_by_domain = framed.kept_by_domain,
         }
-        let whole = Whole { kane: ground.kane.clone(), wanted };
+        let whole = Whole { kane: basis.kane.clone(), wanted };
         let plain = |momenta| Choice { momenta, ..Choice::default() };
         // A choice that is not proved is not used. Without a frame, and without momenta, there is less to prove.
         let tried = framing.into_iter().chain([plain(momenta), plain(Vec::new())]);
         let mut found = Err(String::new());
         for choice in tried {
-            found = ground.clone().on_level(&choice, &whole, scene);
+            found = basis.clone().on_level(&choice, &whole, scene);
             if found.is_ok() {
                 break;
             }
@@ -123,11 +134,11 @@ impl Ground {
     /// [`DeriveError`], for the same reasons as [`reduce`].
     pub fn reduce_without_momenta(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
         self.has_motion_of_its_own()?;
-        let mut ground = self.clone();
-        ground.fold(scene);
-        let wanted = ground.wanted(scene)?;
-        let whole = Whole { kane: ground.kane.clone(), wanted };
-        ground.on_level(&Choice::default(), &whole, scene).map_err(|what| DeriveError::ReductionNotProved { what })
+        let mut basis = self.clone();
+        basis.fold(scene);
+        let wanted = basis.wanted(scene)?;
+        let whole = Whole { kane: basis.kane.clone(), wanted };
+        basis.on_level(&Choice::default(), &whole, scene).map_err(|what| DeriveError::ReductionNotProved { what })
     }
 
     fn has_motion_of_its_own(&self) -> Result<(), DeriveError> {

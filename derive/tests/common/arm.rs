@@ -8,10 +8,22 @@ use tripos_derive::model::load;
 /// Axes of the joints of an arm, over and over.
 const AXES: [usize; 10] = [3, 2, 2, 1, 2, 1, 3, 2, 1, 3];
 
+/// Reactions that a model text states.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Reactions {
+    None,
+    /// All five of every joint, which Newton's and Euler's equations ask for.
+    All,
+}
+
 /// n bodies, body i hung on body `parent(i)` (0 is the ground) by a hinge or, where `slides(i)`, by a slide along the
-/// joint's axis. Six inertias a body, its mass centre and the place of its joint off every axis, gravity; with
-/// `reactions` all five of every joint, which Newton's and Euler's equations ask for.
-pub fn tree_text(n: usize, parent: impl Fn(usize) -> usize, slides: impl Fn(usize) -> bool, reactions: bool) -> String {
+/// joint's axis. Six inertias a body, its mass centre and the place of its joint off every axis, gravity.
+pub fn tree_text(
+    n: usize,
+    parent: impl Fn(usize) -> usize,
+    slides: impl Fn(usize) -> bool,
+    reactions: Reactions,
+) -> String {
     let mut text = format!("name = \"Tree of {n} bodies\"\n\n[parameters]\n");
     let mut line = |line: String| {
         text.push_str(&line);
@@ -67,7 +79,7 @@ pub fn tree_text(n: usize, parent: impl Fn(usize) -> usize, slides: impl Fn(usiz
         ));
     }
     line("\n[gravity]\nframe = \"A0\"\nacceleration = [0, 0, \"-g\"]".to_owned());
-    if reactions {
+    if reactions == Reactions::All {
         for i in 1..=n {
             for k in 1..=3 {
                 let mut place = format!("on = \"b{i}\"\n");
@@ -89,12 +101,12 @@ pub fn tree_text(n: usize, parent: impl Fn(usize) -> usize, slides: impl Fn(usiz
 }
 
 /// The model of [`tree_text`].
-pub fn tree(n: usize, parent: impl Fn(usize) -> usize, slides: impl Fn(usize) -> bool, reactions: bool) -> Model {
+pub fn tree(n: usize, parent: impl Fn(usize) -> usize, slides: impl Fn(usize) -> bool, reactions: Reactions) -> Model {
     let text = tree_text(n, parent, slides, reactions);
     load(&Source::from_text("tree/model.toml", &text)).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// An arm of n hinges.
-pub fn arm(n: usize, reactions: bool) -> Model {
+pub fn arm(n: usize, reactions: Reactions) -> Model {
     tree(n, |i| i - 1, |_| false, reactions)
 }

@@ -9,7 +9,7 @@ use crate::error::Error;
 use nalgebra::{DMatrix, DVector};
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::reduce::Turned;
+use tripos_derive::reduce::MovingFrame;
 use tripos_traits::DoubleDouble;
 
 /// Greatest number of Newton steps towards the section of a moving frame.
@@ -36,7 +36,7 @@ const NOTHING: f64 = 1e-9;
 /// [`Error::Stopped`] if no such motion is found; [`Error::Request`] if the frame mentions a symbol without a value.
 pub fn turned(
     arena: &Arena,
-    frame: &Turned,
+    frame: &MovingFrame,
     symbols: &[Expr],
     parameters: &[DoubleDouble],
     start: &[DoubleDouble],

@@ -18,7 +18,7 @@ use crate::code::Code;
 use parts::{coarsened, options_in_rates, widened};
 use std::cell::{Cell, RefCell};
 use std::sync::Mutex;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::Solve;
 use tripos_sim::{
     Accompanied, Event, Failure, Lent, Multipliers, Options, PowerAt, RightHandSide, SimError, Solution, Standing,
@@ -70,7 +70,7 @@ const LOST: f64 = 1e-3;
 #[derive(Clone, Copy)]
 pub struct Chosen<'a> {
     /// The formulation in chosen speeds.
-    pub by: &'a By,
+    pub by: &'a EquationsOrigin,
     /// Compiled equations in chosen speeds.
     pub code: &'a Code,
     /// Way in which the accelerations of the equations in chosen speeds are found.

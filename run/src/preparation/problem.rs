@@ -14,8 +14,8 @@ use super::reduced::Reduced;
 use crate::code::Code;
 use crate::error::{Error, refused};
 use crate::mechanism::Mechanism;
-use tripos_derive::mechanics::{By, InertiaCheck};
-use tripos_derive::scene::{Integrator, Project, Scene, Solve, Stated};
+use tripos_derive::mechanics::{EquationsOrigin, InertiaCheck};
+use tripos_derive::scene::{InitialMotion, Integrator, Project, Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::projection::Invariants;
 use tripos_sim::quadrature::{self, NoQuadrature};
@@ -39,7 +39,7 @@ pub struct Problem<'a> {
     /// The scene as its file gives it.
     pub shown: &'a Scene,
     /// Name of the equations of motion that run.
-    pub by: &'a By,
+    pub by: &'a EquationsOrigin,
     /// The equations ready to run, in the scene's distance from a singular surface if it has one.
     pub code: &'a Code,
     /// Way in which accelerations are found.
@@ -80,7 +80,7 @@ impl<'a> Problem<'a> {
     pub fn new(
         mechanism: &'a Mechanism,
         scene: &'a Scene,
-        by: &'a By,
+        by: &'a EquationsOrigin,
         code: &'a Code,
         solve: Option<Solve>,
     ) -> Result<Self, Error> {
@@ -95,7 +95,7 @@ impl<'a> Problem<'a> {
         inertia: &InertiaCheck<'_>,
         mechanism: &'a Mechanism,
         scene: &'a Scene,
-        by: &'a By,
+        by: &'a EquationsOrigin,
         code: &'a Code,
         solve: Option<Solve>,
     ) -> Result<Self, Error> {
@@ -122,7 +122,7 @@ impl<'a> Problem<'a> {
         mechanism: &'a Mechanism,
         model: &'a Model,
         scene: &'a Scene,
-        by: &'a By,
+        by: &'a EquationsOrigin,
         code: &'a Code,
         solve: Option<Solve>,
     ) -> Result<Self, Error> {
@@ -221,7 +221,7 @@ impl<'a> Problem<'a> {
         let mut v = vec![0.0; system.lengths().variables];
         match &scene.exact.motion {
             // The generalized speeds may not determine the rates, as in a dead point.
-            Stated::Rates(rates) if self.is_constrained_in_rates() => {
+            InitialMotion::Rates(rates) if self.is_constrained_in_rates() => {
                 v = rates.iter().map(|rate| rate.to_f64()).collect();
             }
             _ => system.motion_variables(&scene.parameters, &q, &scene.u, &mut v),
@@ -314,7 +314,7 @@ impl<'a> Problem<'a> {
     #[must_use]
     pub fn options(&self, options: &Options) -> Options {
         let corners = self.model.corners(&self.scene.parameters).into_iter();
-        let corners = corners.map(|(at, jumps)| Corner::still(at, jumps)).collect();
+        let corners = corners.map(|(at, jumps)| if jumps { Corner::jump(at) } else { Corner::bend(at) }).collect();
         Options { corners, clock: self.model.time(), ..self.mechanism.follow.options(options) }
     }
 

@@ -8,9 +8,9 @@ use crate::mechanism::Mechanism;
 use tripos_codegen::plan::{Costs, costs};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
-use tripos_derive::mechanics::By;
-use tripos_derive::reduce::{Ground, Quantity, Reduction};
-use tripos_derive::scene::{Exact, Scene, SceneEvent, Stated};
+use tripos_derive::mechanics::EquationsOrigin;
+use tripos_derive::reduce::{Quantity, Reduction, ReductionBasis};
+use tripos_derive::scene::{Exact, InitialMotion, Scene, SceneEvent};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble};
 
 /// The reduced equations of a scene, and the scene in their variables.
@@ -19,8 +19,8 @@ pub struct Reduced {
     pub reduction: Reduction,
     /// Scene in the variables of the reduced model, with the constant momenta among its parameters.
     pub scene: Scene,
-    /// Name of the reduced equations, always [`By::Reduced`].
-    pub by: By,
+    /// Name of the reduced equations, always [`EquationsOrigin::Reduced`].
+    pub by: EquationsOrigin,
 }
 
 impl Reduced {
@@ -29,21 +29,21 @@ impl Reduced {
     /// # Errors
     /// [`Error`] if the model cannot be derived, or does not determine an output of the scene.
     pub fn new(model: &Model, scene: &Scene) -> Result<Self, Error> {
-        let ground = Ground::new(model).map_err(|error| model.diagnose(&error))?;
-        Self::of_ground(&ground, model, scene)
+        let basis = ReductionBasis::new(model).map_err(|error| model.diagnose(&error))?;
+        Self::of_basis(&basis, model, scene)
     }
 
-    /// Derives the reduced equations of a scene of the model that `ground` was derived from.
+    /// Derives the reduced equations of a scene of the model that `basis` was derived from.
     ///
     /// # Errors
     /// [`Error`] if the model does not determine an output of the scene.
-    pub fn of_ground(ground: &Ground, model: &Model, scene: &Scene) -> Result<Self, Error> {
-        let reduction = ground.reduce(scene).map_err(|error| model.diagnose(&error))?;
+    pub fn of_basis(basis: &ReductionBasis, model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let reduction = basis.reduce(scene).map_err(|error| model.diagnose(&error))?;
         let turns = reduction.frame.is_some();
         match Self::with(reduction, model, scene) {
             // Some starts cannot be moved to the section of the moving frame.
             Err(Error::Stopped(_)) if turns => {
-                let plain = ground.reduce_without_frame(scene).map_err(|error| model.diagnose(&error))?;
+                let plain = basis.reduce_without_frame(scene).map_err(|error| model.diagnose(&error))?;
                 Self::with(plain, model, scene)
             }
             found => found,
@@ -54,9 +54,9 @@ impl Reduced {
     /// are.
     ///
     /// # Errors
-    /// Errors of [`Reduced::of_ground`].
-    pub fn without_momenta(ground: &Ground, model: &Model, scene: &Scene) -> Result<Self, Error> {
-        let reduction = ground.reduce_without_momenta(scene).map_err(|error| model.diagnose(&error))?;
+    /// Errors of [`Reduced::of_basis`].
+    pub fn without_momenta(basis: &ReductionBasis, model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let reduction = basis.reduce_without_momenta(scene).map_err(|error| model.diagnose(&error))?;
         Self::with(reduction, model, scene)
     }
 
@@ -80,13 +80,13 @@ impl Reduced {
             parameters: doubles(&parameters),
             q: doubles(&q),
             u: doubles(&v),
-            exact: Exact { rational: vec![None; parameters.len()], parameters, q, motion: Stated::Speeds(v) },
+            exact: Exact { rational: vec![None; parameters.len()], parameters, q, motion: InitialMotion::Speeds(v) },
             integration,
             ladder: None,
             events: events.map(|(event, function)| SceneEvent { function: *function, ..event.clone() }).collect(),
             ..scene.clone()
         };
-        Ok(Self { reduction, scene: own, by: By::Reduced })
+        Ok(Self { reduction, scene: own, by: EquationsOrigin::Reduced })
     }
 
     /// Makes the reduced equations ready to run. Compiled code is used if it was generated from the same reduction.

@@ -7,7 +7,7 @@ use crate::code::tape;
 use crate::error::Error;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
-use tripos_derive::scene::{Exact, Stated};
+use tripos_derive::scene::{Exact, InitialMotion};
 use tripos_traits::DoubleDouble;
 
 /// Generalized speeds at the start of a scene, in the order of the model.
@@ -16,8 +16,8 @@ use tripos_traits::DoubleDouble;
 /// [`Error::Request`] if the definition of a speed mentions a symbol that has no value at the start.
 pub fn speeds(model: &Model, exact: &Exact) -> Result<Vec<DoubleDouble>, Error> {
     match &exact.motion {
-        Stated::Speeds(u) => Ok(u.clone()),
-        Stated::Rates(rates) => {
+        InitialMotion::Speeds(u) => Ok(u.clone()),
+        InitialMotion::Rates(rates) => {
             let inputs = [model.p(), model.q(), model.q_dot()].concat();
             let definitions: Vec<Expr> = model.speeds.iter().map(|s| s.definition).collect();
             let tape = tape(&model.arena, &inputs, &definitions, "a generalized speed")?.to();
@@ -34,7 +34,7 @@ pub fn speeds(model: &Model, exact: &Exact) -> Result<Vec<DoubleDouble>, Error> 
 pub fn known(model: &Model, exact: &Exact) -> Result<(Vec<Expr>, Vec<DoubleDouble>), Error> {
     let mut symbols = [model.p(), model.q(), model.u()].concat();
     let mut values = [&exact.parameters[..], &exact.q, &speeds(model, exact)?].concat();
-    if let Stated::Rates(rates) = &exact.motion {
+    if let InitialMotion::Rates(rates) = &exact.motion {
         symbols.extend(model.q_dot());
         values.extend(rates);
     }

@@ -6,14 +6,14 @@ use crate::preparation::problem::Problem;
 use crate::trust::digits::Digits;
 use crate::trust::invariants::{Course, Drift, Watch};
 use crate::trust::residuals::Residual;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::{Dynamics, EventRecord, ImpactRecord, Kind, Solution};
 
 /// States, errors and checks of a run.
 pub struct Run {
     /// Equations of motion that ran.
-    pub by: By,
+    pub by: EquationsOrigin,
     /// Form of the code that ran.
     pub code: Form,
     /// Way in which accelerations were found.

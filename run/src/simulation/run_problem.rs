@@ -17,7 +17,7 @@ use crate::trust::power::accounted;
 use crate::trust::residuals::residuals;
 use crate::trust::stiffness;
 use tripos_derive::algebra::text::print::text;
-use tripos_derive::mechanics::{By, load_divisors};
+use tripos_derive::mechanics::{EquationsOrigin, load_divisors};
 use tripos_derive::scene::Scene;
 use tripos_derive::{Formulation, Model};
 use tripos_sim::{Event, Options, Solution, Stop};
@@ -78,7 +78,13 @@ const MOST_PROVED: usize = 8;
 ///
 /// # Errors
 /// [`Error`] if the run cannot begin; one that began and could not go on is a [`Run`] that says so.
-pub fn run_code(model: &Mechanism, scene: &Scene, by: &By, code: &Code, watch: Option<&Watch>) -> Result<Run, Error> {
+pub fn run_code(
+    model: &Mechanism,
+    scene: &Scene,
+    by: &EquationsOrigin,
+    code: &Code,
+    watch: Option<&Watch>,
+) -> Result<Run, Error> {
     run_problem(&Problem::new(model, scene, by, code, None)?, watch)
 }
 

@@ -21,7 +21,7 @@ use crate::preparation::problem::Problem;
 use crate::trust::digits::other_side;
 use crate::trust::events::Balance;
 use tripos_derive::diagnostic::nearest;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::{EventRecord, Stop};
 use windows::{Loop, finer};
@@ -76,7 +76,7 @@ pub struct Decision {
 #[derive(Clone, Debug)]
 pub struct SampledRun {
     /// Equations of motion that ran.
-    pub by: By,
+    pub by: EquationsOrigin,
     /// Form of the code that ran.
     pub code: Form,
     /// Names of the inputs that were set.

@@ -16,8 +16,8 @@ use crate::trust::invariants::Watch;
 use crate::trust::power::accounted;
 use std::sync::Mutex;
 use tripos_derive::Formulation;
-use tripos_derive::mechanics::{By, is_reducible};
-use tripos_derive::reduce::Ground;
+use tripos_derive::mechanics::{EquationsOrigin, is_reducible};
+use tripos_derive::reduce::ReductionBasis;
 use tripos_derive::scene::{Integrator, Scene, Solve};
 use tripos_sim::{Solution, Stop};
 
@@ -79,18 +79,18 @@ fn without_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Opt
 /// Runs a scene by its own reduced equations. If the caller did not ask for these and they do not exist, are no gain,
 /// or do not reach the end, whole equations run.
 fn simulate_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Result<Run, Error> {
-    let ground = Ground::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
-    let watch = is_proved(mechanism).then(|| Watch::of_ground(mechanism, &ground)).transpose()?;
+    let basis = ReductionBasis::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
+    let watch = is_proved(mechanism).then(|| Watch::of_basis(mechanism, &basis)).transpose()?;
     let watch = watch.as_ref();
     if reduced == ReducedRun::Asked || scene.integration.method == Integrator::Quadrature {
-        return run_reduced(mechanism, scene, &ground, &Reduced::of_ground(&ground, mechanism, scene)?, watch);
+        return run_reduced(mechanism, scene, &basis, &Reduced::of_basis(&basis, mechanism, scene)?, watch);
     }
     let whole = |why: &str| {
         let mut run = run_whole(mechanism, scene, &by_or_first(mechanism, None)?, watch)?;
         run.notes.insert(0, format!("whole equations are run: {why}"));
         taken_through(mechanism, scene, watch, run)
     };
-    match run_gain(mechanism, scene, &ground, watch) {
+    match run_gain(mechanism, scene, &basis, watch) {
         Ok(Own::Run(run)) => taken_through(mechanism, scene, watch, *run),
         Ok(Own::NoGain(why)) => whole(&why),
         Err(error) => {
@@ -109,11 +109,11 @@ enum Own {
 }
 
 /// Runs a scene by its own reduced equations if these are a gain over whole equations.
-fn run_gain(mechanism: &Mechanism, scene: &Scene, ground: &Ground, watch: Option<&Watch>) -> Result<Own, Error> {
-    let reduced = Reduced::of_ground(ground, mechanism, scene)?;
+fn run_gain(mechanism: &Mechanism, scene: &Scene, basis: &ReductionBasis, watch: Option<&Watch>) -> Result<Own, Error> {
+    let reduced = Reduced::of_basis(basis, mechanism, scene)?;
     match reduced.no_gain(mechanism)? {
         Some(why) => Ok(Own::NoGain(why)),
-        None => Ok(Own::Run(Box::new(run_reduced(mechanism, scene, ground, &reduced, watch)?))),
+        None => Ok(Own::Run(Box::new(run_reduced(mechanism, scene, basis, &reduced, watch)?))),
     }
 }
 
@@ -127,7 +127,7 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
     let Some(why) = left_for(&run) else { return Ok(run) };
     let mut doubtful = None;
     for formulation in [Formulation::Kane, Formulation::Lagrange] {
-        let by = By::from(formulation);
+        let by = EquationsOrigin::from(formulation);
         if by == run.by {
             continue;
         }
@@ -174,7 +174,7 @@ fn comes_as_far(scene: &Scene, run: &Run, other: &Run) -> bool {
 ///
 /// # Errors
 /// [`Error`] if the model does not have the formulation, or the equations cannot give a requested quantity.
-pub fn run(model: &Mechanism, scene: &Scene, by: &By) -> Result<Run, Error> {
+pub fn run(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) -> Result<Run, Error> {
     // Impacts change the conserved quantities, so no proof is tried.
     let watch = if scene.impacts.is_empty() { proved(model)? } else { None };
     run_whole(model, scene, by, watch.as_ref())
@@ -184,7 +184,7 @@ pub fn run(model: &Mechanism, scene: &Scene, by: &By) -> Result<Run, Error> {
 ///
 /// # Errors
 /// Errors of [`run`].
-pub fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch>) -> Result<Run, Error> {
+pub fn run_whole(model: &Mechanism, scene: &Scene, by: &EquationsOrigin, watch: Option<&Watch>) -> Result<Run, Error> {
     let code = code(model, by, scene.integration.distance, Ready::for_runs(scene))?;
     let problem = Problem::new(model, scene, by, &code, None)?;
     let shown = ShownQuantities::new(model, scene)?;
@@ -210,7 +210,7 @@ fn alone(problem: &Problem<'_>, rates: &Code) -> Result<Option<Solution>, Error>
 ///
 /// # Errors
 /// Errors of [`run`].
-pub fn changes_speeds(model: &Mechanism, scene: &Scene, by: &By) -> Result<Option<Run>, Error> {
+pub fn changes_speeds(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) -> Result<Option<Run>, Error> {
     if !model.ties_rates() {
         return Ok(None);
     }
@@ -252,7 +252,7 @@ pub fn changing_speeds<T>(
     code: &Code,
     run: impl FnOnce(&Problem<'_>) -> Result<T, Error>,
 ) -> Result<T, Error> {
-    let (by, changes) = (By::from(Formulation::Lagrange), Mutex::default());
+    let (by, changes) = (EquationsOrigin::from(Formulation::Lagrange), Mutex::default());
     let chosen = Chosen { by: problem.by, code: problem.code, solve: problem.solve, changes: &changes };
     let rates =
         Problem::new(problem.mechanism, problem.scene, &by, code, Some(Solve::Numeric))?.with_chosen_speeds(chosen);
@@ -267,7 +267,7 @@ pub fn changing_speeds<T>(
 fn run_reduced(
     model: &Mechanism,
     scene: &Scene,
-    ground: &Ground,
+    basis: &ReductionBasis,
     reduced: &Reduced,
     watch: Option<&Watch>,
 ) -> Result<Run, Error> {
@@ -279,7 +279,7 @@ fn run_reduced(
     let (Some(singular), false) = (singular, is_plain) else {
         return run_own(model, scene, reduced, &code, watch);
     };
-    let plain = Reduced::without_momenta(ground, model, scene)?;
+    let plain = Reduced::without_momenta(basis, model, scene)?;
     let code = plain.code(model)?;
     if Problem::reduced(model, &plain, scene, &code)?.singular_start()?.is_some() {
         return Err(Error::Stopped(format!("the run cannot start: {singular}")));

@@ -6,7 +6,7 @@ use crate::follow::uninterrupted;
 use crate::mechanism::Mechanism;
 use crate::preparation::problem::Problem;
 use crate::preparation::reduced::Reduced;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::reduce::Reduction;
 use tripos_derive::scene::{Integrator, Scene, Solve};
 use tripos_sim::work_precision::options;
@@ -19,7 +19,7 @@ const FINE: [Method; 2] = [Method::Dop853, Method::Taylor];
 /// Equations of motion with the way in which their accelerations are found, as one case of a chart.
 pub struct Case {
     /// Name of the equations of motion.
-    pub by: By,
+    pub by: EquationsOrigin,
     /// Compiled or interpreted equations, in the scene's distance if it has one.
     pub code: Code,
     /// Way in which accelerations are found.
@@ -214,7 +214,7 @@ pub fn cases(model: &Mechanism, scene: &Scene, printed: Printed) -> Result<(Vec<
 pub fn whole(model: &Mechanism, scene: &Scene, printed: Printed) -> Result<(Vec<Case>, Vec<String>), Error> {
     let (mut list, mut left_out) = (Vec::new(), Vec::new());
     let mut why = None;
-    let mut names: Vec<By> = tripos_derive::Formulation::ALL.map(By::from).to_vec();
+    let mut names: Vec<EquationsOrigin> = tripos_derive::Formulation::ALL.map(EquationsOrigin::from).to_vec();
     if printed == Printed::Included {
         names.extend(crate::code::printed(model)?);
     }

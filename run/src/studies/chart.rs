@@ -11,7 +11,7 @@ use crate::preparation::problem::Problem;
 use crate::trust::comparison::Compared;
 use crate::trust::invariants::Watch;
 use crate::trust::reference::Reference;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::work_precision::{Spread, error, interleaved};
 use tripos_sim::{Options, Output, Stop};
@@ -54,7 +54,7 @@ fn powers_of_ten(powers: impl Iterator<Item = i32>) -> Vec<f64> {
 /// Measured point of a chart: one case, one method and one tolerance.
 pub struct Measurement {
     /// Equations of motion that ran.
-    pub by: By,
+    pub by: EquationsOrigin,
     /// Way in which accelerations were found, where the method needs them.
     pub solve: Solve,
     /// Method and tolerance of the run.

@@ -8,7 +8,7 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::identify::{Factor, Identification};
 use tripos_derive::mechanics::Varied;
-use tripos_derive::scene::Moving;
+use tripos_derive::scene::MotionSample;
 use tripos_traits::DoubleDouble;
 
 /// Finds the base parameters of a mechanism.
@@ -87,7 +87,7 @@ pub fn rows(
     model: &Mechanism,
     found: &Identification,
     parameters: &[DoubleDouble],
-    states: &[Moving],
+    states: &[MotionSample],
 ) -> Result<Vec<Row>, Error> {
     let regressor = &found.regressor;
     let speeds = model.speeds.len();

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::mechanism::Mechanism;
 use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::diff::{Difference, diff, printed_equations};
-use tripos_derive::mechanics::{By, Derivation, Derivations, derive_all};
+use tripos_derive::mechanics::{Derivation, Derivations, EquationsOrigin, derive_all};
 use tripos_derive::prove::{Proof, Singularity, prove, singularity, zeros};
 use tripos_derive::publication::{Publication, load_beside};
 use tripos_derive::{Equations, Formulation, Model};
@@ -26,7 +26,7 @@ pub struct Study {
 }
 
 /// Name of a printed system, with its code or the reason why it cannot run.
-pub type Printed = (By, Result<Code, Error>);
+pub type Printed = (EquationsOrigin, Result<Code, Error>);
 
 /// Publication with the judgement of its printed equations.
 pub struct Published {

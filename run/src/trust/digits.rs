@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::preparation::problem::Problem;
 use rustc_hash::FxHashMap;
 use tripos_derive::scene::{Integrator, Scene};
-use tripos_sim::{Effect, Event, EventRecord, Kind, Options, Output, Second, Solution, Stop, seconds};
+use tripos_sim::{Effect, Event, EventRecord, Kind, Options, Output, Second, Solution, Stop, TaylorSeries, seconds};
 use tripos_traits::{DoubleDouble, Real, Scalar, larger, largest};
 
 /// Greatest number of instants at which the run and the second run are compared.
@@ -285,7 +285,8 @@ fn choices(problem: &Problem<'_>, options: &Options, solution: &Solution) -> Vec
         let words = "quadrature from numbers one rounding away".to_owned();
         return vec![Second { options: options.clone(), part: QUADRATURE_PART, is_finer: false, words }];
     }
-    seconds(options, solution, problem.scene.span, problem.has_short_series())
+    let series = if problem.has_short_series() { TaylorSeries::Cheap } else { TaylorSeries::Costly };
+    seconds(options, solution, problem.scene.span, series)
 }
 
 /// Samples (t, y) spread evenly over a run, at most [`INSTANTS`], and the end of the run.

@@ -8,7 +8,7 @@ use crate::preparation::problem::Problem;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::term::steps::{Definition, fresh_symbol, needed};
 use tripos_derive::algebra::value::evaluate::{Numeric, Tape, UnknownSymbol};
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::Scene;
 use tripos_derive::{Formulation, Model};
 use tripos_sim::{Direction, Dynamics, Effect, Event, EventFunction, InRanges};
@@ -39,7 +39,7 @@ impl Balance {
     ///
     /// # Errors
     /// [`Error::Request`] if a watched reaction is not determined, or a symbol has no value during a run.
-    pub fn new(mechanism: &Mechanism, model: &Model, scene: &Scene, by: &By) -> Result<Self, Error> {
+    pub fn new(mechanism: &Mechanism, model: &Model, scene: &Scene, by: &EquationsOrigin) -> Result<Self, Error> {
         let domain = model.domain.iter().map(|c| (c.name.as_str(), c.positive));
         let watched = domain.chain(scene.events.iter().map(|e| (e.name.as_str(), e.function)));
         let (mut balance, mut list) = (None, Vec::new());
@@ -75,7 +75,7 @@ impl Balance {
 
 /// Compiles an expression as a function of parameters and the integrated state. It may not mention reactions, nor rates
 /// if the running equations have rates of their own, as printed ones do.
-fn of_state(model: &Model, scene: &Scene, by: &By, e: Expr) -> Result<Tape, UnknownSymbol> {
+fn of_state(model: &Model, scene: &Scene, by: &EquationsOrigin, e: Expr) -> Result<Tape, UnknownSymbol> {
     let mut arena = model.arena.clone();
     let (mut variables, mut steps) = (model.q(), Vec::new());
     if let Some(distance) = scene.integration.distance {
@@ -87,8 +87,8 @@ fn of_state(model: &Model, scene: &Scene, by: &By, e: Expr) -> Result<Tape, Unkn
         variables[distance.coordinate] = symbol;
     }
     let formulation = match by {
-        By::Derived(formulation) | By::Printed { formulation, .. } => Some(*formulation),
-        By::Reduced => None,
+        EquationsOrigin::Derived(formulation) | EquationsOrigin::Printed { formulation, .. } => Some(*formulation),
+        EquationsOrigin::Reduced => None,
     };
     let (v, other, values) = if formulation.is_some_and(Formulation::is_in_rates) {
         (model.q_dot(), model.u(), model.speeds.iter().map(|s| s.definition).collect())

@@ -13,7 +13,7 @@ use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::model::Unit;
 use tripos_derive::prove::{Integral, IntegralKind};
-use tripos_derive::reduce::Ground;
+use tripos_derive::reduce::ReductionBasis;
 use tripos_sim::Solution;
 use tripos_traits::larger;
 
@@ -149,15 +149,15 @@ impl Watch {
     /// # Errors
     /// [`Error`] if the model cannot be derived.
     pub fn of_model(model: &Model) -> Result<Self, Error> {
-        Self::of_ground(model, &Ground::new(model).map_err(|error| model.diagnose(&error))?)
+        Self::of_basis(model, &ReductionBasis::new(model).map_err(|error| model.diagnose(&error))?)
     }
 
-    /// Makes the watch of a model whose first integrals are known from `ground`.
+    /// Makes the watch of a model whose first integrals are known from `basis`.
     ///
     /// # Errors
     /// Errors of [`Watch::new`].
-    pub fn of_ground(model: &Model, ground: &Ground) -> Result<Self, Error> {
-        Self::new(model, &ground.arena, &ground.integrals)
+    pub fn of_basis(model: &Model, basis: &ReductionBasis) -> Result<Self, Error> {
+        Self::new(model, &basis.arena, &basis.integrals)
     }
 
     /// Largest change along a run of each first integral that exists.

@@ -9,8 +9,8 @@ use crate::error::{Error, refused};
 use crate::mechanism::Mechanism;
 use crate::preparation::problem::Problem;
 use tripos_derive::Formulation;
-use tripos_derive::mechanics::By;
 use tripos_derive::mechanics::Distance;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::work_precision::error;
 use tripos_sim::{Eliminated, Lent, Method, Options, Output, RightHandSide, SimError, Solution, integrate};
@@ -71,7 +71,7 @@ impl Reference {
 /// Equations of one formulation that a reference is computed from.
 #[derive(Clone)]
 struct Witness {
-    by: By,
+    by: EquationsOrigin,
     code: Code,
 }
 
@@ -79,7 +79,7 @@ struct Witness {
 fn witnesses(model: &Mechanism, scene: &Scene) -> Result<[Witness; 2], Error> {
     let mut list = Vec::new();
     for formulation in [Formulation::Lagrange, Formulation::Kane] {
-        let by = By::from(formulation);
+        let by = EquationsOrigin::from(formulation);
         match code(model, &by, scene.integration.distance, Ready::Solved) {
             Ok(code) if code.system().has_accelerations() => list.push(Witness { by, code }),
             Ok(_) | Err(Error::Unsupported(_)) => {}
@@ -98,8 +98,9 @@ fn witnesses(model: &Mechanism, scene: &Scene) -> Result<[Witness; 2], Error> {
 fn near(model: &Mechanism, scene: &Scene) -> Option<Distance> {
     tripos_derive::mechanics::distances(model).first().copied().or(scene.integration.distance).filter(|distance| {
         // Interpreted equations in 32 digits keep enough digits of a distance.
-        let is_compiled =
-            |distance| compiled_code(model, &By::from(Formulation::Lagrange), distance, Ready::Solved).is_some();
+        let is_compiled = |distance| {
+            compiled_code(model, &EquationsOrigin::from(Formulation::Lagrange), distance, Ready::Solved).is_some()
+        };
         !is_compiled(None) || is_compiled(Some(*distance))
     })
 }

@@ -1,7 +1,7 @@
 //! Residuals of the constraints along a run, and the objections to large ones.
 
 use crate::preparation::problem::Problem;
-use tripos_derive::scene::Loops;
+use tripos_derive::scene::{DependentLoop, Loops};
 use tripos_sim::Solution;
 
 /// Relative gap up to which a redundant loop counts as closed. Redundant loops amplify the residuals of the other
@@ -51,7 +51,7 @@ fn following(problem: &Problem<'_>, solution: &Solution) -> Vec<(Residual, f64)>
     let mut list: Vec<(Residual, f64)> =
         model.closed.iter().map(|c| (Residual { name: c.name.clone(), largest: 0.0 }, 0.0)).collect();
     for y in solution.y.iter().chain([&solution.y_end]) {
-        for ((residual, most), (_, open, part)) in
+        for ((residual, most), DependentLoop { residual: open, part, .. }) in
             list.iter_mut().zip(loops.following(&problem.scene.parameters, &y[..model.coordinates.len()]))
         {
             if part.is_nan() || part > *most {

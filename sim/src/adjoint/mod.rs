@@ -186,7 +186,7 @@ impl<'a> Adjoint<'a> {
             }
             gradient.states = gradient.states.max(self.kept.len() + states.len());
             for step in (first..last).rev() {
-                self.back(&mut under, (step, &states[step - first]), &mut gradient)?;
+                self.back(&mut under, step, &states[step - first], &mut gradient)?;
             }
             last = first;
         }
@@ -198,7 +198,7 @@ impl<'a> Adjoint<'a> {
         let count = rhs.constraint_count();
         let mut rhs = Between::new(rhs, options.clock, self.stretches[0].sides);
         let onto = (count > 0).then_some(Onto::Constraints(count));
-        let projector = onto.map(|onto| Projector::new(onto, &mut rhs, options, (span.0, y0)));
+        let projector = onto.map(|onto| Projector::new(onto, &mut rhs, options, span.0, y0));
         Under { rhs, projector, stages: Stages::new(&self.rows, y0.len()) }
     }
 
@@ -220,7 +220,7 @@ impl<'a> Adjoint<'a> {
         }
         let Under { rhs, projector, stages } = under;
         rhs.go_on(self.stretch(step).sides);
-        stages.step(&self.rows, rhs, (t, t_new), y)?;
+        stages.step(&self.rows, rhs, t, t_new, y)?;
         let moved = projector.as_mut().and_then(|projector| projector.project(rhs, t_new, y));
         if let Some(moved) = moved {
             y.copy_from_slice(moved);
@@ -232,7 +232,8 @@ impl<'a> Adjoint<'a> {
     fn back<R: Transposed>(
         &self,
         under: &mut Under<'_, '_, R>,
-        (step, start): (usize, &[f64]),
+        step: usize,
+        start: &[f64],
         gradient: &mut Gradient,
     ) -> Result<(), Unswept> {
         let mut y = start.to_vec();
@@ -244,7 +245,7 @@ impl<'a> Adjoint<'a> {
         if let Some((next, jump)) = next.and_then(|next| Some((next, next.jump?))) {
             // s⁺ = s⁻ + (f⁻ − f⁺) dt/dp
             let own = self.stretch(step).sides;
-            let share = change(rhs, (own, next.sides), (t_new, &y), state)?;
+            let share = change(rhs, own, next.sides, t_new, &y, state)?;
             parameters.iter_mut().zip(&self.course.moved[jump].by).for_each(|(sum, by)| *sum += share * by);
             rhs.go_on(own);
         }
@@ -256,15 +257,17 @@ impl<'a> Adjoint<'a> {
             }
             rhs.pull_constraints(t_new, &y, &shares, (state, parameters))?;
         }
-        Ok(stages.back(&self.rows, rhs, (t, t_new), (state, parameters))?)
+        Ok(stages.back(&self.rows, rhs, t, t_new, state, parameters)?)
     }
 }
 
 /// Change λ·(f⁻ − f⁺) of the rates at a jump, weighted with λ.
 fn change<R: Transposed>(
     rhs: &mut Between<'_, R, f64>,
-    (before, after): (Sides, Sides),
-    (t, y): (f64, &[f64]),
+    before: Sides,
+    after: Sides,
+    t: f64,
+    y: &[f64],
     weights: &[f64],
 ) -> Result<f64, Failure> {
     let mut sum = 0.0;

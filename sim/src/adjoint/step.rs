@@ -70,7 +70,8 @@ impl Stages {
         &mut self,
         rows: &Rows,
         rhs: &mut R,
-        (t, t_new): (f64, f64),
+        t: f64,
+        t_new: f64,
         y: &mut [f64],
     ) -> Result<(), Failure> {
         let h = t_new - t;
@@ -90,8 +91,10 @@ impl Stages {
         &mut self,
         rows: &Rows,
         rhs: &mut Between<'_, R, f64>,
-        (t, t_new): (f64, f64),
-        (state, parameters): (&mut [f64], &mut [f64]),
+        t: f64,
+        t_new: f64,
+        state: &mut [f64],
+        parameters: &mut [f64],
     ) -> Result<(), Failure> {
         let h = t_new - t;
         for weights in &mut self.weights {

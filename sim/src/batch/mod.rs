@@ -166,12 +166,12 @@ pub fn integrate_in<const N: usize>(
 
 /// A method of integration, with the functions of the equations that it needs.
 #[derive(Clone, Copy)]
-enum Way<'a, const N: usize> {
+enum LaneMethod<'a, const N: usize> {
     Dop853(&'a (dyn Rates<Lanes<N>> + Sync)),
     Taylor(taylor::Equations<'a, N>, usize),
 }
 
-impl<'a, const N: usize> Way<'a, N> {
+impl<'a, const N: usize> LaneMethod<'a, N> {
     fn new(Equations { rates, series }: Equations<'a, N>, plan: &Plan) -> Result<Self, SimError> {
         match (plan.method, series) {
             (Method::Dop853, _) => Ok(Self::Dop853(rates)),
@@ -216,8 +216,8 @@ fn check<'a, const N: usize>(
     equations: Equations<'a, N>,
     plan: &Plan,
     trajectories: &[Trajectory<'_>],
-) -> Result<(Pace, Way<'a, N>), SimError> {
-    let way = Way::new(equations, plan)?;
+) -> Result<(Pace, LaneMethod<'a, N>), SimError> {
+    let way = LaneMethod::new(equations, plan)?;
     let lengths = equations.rates.lengths();
     let (options, n) = (plan.options(), lengths.state());
     options::check::<f64>(plan.span, &[], &options)?;

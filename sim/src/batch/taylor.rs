@@ -66,7 +66,7 @@ impl<'a, const N: usize> Taylor<'a, N> {
         let n = self.lengths.state();
         let square = h * h;
         for i in 0..n {
-            let sum = polynomial(&self.x[i..], (n, self.order), h, square);
+            let sum = polynomial(&self.x[i..], n, self.order, h, square);
             let add = h.mul_add(sum, self.carry[i]);
             let start = self.x[i];
             let new = start + add;
@@ -93,7 +93,7 @@ impl<'a, const N: usize> Taylor<'a, N> {
         self.next_usable = [self.order; N];
         for lane in 0..N {
             if odd_last.0[lane].is_nan() {
-                self.next_usable[lane] = cut(&mut self.next, (n, self.order), lane);
+                self.next_usable[lane] = cut(&mut self.next, n, self.order, lane);
             }
         }
     }
@@ -147,7 +147,7 @@ impl<'a, const N: usize> Taylor<'a, N> {
 /// Sum Σ x_k h^(k−1) over 1 ≤ k ≤ `order` for one component, whose coefficients are every n-th entry of `x`. Even and
 /// odd orders are summed apart, so that they need not wait for each other.
 #[inline(always)]
-fn polynomial<const N: usize>(x: &[Lanes<N>], (n, order): (usize, usize), h: Lanes<N>, square: Lanes<N>) -> Lanes<N> {
+fn polynomial<const N: usize>(x: &[Lanes<N>], n: usize, order: usize, h: Lanes<N>, square: Lanes<N>) -> Lanes<N> {
     let (mut odd, mut even) = (Lanes([0.0; N]), Lanes([0.0; N]));
     let mut k = order;
     if k % 2 == 1 {
@@ -165,7 +165,7 @@ fn polynomial<const N: usize>(x: &[Lanes<N>], (n, order): (usize, usize), h: Lan
 /// Sets coefficients of a lane to zero above the highest order, at least 1, up to which they are finite; returns this
 /// order.
 #[cold]
-fn cut<const N: usize>(x: &mut [Lanes<N>], (n, order): (usize, usize), lane: usize) -> usize {
+fn cut<const N: usize>(x: &mut [Lanes<N>], n: usize, order: usize, lane: usize) -> usize {
     let finite = |k: usize| x[k * n..(k + 1) * n].iter().all(|x| x.0[lane].is_finite());
     let usable = (2..=order).rev().find(|k| finite(*k)).unwrap_or(1);
     for x in &mut x[(usable + 1) * n..] {
@@ -201,7 +201,7 @@ impl<const N: usize> Method<N> for Taylor<'_, N> {
         for carry in &mut self.carry {
             carry.0[lane] = 0.0;
         }
-        self.usable[lane] = cut(&mut self.x, (self.lengths.state(), self.order), lane);
+        self.usable[lane] = cut(&mut self.x, self.lengths.state(), self.order, lane);
     }
 
     fn proposals(&mut self, test: &ErrorTest) -> Option<[f64; N]> {

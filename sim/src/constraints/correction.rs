@@ -10,12 +10,12 @@ use crate::linear::metric::{Conditions, DEPENDENT, Metric, dot};
 
 /// Solver for the smallest vector that satisfies linear conditions, in the metric of a mass matrix.
 #[derive(Clone)]
-pub(crate) struct Least {
+pub(crate) struct LeastVectorSolver {
     pub(crate) metric: Metric,
     pub(crate) conditions: Conditions,
 }
 
-impl Least {
+impl LeastVectorSolver {
     /// Creates a solver without a metric and conditions.
     pub(crate) const fn new() -> Self {
         Self { metric: Metric::new(), conditions: Conditions::new() }
@@ -63,8 +63,8 @@ pub(crate) struct Correction {
     rates: Vec<f64>,
     coupling: Vec<f64>,
     inertia: Vec<f64>,
-    by_places: Least,
-    by_rates: Least,
+    by_places: LeastVectorSolver,
+    by_rates: LeastVectorSolver,
     /// True if the slopes along rates equal those along coordinates, in one metric: `by_rates` is then not set.
     are_same: bool,
     sides: Vec<f64>,
@@ -84,8 +84,8 @@ impl Correction {
             rates: Vec::new(),
             coupling: Vec::new(),
             inertia: Vec::new(),
-            by_places: Least::new(),
-            by_rates: Least::new(),
+            by_places: LeastVectorSolver::new(),
+            by_rates: LeastVectorSolver::new(),
             are_same: false,
             sides: Vec::new(),
             q: Vec::new(),

@@ -14,7 +14,7 @@
 
 use tripos_traits::{Lengths, System};
 
-use super::correction::Least;
+use super::correction::LeastVectorSolver;
 use super::placement::Placement;
 use crate::error::Failure;
 use crate::linear::metric::dot;
@@ -42,7 +42,7 @@ pub struct Multipliers<'a> {
     /// Mass matrix E, row by row; `rows` has A. `least` solves the conditions in the metric of E.
     inertia: Vec<f64>,
     rows: Vec<f64>,
-    least: Least,
+    least: LeastVectorSolver,
     /// Rows of J in the metric of E; `longest` has the largest length of each so far. `rest` and `along` are the
     /// generalized speeds at rest and for a unit rate; `still` holds rates of 0.
     forms: Vec<f64>,
@@ -83,7 +83,7 @@ impl<'a> Multipliers<'a> {
             placement: Placement::new(system, clock),
             inertia: Vec::new(),
             rows: Vec::new(),
-            least: Least::new(),
+            least: LeastVectorSolver::new(),
             forms: Vec::new(),
             longest: Vec::new(),
             rest: vec![0.0; speeds],
@@ -142,7 +142,7 @@ impl<'a> Multipliers<'a> {
         self.near();
         let (forces, sides) = self.forcing.split_at(out.len());
         out.copy_from_slice(forces);
-        let Least { metric, conditions } = &mut self.least;
+        let LeastVectorSolver { metric, conditions } = &mut self.least;
         metric.raise(out);
         conditions.free(out);
         conditions.add_least(sides, out);

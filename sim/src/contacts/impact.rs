@@ -9,7 +9,7 @@
 //!
 //! Absent on purpose: any knowledge of time, of steps and of models.
 
-use super::friction::{Found, Mode, Touch, Trial, Undecided, one_motion};
+use super::friction::{ContactSolution, Mode, Touch, Trial, Undecided, one_motion};
 use nalgebra::{DMatrix, DVector};
 
 /// Fraction of the largest velocity or acceleration of a row without contact forces, in scaled units, up to which a
@@ -46,7 +46,7 @@ pub enum Share {
 
 /// Contacts that are closed at one instant: how forces act on them, and their friction.
 #[derive(Clone, Debug)]
-pub struct Closed {
+pub struct ClosedContacts {
     /// Matrix G = W M⁻¹ Wᵀ of velocities by impulses, a row and a column for each row of W.
     pub compliance: DMatrix<f64>,
     /// Rows of each contact: that of its gap, then those of its slips.
@@ -55,7 +55,7 @@ pub struct Closed {
     pub friction: Vec<Option<f64>>,
 }
 
-impl Closed {
+impl ClosedContacts {
     /// Computes the impulses of all rows by Newton's law, from the velocities before and a coefficient of restitution
     /// for each contact. A contact that already opens before the impact ignores its coefficient.
     ///
@@ -76,7 +76,7 @@ impl Closed {
     /// Coulomb's law in each of the two, with its impulses and the slip at its end.
     ///
     /// # Errors
-    /// [`Undecided`], as for [`Closed::newton`].
+    /// [`Undecided`], as for [`ClosedContacts::newton`].
     pub fn poisson(&self, velocities: &DVector<f64>, restitution: &[f64]) -> Result<DVector<f64>, Undecided> {
         let compression = self.push(velocities)?;
         let given: Vec<f64> = self.rows.iter().zip(restitution).map(|(rows, e)| e * compression[rows[0]]).collect();
@@ -103,8 +103,8 @@ impl Closed {
     /// first; all give one motion. `slips` has the sign of the slip velocity of each contact that slips.
     ///
     /// # Errors
-    /// [`Undecided`], as for [`Closed::push`].
-    pub fn ways(&self, c: &DVector<f64>, slips: &[Option<f64>]) -> Result<Vec<Found>, Undecided> {
+    /// [`Undecided`], as for [`ClosedContacts::push`].
+    pub fn ways(&self, c: &DVector<f64>, slips: &[Option<f64>]) -> Result<Vec<ContactSolution>, Undecided> {
         self.tried(c, slips, &vec![0.0; slips.len()])
     }
 
@@ -113,7 +113,7 @@ impl Closed {
     pub fn allows(&self, c: &DVector<f64>, slips: &[Option<f64>], modes: &[Mode]) -> bool {
         let (scaled, unit) = self.scaled();
         let c = c.component_mul(&unit);
-        self.trial((&scaled, &unit), slips, &vec![0.0; slips.len()]).holds(&c, modes, NOTHING * c.amax())
+        self.trial(&scaled, &unit, slips, &vec![0.0; slips.len()]).holds(&c, modes, NOTHING * c.amax())
     }
 
     /// Determinant of the linear system for the forces of these modes, in units in which all rows are alike. Without
@@ -122,18 +122,23 @@ impl Closed {
     pub fn determinant(&self, modes: &[Mode]) -> f64 {
         let (scaled, unit) = self.scaled();
         let none = (vec![None; modes.len()], vec![0.0; modes.len()]);
-        self.trial((&scaled, &unit), &none.0, &none.1).determinant(modes)
+        self.trial(&scaled, &unit, &none.0, &none.1).determinant(modes)
     }
 
-    /// Finds modes and forces as [`Closed::ways`] does, with given impulses along gaps in addition to the wanted ones.
-    /// Friction acts on the sum of both.
+    /// Finds modes and forces as [`ClosedContacts::ways`] does, with given impulses along gaps in addition to the
+    /// wanted ones. Friction acts on the sum of both.
     ///
     /// # Errors
-    /// [`Undecided`], as for [`Closed::push`].
-    pub fn tried(&self, c: &DVector<f64>, slips: &[Option<f64>], given: &[f64]) -> Result<Vec<Found>, Undecided> {
+    /// [`Undecided`], as for [`ClosedContacts::push`].
+    pub fn tried(
+        &self,
+        c: &DVector<f64>,
+        slips: &[Option<f64>],
+        given: &[f64],
+    ) -> Result<Vec<ContactSolution>, Undecided> {
         let (scaled, unit) = self.scaled();
         let c = c.component_mul(&unit);
-        let found = self.trial((&scaled, &unit), slips, given).found(&c, NOTHING * c.amax());
+        let found = self.trial(&scaled, &unit, slips, given).found(&c, NOTHING * c.amax());
         let mut list = one_motion(found, c.amax())?;
         for found in &mut list {
             found.forces.component_mul_assign(&unit);
@@ -144,7 +149,8 @@ impl Closed {
     /// Trial of these contacts, in units in which all rows are alike.
     fn trial<'t>(
         &'t self,
-        (scaled, unit): (&'t DMatrix<f64>, &DVector<f64>),
+        scaled: &'t DMatrix<f64>,
+        unit: &DVector<f64>,
         slips: &[Option<f64>],
         given: &[f64],
     ) -> Trial<'t> {
@@ -160,7 +166,7 @@ impl Closed {
         Trial { g: scaled, touches: (0..self.rows.len()).map(touch).collect() }
     }
 
-    /// Behaviour of each contact under impulses that [`Closed::push`] found for these velocities.
+    /// Behaviour of each contact under impulses that [`ClosedContacts::push`] found for these velocities.
     #[must_use]
     pub fn shares(&self, c: &DVector<f64>, impulses: &DVector<f64>) -> Vec<Share> {
         let (scaled, unit) = self.scaled();
@@ -183,7 +189,7 @@ impl Closed {
     pub fn hold(&self, c: &DVector<f64>, modes: &[Mode]) -> Option<DVector<f64>> {
         let (scaled, unit) = self.scaled();
         let none = (vec![None; modes.len()], vec![0.0; modes.len()]);
-        let trial = self.trial((&scaled, &unit), &none.0, &none.1);
+        let trial = self.trial(&scaled, &unit, &none.0, &none.1);
         Some(trial.held(&c.component_mul(&unit), modes)?.component_mul(&unit))
     }
 
@@ -196,7 +202,7 @@ impl Closed {
 }
 
 /// Forces of the modes of least freedom.
-fn first(found: Vec<Found>) -> DVector<f64> {
+fn first(found: Vec<ContactSolution>) -> DVector<f64> {
     found.into_iter().next().map_or_else(|| DVector::zeros(0), |found| found.forces)
 }
 
@@ -204,10 +210,14 @@ fn first(found: Vec<Found>) -> DVector<f64> {
 mod tests {
     use super::*;
 
-    fn closed(g: &[f64], rows: &[&[usize]]) -> Closed {
+    fn closed(g: &[f64], rows: &[&[usize]]) -> ClosedContacts {
         let n: usize = rows.iter().map(|rows| rows.len()).sum();
         let compliance = DMatrix::from_row_slice(n, n, g);
-        Closed { compliance, rows: rows.iter().map(|rows| rows.to_vec()).collect(), friction: vec![None; rows.len()] }
+        ClosedContacts {
+            compliance,
+            rows: rows.iter().map(|rows| rows.to_vec()).collect(),
+            friction: vec![None; rows.len()],
+        }
     }
 
     /// Truth: a mass m at −v leaves with e v; the impulse is (1 + e) m v, by either law.
@@ -312,7 +322,7 @@ mod tests {
             [a, b, a, 0.585_561_814_984_556_6, z],
             [b, y, b, z, 1.328_861_773_123_242],
         ];
-        let three = Closed {
+        let three = ClosedContacts {
             compliance: DMatrix::from_fn(5, 5, |i, j| g[i][j]),
             rows: vec![vec![0, 1], vec![2], vec![3, 4]],
             friction: vec![Some(0.78), None, Some(0.08)],

@@ -96,7 +96,7 @@ where
         (None, 0) => None,
         (None, count) => Some(Onto::Constraints(count)),
     };
-    let projector = onto.map(|onto| Projector::new(onto, rhs, options, (span.0, y0)));
+    let projector = onto.map(|onto| Projector::new(onto, rhs, options, span.0, y0));
     let mut solution = match options.method {
         Method::Rk4 => solve(Rk4::new(n), pace, rhs, y0, options, events, projector),
         Method::Ode45 => {

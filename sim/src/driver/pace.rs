@@ -67,14 +67,15 @@ impl Pace {
     /// # Errors
     /// [`SimError`] for tolerances that make no sense, and for a method that cannot choose its steps.
     pub(crate) fn new<S: Real>(
-        (t0, t1): (f64, f64),
+        span: (f64, f64),
         n: usize,
         options: &Options,
     ) -> Result<(Self, Option<Warning>), SimError> {
+        let (t0, t1) = span;
         let trial = Trial { h: 0.0, t_new: t0 };
         // Equal steps ignore corners.
         let corners = if options.step.is_some() { &[][..] } else { &options.corners };
-        let corners = Corners::new(corners, (t0, t1));
+        let corners = Corners::new(corners, span);
         let pace =
             |kind, test| Self { t0, t1, corners: corners.clone(), test, kind, trial, last: false, evaluations: 0 };
         if let Some(step) = options.step {

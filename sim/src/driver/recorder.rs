@@ -74,8 +74,9 @@ impl<'a, S: Real> Recorder<'a, S> {
         }
     }
 
-    /// True if samples inside a step from `t_old` to `t_new` will be kept.
-    pub(crate) fn looks_inside(&self, (t_old, t_new): (f64, f64)) -> bool {
+    /// True if samples inside a step over `span`, s, will be kept.
+    pub(crate) fn looks_inside(&self, span: (f64, f64)) -> bool {
+        let (t_old, t_new) = span;
         match self.output {
             Output::Ends => false,
             Output::Steps { refine } => *refine > 1,
@@ -121,7 +122,7 @@ impl<'a, S: Real> Recorder<'a, S> {
     }
 
     /// Adds the end of the run, if it is wanted and not kept yet.
-    pub(crate) fn finish(&mut self, (t_end, y_end, work): (f64, &[S], Option<f64>), steps: u64) {
+    pub(crate) fn finish(&mut self, t_end: f64, y_end: &[S], work: Option<f64>, steps: u64) {
         let is_kept = self.t.last().is_some_and(|t| same(*t, t_end));
         let is_asked = match self.output {
             Output::Ends => true,

@@ -28,8 +28,13 @@ const SHORTER: f64 = 2.0;
 const ONE_PLACE: f64 = 1e-9;
 
 /// Companions of the steps of a run: the recorder, the projector that moves their ends, and the work done.
-type Beside<'a, 'o, 'i, 'j, S> =
-    (&'a mut Recorder<'o, S>, Option<&'a mut Projector<'i, 'j, S>>, Option<&'a mut Work<S>>);
+struct Companions<'a, 'o, 'i, 'j, S> {
+    recorder: &'a mut Recorder<'o, S>,
+    /// Projector that moves the ends of steps; `None` for a run without constraints and invariants.
+    projector: Option<&'a mut Projector<'i, 'j, S>>,
+    /// Work done by forces; `None` if it is not wanted.
+    work: Option<&'a mut Work<S>>,
+}
 
 /// A run in progress: the method, the sizes of its steps, and counts.
 struct Run<'o, M> {
@@ -68,10 +73,13 @@ where
     let mut y_end = y0.to_vec();
     let (stop, t_end) = match run.start(rhs, y0, &mut watch) {
         Some(stop) => (stop, t0),
-        None => run.walk(rhs, &mut watch, (&mut recorder, projector.as_mut(), work.as_mut()), &mut y_end),
+        None => {
+            let (projector, work) = (projector.as_mut(), work.as_mut());
+            run.walk(rhs, &mut watch, Companions { recorder: &mut recorder, projector, work }, &mut y_end)
+        }
     };
     let work = work.map(|work| work.done);
-    recorder.finish((t_end, &y_end, work), run.steps);
+    recorder.finish(t_end, &y_end, work, run.steps);
     let undecided: Vec<Warning> = watch.warnings().collect();
     Solution {
         t: recorder.t,
@@ -114,12 +122,13 @@ impl<M: Stepper> Run<'_, M> {
         &mut self,
         rhs: &mut Between<'_, R, M::Real>,
         watch: &mut Watch<'_, '_>,
-        (recorder, mut projector, mut work): Beside<'_, '_, '_, '_, M::Real>,
+        companions: Companions<'_, '_, '_, '_, M::Real>,
         y_end: &mut [M::Real],
     ) -> (Stop, f64)
     where
         R: RightHandSide<M::Real>,
     {
+        let Companions { recorder, mut projector, mut work } = companions;
         let mut guard = Guard::new(rhs, self.stepper.span().0, self.stepper.ends().0);
         let stop = loop {
             let last = match self.advance(rhs) {
@@ -181,7 +190,7 @@ impl<M: Stepper> Run<'_, M> {
             }
             if let Some(moves) = self.pace.pass_corners(now) {
                 let mut here = self.stepper.ends().0.to_vec();
-                rhs.enter(self.pace.sides(), (now, &mut here), &moves);
+                rhs.enter(self.pace.sides(), now, &mut here, &moves);
                 recorder.turned(now, &here);
                 if let Err(trouble) = self.stepper.restart(rhs, &here) {
                     break stop_for(trouble);

@@ -47,11 +47,19 @@ pub struct Second {
     pub words: String,
 }
 
+/// Cost of the Taylor coefficients of the equations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TaylorSeries {
+    /// At most that of a step of DOP853.
+    Cheap,
+    /// More than that of a step of DOP853, or the equations have no Taylor coefficients.
+    Costly,
+}
+
 /// Lists the second runs that measure the error of a run with these options, best first. If one of them ends early, the
-/// next is made. `has_series` is true if the equations have Taylor coefficients that cost no more than a step of
-/// DOP853.
+/// next is made.
 #[must_use]
-pub fn seconds(options: &Options, solution: &Solution, span: (f64, f64), has_series: bool) -> Vec<Second> {
+pub fn seconds(options: &Options, solution: &Solution, span: (f64, f64), series: TaylorSeries) -> Vec<Second> {
     let method = options.method;
     let spent = solution.evaluations as f64 * weight(options);
     let first = First { options, spent, length: (span.1 - span.0).abs() };
@@ -65,7 +73,7 @@ pub fn seconds(options: &Options, solution: &Solution, span: (f64, f64), has_ser
         // Most motions are not stiff, and the implicit method takes several times as long for them. Its errors are far
         // below the tolerances: DOP853 has as small ones only at much finer tolerances.
         Method::Gauss6 => vec![first.finer(Method::Dop853, TIMES * TIMES, 0.5), first.coarser()],
-        Method::Dop853 if is_cheap && has_series => vec![finer_by(Method::Taylor, MOST)],
+        Method::Dop853 if is_cheap && series == TaylorSeries::Cheap => vec![finer_by(Method::Taylor, MOST)],
         Method::Ode45 | Method::Dopri5 if is_cheap => vec![finer_by(Method::Dop853, MOST)],
         Method::Dop853 | Method::Radau5 if COARSE_COST * spent <= LEAST => vec![finer_by(method, MOST)],
         _ => vec![first.coarser()],
@@ -194,7 +202,7 @@ mod tests {
             for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
                 let options = Options { method, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) };
                 let first = run(&options);
-                let second = &seconds(&options, &first, (0.0, 40.0), false)[0];
+                let second = &seconds(&options, &first, (0.0, 40.0), TaylorSeries::Costly)[0];
                 let other = run(&Options { output: Output::Ends, ..second.options.clone() });
                 assert_eq!(other.stop, crate::Stop::End, "{}", second.words);
                 let (told, right) = (second.part * apart(&other.y_end, &first.y_end), apart(&exact, &first.y_end));
@@ -210,7 +218,7 @@ mod tests {
             let max_step = if step.is_none() { Some(0.01) } else { None };
             let options = Options { method: Method::Dopri5, step, max_step, ..Options::tolerances(1e-2, 1e-2) };
             let first = run(&options);
-            for second in seconds(&options, &first, (0.0, 40.0), false) {
+            for second in seconds(&options, &first, (0.0, 40.0), TaylorSeries::Costly) {
                 let other = run(&Options { step_limit: 1_000_000, ..second.options });
                 assert_ne!(other.steps, first.steps, "{}", second.words);
             }

@@ -7,7 +7,7 @@ use crate::error::Failure;
 use crate::events::isolate::Ranges;
 use crate::events::samples::Probe;
 use crate::events::search::search;
-use crate::events::walk::{Found, Memory};
+use crate::events::walk::{Finding, Memory};
 use crate::events::{Effect, Event, EventRecord, Kind};
 use crate::polynomial::Polynomial;
 use crate::solution::Stop;
@@ -100,7 +100,7 @@ impl<'w, 'e> Watch<'w, 'e> {
         self.note_magnitudes();
         let wanted = self.events.iter().any(|event| event.ranges.is_some());
         let has_ranges = wanted && self.polynomial.take(step);
-        let mut found: Vec<(usize, Found)> = Vec::new();
+        let mut found: Vec<(usize, Finding)> = Vec::new();
         let mut nowhere: Option<(f64, usize)> = None;
         for (i, (event, memory)) in self.events.iter_mut().zip(&mut self.memories).enumerate() {
             let mut probe =
@@ -134,8 +134,9 @@ impl<'w, 'e> Watch<'w, 'e> {
         Ok(end.map(|(i, f)| (f.theta, stop_for(&self.events[i]))))
     }
 
-    /// Removes the records of a step, from `start` to `end`, that lie beyond the instant `t`.
-    pub(crate) fn forget_beyond(&mut self, t: f64, (start, end): (f64, f64)) {
+    /// Removes the records of a step over `span`, s, that lie beyond the instant `t`.
+    pub(crate) fn forget_beyond(&mut self, t: f64, span: (f64, f64)) {
+        let (start, end) = span;
         self.records.retain(|record| (record.t - t) * (end - start).signum() <= 0.0);
     }
 
@@ -159,8 +160,8 @@ impl<'w, 'e> Watch<'w, 'e> {
         })
     }
 
-    fn record(&mut self, step: &dyn DenseStep, event: usize, found: Found) {
-        let Found { theta, kind, .. } = found;
+    fn record(&mut self, step: &dyn DenseStep, event: usize, found: Finding) {
+        let Finding { theta, kind, .. } = found;
         let mut y = vec![0.0; self.y.len()];
         step.interpolate(theta, &mut y);
         self.records.push(EventRecord {
@@ -187,7 +188,7 @@ fn matters(event: &Event<'_>, kind: Kind) -> bool {
     }
 }
 
-fn ends_run(event: &Event<'_>, found: Found) -> bool {
+fn ends_run(event: &Event<'_>, found: Finding) -> bool {
     match found.kind {
         Kind::Rising | Kind::Falling => event.effect != Effect::Record,
         // The function was positive and is negative, though it went through infinity.

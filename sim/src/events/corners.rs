@@ -25,10 +25,16 @@ pub struct Corner {
 pub const DIRECTIONS: usize = 4;
 
 impl Corner {
-    /// Makes a corner whose time depends on nothing.
+    /// Makes a corner at which the right-hand side jumps, and whose time, s, depends on nothing.
     #[must_use]
-    pub const fn still(at: f64, jumps: bool) -> Self {
-        Self { at, jumps, moves: [0.0; DIRECTIONS] }
+    pub const fn jump(at: f64) -> Self {
+        Self { at, jumps: true, moves: [0.0; DIRECTIONS] }
+    }
+
+    /// Makes a corner at which the right-hand side is continuous, and whose time, s, depends on nothing.
+    #[must_use]
+    pub const fn bend(at: f64) -> Self {
+        Self { at, jumps: false, moves: [0.0; DIRECTIONS] }
     }
 }
 
@@ -54,7 +60,8 @@ pub(crate) struct Corners {
 }
 
 impl Corners {
-    pub(crate) fn new(corners: &[Corner], (t0, t1): (f64, f64)) -> Self {
+    pub(crate) fn new(corners: &[Corner], span: (f64, f64)) -> Self {
+        let (t0, t1) = span;
         let toward = (t1 - t0).signum();
         let mut all = corners.to_vec();
         all.sort_by(|a, b| (toward * a.at).total_cmp(&(toward * b.at)));
@@ -130,14 +137,16 @@ impl<'a, R, S: Real> Between<'a, R, S> {
         self.ask_inside(self.sides.values, t, y, question)
     }
 
+    /// Asks at an instant and a state whose time is moved inside the interval, s.
     #[inline]
     fn ask_inside<T>(
         &mut self,
-        (low, high): (f64, f64),
+        interval: (f64, f64),
         t: f64,
         y: &[S],
         question: impl FnOnce(&mut R, f64, &[S]) -> T,
     ) -> T {
+        let (low, high) = interval;
         let inside = t.max(low).min(high);
         let Some(clock) = self.clock.map(|at| (at, y[at].to_f64())).filter(|(_, told)| !(low..=high).contains(told))
         else {
@@ -170,7 +179,7 @@ impl<'a, R, S: Real> Between<'a, R, S> {
 impl<R: RightHandSide<S>, S: Real> Between<'_, R, S> {
     /// Enters the interval between other corners from a state at `t`. The slopes of the state change if the jump
     /// between the intervals moves.
-    pub(crate) fn enter(&mut self, sides: Sides, (t, y): (f64, &mut [S]), moves: &[f64; DIRECTIONS]) {
+    pub(crate) fn enter(&mut self, sides: Sides, t: f64, y: &mut [S], moves: &[f64; DIRECTIONS]) {
         let is_moved = S::SLOPES > 0 && moves.iter().any(|by| *by != 0.0);
         let before = is_moved.then(|| self.rates(t, y));
         self.sides = sides;

@@ -122,7 +122,7 @@ impl<S: Real> Guard<S> {
             (1.0, end * side)
         } else {
             // A point without a value is not a minimum.
-            root::minimum(&mut value, (0.0, 1.0), 0.0).ok().filter(|(_, least)| *least <= touched)?
+            root::minimum(&mut value, 0.0, 1.0, 0.0).ok().filter(|(_, least)| *least <= touched)?
         };
         if bottom.1 > 0.0 {
             return Some(bottom.0);

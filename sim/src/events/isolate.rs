@@ -84,8 +84,10 @@ impl Isolation {
     }
 }
 
-/// Width of the narrowest part of a step that is not halved: 2⁻⁴⁰, or 8 ε of the time over the step if that is more.
-pub(crate) fn resolution((start, end): (f64, f64)) -> f64 {
+/// Width of the narrowest part of a step over `span`, s, that is not halved: 2⁻⁴⁰, or 8 ε of the time over the step if
+/// that is more.
+pub(crate) fn resolution(span: (f64, f64)) -> f64 {
+    let (start, end) = span;
     NARROW.max(8.0 * f64::EPSILON * start.abs().max(end.abs()) / (end - start).abs())
 }
 

@@ -65,7 +65,8 @@ pub(crate) fn zero(
 /// *Algorithms for Minimization without Derivatives* (1973), ch. 5.
 pub(crate) fn minimum(
     f: &mut impl FnMut(f64) -> f64,
-    (mut low, mut high): (f64, f64),
+    mut low: f64,
+    mut high: f64,
     enough: f64,
 ) -> Result<Point, NotANumber> {
     const GOLDEN: f64 = 0.381_966_011_250_105_1;
@@ -161,7 +162,7 @@ mod tests {
     #[test]
     fn a_minimum_is_found_to_half_the_digits() {
         let mut f = |x: f64| (x - 0.3).powi(2) + (x - 0.3).powi(4);
-        let (x, y) = minimum(&mut f, (0.0, 1.0), -1.0).unwrap();
+        let (x, y) = minimum(&mut f, 0.0, 1.0, -1.0).unwrap();
         // The square root of ε, since the function is flat there.
         assert!((x - 0.3).abs() < 2e-8, "{x}");
         assert!(y < 1e-15, "{y}");
@@ -170,7 +171,7 @@ mod tests {
     #[test]
     fn a_minimum_is_found_next_to_an_end_of_the_interval() {
         let mut f = |x: f64| (x - 1e-3).powi(2);
-        let (x, _) = minimum(&mut f, (0.0, 1.0), -1.0).unwrap();
+        let (x, _) = minimum(&mut f, 0.0, 1.0, -1.0).unwrap();
         assert!((x - 1e-3).abs() < 1e-8, "{x}");
     }
 }

@@ -4,7 +4,7 @@ use super::Kind;
 use super::isolate::{Isolation, Known, Ranges, isolate};
 use super::root::NotANumber;
 use super::samples::{Node, Probe, hidden_extrema, may_dip, sign};
-use super::walk::{Doubt, Findings, Found, LADDER, Memory, walk};
+use super::walk::{Doubt, Finding, Findings, LADDER, Memory, walk};
 
 /// Fraction of a step over which the slope of an event function at the step's ends is taken: the root of ε, below which
 /// a smooth function cannot turn by more than rounding.
@@ -36,10 +36,10 @@ fn by_ranges(probe: &mut Probe<'_>, memory: &mut Memory, ranges: &mut Ranges<'_,
     let Some(near) = nearest(&nodes) else { return findings };
     let tolerance = probe.rounding(near, 0.0) + 0.5 * ranges.spread(near);
     let slope = if memory.begun { 0.0 } else { ranges.over(0.0, 0.0).slope.size() };
-    set_signs(probe, &mut nodes, memory, (tolerance, slope), &mut findings);
+    set_signs(probe, &mut nodes, memory, tolerance, slope, &mut findings);
     stay_at_start(probe, &mut nodes, memory);
     let doubt = |k: usize| doubt_of(isolation.parts[k - 1].known);
-    let outcome = walk(probe, (&nodes, &doubt), memory, tolerance, &mut findings);
+    let outcome = walk(probe, &nodes, &doubt, memory, tolerance, &mut findings);
     findings.note(outcome);
     findings.found.extend(left_open(&isolation, &nodes, memory));
     memory.move_on(&nodes);
@@ -56,11 +56,11 @@ fn doubt_of(known: Known) -> Doubt {
 
 /// Reports the open parts of a step as one undecided event, at their smallest sample. Parts that begin and end at zero
 /// are not reported.
-fn left_open(isolation: &Isolation, nodes: &[Node], memory: &Memory) -> Option<Found> {
+fn left_open(isolation: &Isolation, nodes: &[Node], memory: &Memory) -> Option<Finding> {
     let parts = isolation.parts.iter().zip(nodes.windows(2)).filter(|(part, _)| part.known == Known::Open);
     let ends = parts.filter(|(_, ends)| ends.iter().any(|n| n.sign != 0)).flat_map(|(_, ends)| ends);
     let near = ends.min_by(|a, b| a.g.abs().total_cmp(&b.g.abs()))?;
-    Some(Found { theta: near.theta, kind: Kind::Undecided, side: memory.side })
+    Some(Finding { theta: near.theta, kind: Kind::Undecided, side: memory.side })
 }
 
 fn by_samples(probe: &mut Probe<'_>, memory: &mut Memory) -> Findings {
@@ -134,7 +134,7 @@ fn examine(
 ) -> Result<(), NotANumber> {
     let tolerance = probe.rounding(nearest(nodes).unwrap_or(0.0), scale);
     let slope = nodes.get(1).map_or(0.0, |next| (next.g - nodes[0].g).abs() / next.theta);
-    set_signs(probe, nodes, memory, (tolerance, slope), findings);
+    set_signs(probe, nodes, memory, tolerance, slope, findings);
     if nodes[0].sign == 0 && nodes.len() > 2 {
         let mut ladder = Vec::new();
         for theta in LADDER {
@@ -146,7 +146,7 @@ fn examine(
     stay_at_start(probe, nodes, memory);
     let nodes = &nodes[..];
     let doubt = |k: usize| if may_dip(nodes, k) { Doubt::Dip } else { Doubt::None };
-    walk(probe, (nodes, &doubt), memory, tolerance, findings)
+    walk(probe, nodes, &doubt, memory, tolerance, findings)
 }
 
 /// Fraction of the step at which the sample is smallest; `None` without samples.
@@ -162,7 +162,8 @@ fn set_signs(
     probe: &Probe<'_>,
     nodes: &mut [Node],
     memory: &mut Memory,
-    (tolerance, slope): (f64, f64),
+    tolerance: f64,
+    slope: f64,
     findings: &mut Findings,
 ) {
     for node in nodes.iter_mut().skip(1) {

@@ -48,14 +48,14 @@ impl Memory {
         self.side = first;
         if first == 0 {
             self.side = self.side_at_zero;
-            findings.found.push(Found { theta: 0.0, kind: Kind::AtStart, side: self.side });
+            findings.found.push(Finding { theta: 0.0, kind: Kind::AtStart, side: self.side });
         }
     }
 }
 
 /// A finding of the search: a kind of event at a fraction of the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Found {
+pub(crate) struct Finding {
     pub(crate) theta: f64,
     pub(crate) kind: Kind,
     /// Side on which the function is afterwards.
@@ -65,7 +65,7 @@ pub(crate) struct Found {
 /// Findings of the search in one step, in no particular order, up to the fraction at which the function has no value.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Findings {
-    pub(crate) found: Vec<Found>,
+    pub(crate) found: Vec<Finding>,
     pub(crate) not_a_number: Option<f64>,
 }
 
@@ -89,15 +89,16 @@ pub(crate) enum Doubt {
     Unknown,
 }
 
-fn crossing_to(side: Sign, theta: f64) -> Found {
-    Found { theta, kind: if side > 0 { Kind::Rising } else { Kind::Falling }, side }
+fn crossing_to(side: Sign, theta: f64) -> Finding {
+    Finding { theta, kind: if side > 0 { Kind::Rising } else { Kind::Falling }, side }
 }
 
 /// Walks over samples with known signs, up to `tolerance`, and reports the zeros. `doubt` gives the doubt before each
 /// sample except the first.
 pub(crate) fn walk(
     probe: &mut Probe<'_>,
-    (nodes, doubt): (&[Node], &dyn Fn(usize) -> Doubt),
+    nodes: &[Node],
+    doubt: &dyn Fn(usize) -> Doubt,
     memory: &mut Memory,
     tolerance: f64,
     findings: &mut Findings,
@@ -114,7 +115,7 @@ pub(crate) fn walk(
         if memory.side == 0 {
             memory.side = node.sign;
         } else if node.sign != memory.side {
-            findings.found.push(change(probe, nodes, (clear.unwrap_or(k.saturating_sub(1)), k), tolerance)?);
+            findings.found.push(change(probe, nodes, clear.unwrap_or(k.saturating_sub(1)), k, tolerance)?);
             memory.side = node.sign;
         } else if let (Some(low), Some(_)) = (clear, zeros) {
             dip(probe, [nodes[low], *node], Doubt::Dip, tolerance, findings)?;
@@ -134,9 +135,10 @@ pub(crate) fn walk(
 fn change(
     probe: &mut Probe<'_>,
     nodes: &[Node],
-    (low, high): (usize, usize),
+    low: usize,
+    high: usize,
     tolerance: f64,
-) -> Result<Found, NotANumber> {
+) -> Result<Finding, NotANumber> {
     let (a, b) = (nodes[low], nodes[high]);
     if (a.g < 0.0) == (b.g < 0.0) || a.g == 0.0 {
         return Ok(crossing_to(b.sign, nodes[high.saturating_sub(1)].theta));
@@ -144,7 +146,7 @@ fn change(
     let theta = root::zero(&mut |theta| probe.at(theta), (a.theta, a.g), (b.theta, b.g), 0.0)?;
     let grown = probe.value_at(theta)?.abs() > BEYOND * a.g.abs().max(b.g.abs()).max(tolerance);
     let crossing = crossing_to(b.sign, theta);
-    Ok(if grown { Found { kind: Kind::Pole, ..crossing } } else { crossing })
+    Ok(if grown { Finding { kind: Kind::Pole, ..crossing } } else { crossing })
 }
 
 /// Follows |g| down between two samples on one side, and reports two crossings, a touch, an undecided place or nothing.
@@ -157,7 +159,7 @@ fn dip(
 ) -> Result<(), NotANumber> {
     let side = f64::from(a.sign);
     let mut height = |theta| side * probe.at(theta);
-    let (theta, least) = root::minimum(&mut height, (a.theta, b.theta), -tolerance)?;
+    let (theta, least) = root::minimum(&mut height, a.theta, b.theta, -tolerance)?;
     if least < -tolerance {
         let mut g = |theta| probe.at(theta);
         let bottom = (theta, side * least);
@@ -166,23 +168,23 @@ fn dip(
         findings.found.push(crossing_to(-a.sign, first));
         findings.found.push(crossing_to(a.sign, second));
     } else if least <= tolerance {
-        findings.found.push(Found { theta, kind: Kind::Touch, side: a.sign });
+        findings.found.push(Finding { theta, kind: Kind::Touch, side: a.sign });
     } else if doubt == Doubt::Unknown {
-        findings.found.push(Found { theta, kind: Kind::Undecided, side: a.sign });
+        findings.found.push(Finding { theta, kind: Kind::Undecided, side: a.sign });
     }
     Ok(())
 }
 
 /// Reports a function that is zero from the first of `zeros` to the last sample. It is a touch if the function goes
 /// back to its side a little beyond the step, else a crossing.
-fn arrive(probe: &mut Probe<'_>, zeros: &[Node], memory: &mut Memory, tolerance: f64) -> Found {
+fn arrive(probe: &mut Probe<'_>, zeros: &[Node], memory: &mut Memory, tolerance: f64) -> Finding {
     let end = zeros.last().map_or(1.0, |n| n.theta);
     let mut sides = LADDER.iter().map(|d| sign_or_zero(probe.at(end + d), tolerance));
     let beyond = sides.find(|s| *s != 0);
     let nearest = zeros.iter().rev().min_by(|a, b| a.g.abs().total_cmp(&b.g.abs()));
     let nearest = nearest.map_or(end, |n| n.theta);
     if beyond == Some(memory.side) {
-        return Found { theta: nearest, kind: Kind::Touch, side: memory.side };
+        return Finding { theta: nearest, kind: Kind::Touch, side: memory.side };
     }
     memory.side = -memory.side;
     // A function that stays at zero arrived at the first zero sample.

@@ -124,7 +124,7 @@ impl<S: Real> Dop853<S> {
     #[inline]
     fn stage<const I: usize, R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S, t: f64) -> Result<(), Trouble> {
         let row = &self.coefficients.a[I];
-        let finite = advance::<S, I>(row, h, &self.y, (&mut self.k, &self.f), &mut self.y_new);
+        let finite = advance::<S, I>(row, h, &self.y, &mut self.k, &self.f, &mut self.y_new);
         if !finite.all() {
             return Err(self.not_finite(&self.y_new));
         }
@@ -135,7 +135,7 @@ impl<S: Real> Dop853<S> {
     /// Evaluates stage I, which only the dense output needs.
     fn inner_stage<const I: usize, R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S) -> Result<(), Trouble> {
         let row = &self.coefficients.a[I];
-        let finite = advance::<S, I>(row, h, &self.y, (&mut self.k, &self.f), &mut self.inner);
+        let finite = advance::<S, I>(row, h, &self.y, &mut self.k, &self.f, &mut self.inner);
         if !finite.all() {
             return Err(self.not_finite(&self.inner));
         }
@@ -231,7 +231,8 @@ fn advance<S: Real, const I: usize>(
     a: &[Twice<S>; STAGES],
     h: S,
     y: &Blocks<S>,
-    (k, f): (&mut [[Block<S>; STAGES]], &Blocks<S>),
+    k: &mut [[Block<S>; STAGES]],
+    f: &Blocks<S>,
     out: &mut Blocks<S>,
 ) -> Finite {
     let mut finite = Finite::new();
@@ -316,7 +317,7 @@ impl<S: Real> Stepper for Dop853<S> {
             Some(test) => self.finish(h, test),
             None => {
                 let row = &self.coefficients.a[END];
-                (advance::<S, END>(row, h, &self.y, (&mut self.k, &self.f), &mut self.y_new), 0.0)
+                (advance::<S, END>(row, h, &self.y, &mut self.k, &self.f, &mut self.y_new), 0.0)
             }
         };
         if !finite.all() {

@@ -146,7 +146,8 @@ pub(crate) fn check<S: Real>(span: (f64, f64), y0: &[S], options: &Options) -> R
 }
 
 /// Refuses a span that is empty or not finite, and a start that is not finite.
-pub(crate) fn check_span<S: Real>((t0, t1): (f64, f64), y0: &[S]) -> Result<(), SimError> {
+pub(crate) fn check_span<S: Real>(span: (f64, f64), y0: &[S]) -> Result<(), SimError> {
+    let (t0, t1) = span;
     if !(t0.is_finite() && t1.is_finite() && (t1 - t0).is_finite()) {
         return Err(SimError::NotFinite { what: format!("the span from {t0} s to {t1} s") });
     }
@@ -160,15 +161,16 @@ pub(crate) fn check_span<S: Real>((t0, t1): (f64, f64), y0: &[S]) -> Result<(), 
 }
 
 /// Refuses output that a run over this span cannot have.
-pub(crate) fn check_output((t0, t1): (f64, f64), output: &Output) -> Result<(), SimError> {
+pub(crate) fn check_output(span: (f64, f64), output: &Output) -> Result<(), SimError> {
     match output {
         Output::Steps { refine: 0 } => Err(SimError::Option { name: "refine", must: "at least 1" }),
-        Output::At(times) => check_times(times, t0, t1),
+        Output::At(times) => check_times(times, span.0, span.1),
         Output::Steps { .. } | Output::Ends => Ok(()),
     }
 }
 
-fn check_steps((t0, t1): (f64, f64), options: &Options) -> Result<(), SimError> {
+fn check_steps(span: (f64, f64), options: &Options) -> Result<(), SimError> {
+    let (t0, t1) = span;
     if let Some(corner) = options.corners.iter().find(|corner| !corner.at.is_finite()) {
         return Err(SimError::NotFinite { what: format!("the corner at {} s", corner.at) });
     }

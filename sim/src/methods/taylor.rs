@@ -162,10 +162,10 @@ fn polynomial<S: Real>(x: &[S], n: usize, order: usize, h: S, out: &mut [S]) {
     let mut at = 0;
     while at < n {
         at += match n - at {
-            8.. => block::<S, 8>(x, (n, at), order, h, out),
-            4.. => block::<S, 4>(x, (n, at), order, h, out),
-            2.. => block::<S, 2>(x, (n, at), order, h, out),
-            _ => block::<S, 1>(x, (n, at), order, h, out),
+            8.. => block::<S, 8>(x, n, at, order, h, out),
+            4.. => block::<S, 4>(x, n, at, order, h, out),
+            2.. => block::<S, 2>(x, n, at, order, h, out),
+            _ => block::<S, 1>(x, n, at, order, h, out),
         };
     }
 }
@@ -173,7 +173,7 @@ fn polynomial<S: Real>(x: &[S], n: usize, order: usize, h: S, out: &mut [S]) {
 /// Evaluates `N` of the polynomials, from `at` on; even and odd orders apart, so that they need not wait for each
 /// other.
 #[inline]
-fn block<S: Real, const N: usize>(x: &[S], (n, at): (usize, usize), order: usize, h: S, out: &mut [S]) -> usize {
+fn block<S: Real, const N: usize>(x: &[S], n: usize, at: usize, order: usize, h: S, out: &mut [S]) -> usize {
     let zero = [S::from_f64(0.0); N];
     let square = h * h;
     let row = |k: usize| x[k * n + at..].first_chunk::<N>().unwrap_or(&zero);

@@ -3,7 +3,7 @@
 use super::chart::{Chart, Place};
 use super::energy::{Crest, Energy};
 use super::error::{NoQuadrature, Obstacle};
-use super::track::{Found, Goal, Scratch, Track};
+use super::track::{Goal, PanelPlace, Scratch, Track};
 
 /// Largest number of panels of a stretch between turning points, rejected attempts included.
 const PANELS_OF_SWING: u32 = 2000;
@@ -36,7 +36,7 @@ pub(super) enum Course {
 /// those of the motion.
 pub(super) struct Spot<'c> {
     pub(super) track: &'c Track,
-    pub(super) found: Found,
+    pub(super) found: PanelPlace,
     /// True if the coordinate q rises at this instant.
     pub(super) rising: bool,
     /// Number of whole periods before this instant.
@@ -78,7 +78,7 @@ impl Course {
                     let rising = energy.orientation * v > 0.0;
                     let forward = if rising { 1.0 } else { -1.0 };
                     if let Some(length) = energy.repeats {
-                        match Self::rotation(energy, n, (length, rising), scratch)? {
+                        match Self::rotation(energy, n, length, rising, scratch)? {
                             Ok(course) => return Ok(course),
                             Err(obstacle) => {
                                 note(energy, turns, obstacle, PANELS_OF_SWING)?;
@@ -125,7 +125,8 @@ impl Course {
     fn rotation(
         energy: &Energy<'_>,
         n: usize,
-        (length, rising): (f64, bool),
+        length: f64,
+        rising: bool,
         scratch: &mut Scratch<'_>,
     ) -> Result<Result<Self, Obstacle>, NoQuadrature> {
         let side = if rising { 1.0 } else { -1.0 };

@@ -13,7 +13,7 @@ const HALF: usize = POINTS / 2;
 pub(super) type Series = [f64; POINTS];
 
 /// Values P₀(x) … P_n(x) of Legendre polynomials, n = [`POINTS`].
-pub(super) type Values = [f64; POINTS + 1];
+pub(super) type LegendreValues = [f64; POINTS + 1];
 
 /// Gauss–Legendre rule on [−1, 1] for the coefficients of a series.
 pub(super) struct Rule {
@@ -84,7 +84,7 @@ impl Rule {
     }
 
     /// Values of the Legendre polynomials at `x`, by (k + 1) P_{k+1} = (2 k + 1) x P_k − k P_{k−1}.
-    pub(super) fn values(&self, x: f64) -> Values {
+    pub(super) fn values(&self, x: f64) -> LegendreValues {
         let mut p = [1.0; POINTS + 1];
         p[1] = x;
         for k in 1..POINTS {
@@ -96,7 +96,7 @@ impl Rule {
 }
 
 /// Coefficients of the integral ∫₋₁ˣ Σ c_k P_k, by (2 k + 1) P_k = P′_{k+1} − P′_{k−1}.
-pub(super) fn integrated(c: &Series) -> Values {
+pub(super) fn integrated(c: &Series) -> LegendreValues {
     let mut d = [0.0; POINTS + 1];
     d[0] = c[0];
     for (k, c) in c.iter().enumerate() {

@@ -45,7 +45,7 @@ pub fn solve(
         None => run.walk(span, options, &mut watch, &mut recorder),
     };
     let Run { y_end, t_end, steps, .. } = run;
-    recorder.finish((t_end, &y_end, None), steps);
+    recorder.finish(t_end, &y_end, None, steps);
     Ok(Solution {
         t: recorder.t,
         y: recorder.y,

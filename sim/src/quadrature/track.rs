@@ -8,7 +8,7 @@ use super::chart::{Anchor, Chart};
 use super::energy::Energy;
 use super::error::Obstacle;
 use super::points::{Panel, Sampler, Samples, sampler};
-use super::rule::{POINTS, Rule, Series, Values, dot, integrated};
+use super::rule::{LegendreValues, POINTS, Rule, Series, dot, integrated};
 use tripos_traits::largest;
 
 /// Largest last term of a resolved series, relative to its largest term: rounding errors of the integrand.
@@ -234,7 +234,7 @@ impl Track {
     }
 
     /// Place of the stretch at `time`, s: its panel, ξ in it and the polynomials there.
-    pub(super) fn find(&self, time: f64) -> Found {
+    pub(super) fn find(&self, time: f64) -> PanelPlace {
         let panel = self.times.partition_point(|t| *t <= time).min(self.times.len() - 1).max(1) - 1;
         let wanted = time - self.times[panel];
         let (rate, integral) = (self.rate(panel), self.integral(panel, 0));
@@ -266,26 +266,26 @@ impl Track {
     }
 
     /// Place of the stretch at the variable `w`.
-    pub(super) fn at_variable(&self, w: f64) -> Found {
+    pub(super) fn at_variable(&self, w: f64) -> PanelPlace {
         let panel = self.ends.partition_point(|end| *end <= w).min(self.ends.len() - 1).max(1) - 1;
         let (from, to) = (self.ends[panel], self.ends[panel + 1]);
         let x = (2.0 * ((w - from) / (to - from)) - 1.0).clamp(-1.0, 1.0);
         self.found(panel, x, Rule::shared().values(x))
     }
 
-    fn found(&self, panel: usize, x: f64, polynomials: Values) -> Found {
+    fn found(&self, panel: usize, x: f64, polynomials: LegendreValues) -> PanelPlace {
         let (from, to) = (self.ends[panel], self.ends[panel + 1]);
-        Found { panel, w: from + 0.5 * (1.0 + x) * (to - from), polynomials }
+        PanelPlace { panel, w: from + 0.5 * (1.0 + x) * (to - from), polynomials }
     }
 
     /// Rate |dw/dt| at a place of the stretch.
-    pub(super) fn pace(&self, at: &Found) -> f64 {
+    pub(super) fn pace(&self, at: &PanelPlace) -> f64 {
         let half = 0.5 * (self.ends[at.panel + 1] - self.ends[at.panel]);
         half / dot(self.rate(at.panel), &at.polynomials[..POINTS])
     }
 
     /// Value of a function at a place of the stretch, from 0 at its start.
-    pub(super) fn value(&self, at: &Found, function: usize) -> f64 {
+    pub(super) fn value(&self, at: &PanelPlace, function: usize) -> f64 {
         self.sums[at.panel * self.functions + function] + dot(self.integral(at.panel, function), &at.polynomials)
     }
 
@@ -304,8 +304,8 @@ impl Track {
 }
 
 /// Place of a stretch: its panel, w, and the values of the polynomials there.
-pub(super) struct Found {
+pub(super) struct PanelPlace {
     panel: usize,
     pub(super) w: f64,
-    polynomials: Values,
+    polynomials: LegendreValues,
 }

@@ -180,10 +180,10 @@ mod tests {
         }
     }
 
-    type Of<S> = fn(S) -> S;
+    type UnaryFunction<S> = fn(S) -> S;
 
     /// A function's name, the function in numbers and in ranges, and its derivative.
-    type Case = (&'static str, Of<f64>, Of<Enclosure>, Of<f64>);
+    type Case = (&'static str, UnaryFunction<f64>, UnaryFunction<Enclosure>, UnaryFunction<f64>);
 
     fn functions() -> [Case; 15] {
         [

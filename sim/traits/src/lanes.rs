@@ -129,7 +129,7 @@ impl<const N: usize> Neg for Lanes<N> {
 /// Sines and cosines, corrected in the lanes whose arguments [`circular::near`] cannot take.
 #[cold]
 #[inline(never)]
-fn with_far_lanes<const N: usize>(x: [f64; N], (sine, cosine): (Lanes<N>, Lanes<N>)) -> (Lanes<N>, Lanes<N>) {
+fn with_far_lanes<const N: usize>(x: [f64; N], sine: Lanes<N>, cosine: Lanes<N>) -> (Lanes<N>, Lanes<N>) {
     let (mut sine, mut cosine) = (sine, cosine);
     for ((x, s), c) in x.iter().zip(&mut sine.0).zip(&mut cosine.0) {
         if !is_near(*x) {
@@ -167,7 +167,7 @@ impl<const N: usize> Scalar for Lanes<N> {
             (sine.0[l], cosine.0[l]) = circular::near::<Fused>(self.0[l]);
             all_near &= is_near(self.0[l]);
         });
-        if all_near { (sine, cosine) } else { with_far_lanes(self.0, (sine, cosine)) }
+        if all_near { (sine, cosine) } else { with_far_lanes(self.0, sine, cosine) }
     }
     #[inline(always)]
     fn sqrt(self) -> Self {

@@ -34,7 +34,7 @@ impl Range {
         let states = model.coordinates.iter().map(|c| &c.name).chain(model.speeds.iter().map(|s| &s.name)).enumerate();
         let states = states.filter(|(at, _)| held(*at)).map(|(_, name)| name.as_str());
         let known =
-            model.parameters.iter().map(|p| p.name.as_str()).chain(asked.names.iter().map(|(name, ..)| name.as_str()));
+            model.parameters.iter().map(|p| p.name.as_str()).chain(asked.names.iter().map(|own| own.name.as_str()));
         let known: Vec<&str> = known.chain(states).collect();
         if !known.contains(&name) {
             return Err(Error::request(format!("there is no `{name}` to follow along"), nearest(name, known)));

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::moving_places;
-use tripos_derive::model::{Place, ReactionKind, Tie, Turn, Unit};
+use tripos_derive::model::{MotionConstraintKind, Place, ReactionKind, Turn, Unit};
 
 /// Largest number of parameters in a table that is not folded.
 const SEEN: usize = 10;
@@ -86,11 +86,11 @@ fn constraints(model: &Model) -> String {
     let loops = model.loops.iter().map(|c| vec![escape(&c.name), zero(c.equation)]);
     let loops = some("Loops, which stay closed", &["Name", "Equation"], &loops.collect::<Vec<_>>());
     let of_motion = model.motion_constraints.iter().map(|c| {
-        let states = match c.tie {
-            Tie::Stated => "velocities",
-            Tie::Rolling(_) => "rolling without slip",
-            Tie::Loop(_) => "the rate of a loop",
-            Tie::Clock => "time, which goes on",
+        let states = match c.kind {
+            MotionConstraintKind::Stated => "velocities",
+            MotionConstraintKind::Rolling(_) => "rolling without slip",
+            MotionConstraintKind::Loop(_) => "the rate of a loop",
+            MotionConstraintKind::Clock => "time, which goes on",
         };
         let by =
             c.enforced_by.map_or_else(|| "—".to_owned(), |at| inline(&told_apart(model, &model.reactions[at].name)));
@@ -123,9 +123,10 @@ fn frames(model: &Model) -> String {
 
 fn points(model: &Model) -> String {
     let rows = model.points.iter().filter_map(|p| {
-        let (parent, frame, components) = p.position?;
-        let parent = inline(&symbol(&model.points[parent].name));
-        Some(vec![inline(&symbol(&p.name)), parent, components_in(model, frame, &components)])
+        let placement = p.position?;
+        let parent = inline(&symbol(&model.points[placement.parent].name));
+        let vector = components_in(model, placement.frame, &placement.components);
+        Some(vec![inline(&symbol(&p.name)), parent, vector])
     });
     some("Points", &["Point", "Placed from", "By the vector"], &rows.collect::<Vec<_>>())
 }

@@ -37,10 +37,10 @@ pub fn solve_blocks(
     }
     let mut x = vec![Expr::ZERO; a.len()];
     let mut divisors = Vec::new();
-    for (rows, columns) in blocks(a).into_iter().flat_map(|block| one_after_another(a, block)) {
+    for (rows, columns) in blocks(a).into_iter().flat_map(|block| one_after_another(a, block.0, block.1)) {
         let block: Vec<Vec<Expr>> = rows.iter().map(|r| columns.iter().map(|c| a[*r][*c]).collect()).collect();
         let right: Vec<Expr> =
-            rows.iter().map(|r| right_side(arena, simplifier, (&a[*r], b[*r]), &x, &columns)).collect();
+            rows.iter().map(|r| right_side(arena, simplifier, &a[*r], b[*r], &x, &columns)).collect();
         let (solution, by) = if rows.len() <= LARGEST && rows.len() == columns.len() {
             by_cofactors(arena, simplifier, &block, &right)
         } else {
@@ -167,7 +167,7 @@ fn blocks(a: &[Vec<Expr>]) -> Vec<(Vec<usize>, Vec<usize>)> {
 /// Splits a large connected block into blocks that can be solved one after another, each with the unknowns of the
 /// blocks before it put in. They are the strongly connected components of the graph of rows, once each row is matched
 /// with an unknown. A. L. Dulmage & N. S. Mendelsohn, Canadian Journal of Mathematics 10 (1958) 517-534.
-fn one_after_another(a: &[Vec<Expr>], (rows, columns): (Vec<usize>, Vec<usize>)) -> Vec<(Vec<usize>, Vec<usize>)> {
+fn one_after_another(a: &[Vec<Expr>], rows: Vec<usize>, columns: Vec<usize>) -> Vec<(Vec<usize>, Vec<usize>)> {
     if rows.len() <= LARGEST || rows.len() != columns.len() {
         return vec![(rows, columns)];
     }
@@ -206,7 +206,8 @@ fn one_after_another(a: &[Vec<Expr>], (rows, columns): (Vec<usize>, Vec<usize>))
 fn right_side(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
-    (row, right): (&[Expr], Expr),
+    row: &[Expr],
+    right: Expr,
     x: &[Expr],
     columns: &[usize],
 ) -> Expr {

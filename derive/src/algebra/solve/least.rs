@@ -64,6 +64,15 @@ enum SolvedFor {
     Names,
 }
 
+/// Attempt to solve the quadratic form: its order of elimination, and its limit.
+#[derive(Clone, Copy)]
+struct Attempt {
+    order: Order,
+    solved_for: SolvedFor,
+    /// Number of new terms beyond which the attempt is given up.
+    most: usize,
+}
+
 /// Number of unknowns that a name depends on, and number of names between the name and the unknowns.
 type Depth = (usize, usize);
 
@@ -76,7 +85,7 @@ pub fn least(arena: &mut Arena, simplifier: &mut Simplifier, sum: &Sum, unknowns
     for solved_for in [SolvedFor::Names, SolvedFor::Unknowns] {
         for order in [Order::Farthest, Order::Fewest] {
             let before = arena.len();
-            if let Some(solved) = least_in(arena, simplifier, sum, unknowns, (order, solved_for, most)) {
+            if let Some(solved) = least_in(arena, simplifier, sum, unknowns, Attempt { order, solved_for, most }) {
                 both.push((cost_with_names(arena, &solved), solved));
                 // An order that makes more terms than another is not followed to its end.
                 most = most.min(arena.len() - before);
@@ -100,8 +109,9 @@ fn least_in(
     simplifier: &mut Simplifier,
     Sum { blocks, linear }: &Sum,
     unknowns: &[Expr],
-    (order, solved_for, most): (Order, SolvedFor, usize),
+    attempt: Attempt,
 ) -> Option<Vec<Definition>> {
+    let Attempt { order, solved_for, most } = attempt;
     let before = arena.len();
     let components: Vec<Expr> = blocks.iter().flat_map(|block| block.components).collect();
     let named = depending(arena, &components, unknowns);

@@ -129,7 +129,7 @@ pub(in crate::algebra) struct Names {
     /// Handle of the [`Node::Named`] for each term that has a name.
     pub(in crate::algebra) stands: FxHashMap<Expr, Expr>,
     /// Symbol of each named term that was written down.
-    pub(in crate::algebra) symbols: FxHashMap<Expr, Stated>,
+    pub(in crate::algebra) symbols: FxHashMap<Expr, NameSymbol>,
     /// Number of named terms written down so far under each wanted name; it numbers terms that are called alike.
     pub(in crate::algebra) written: FxHashMap<String, usize>,
     /// Part of a document that names are written for; `None` for names that all documents have.
@@ -140,7 +140,7 @@ pub(in crate::algebra) struct Names {
 
 /// The symbol that a named term is written with.
 #[derive(Clone, Copy)]
-pub(in crate::algebra) struct Stated {
+pub(in crate::algebra) struct NameSymbol {
     pub(in crate::algebra) symbol: Expr,
     /// True if the name was written for no part of a document: then all documents about the model use this name.
     pub(in crate::algebra) everywhere: bool,

@@ -8,7 +8,7 @@
 //!
 //! Invariant: a name has the same symbol whenever it is written, and each step stands after the steps that it needs.
 
-use crate::algebra::term::arena::Stated;
+use crate::algebra::term::arena::NameSymbol;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::{Definition, unused_symbol};
 use crate::algebra::term::structure::structures;
@@ -105,7 +105,7 @@ fn number(arena: &mut Arena, named: Expr) -> Expr {
     }
     let symbol = unused_symbol(arena, &wanted);
     let everywhere = arena.names.part.is_none();
-    arena.names.symbols.insert(named, Stated { symbol, everywhere });
+    arena.names.symbols.insert(named, NameSymbol { symbol, everywhere });
     symbol
 }
 
@@ -119,7 +119,7 @@ pub fn adopt(arena: &mut Arena, from: &Arena) {
         let symbol = arena.symbol(from.symbol_name(stated.symbol).unwrap_or_default());
         let here = transfer.term(arena, *e);
         if arena.behind(here).is_some() {
-            arena.names.symbols.entry(here).or_insert(Stated { symbol, everywhere: stated.everywhere });
+            arena.names.symbols.entry(here).or_insert(NameSymbol { symbol, everywhere: stated.everywhere });
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::algebra::term::transfer::Transfer;
 use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr};
 use crate::geometry::Turn;
-use crate::model::{Model, Parameter, Place, ReactionKind, Tie};
+use crate::model::{Model, MotionConstraintKind, Parameter, Place, ReactionKind};
 
 /// Section of model files that contains declarations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -228,7 +228,8 @@ fn geometry(model: &Model) -> Vec<Element> {
     });
     let points = model.points.iter().map(|point| match point.position {
         None => Element::new(Section::Points, &point.name, "origin".to_owned(), Vec::new()),
-        Some((parent, frame, components)) => {
+        Some(placement) => {
+            let (parent, frame, components) = (placement.parent, placement.frame, placement.components);
             let place = format!("from {} in {}", model.points[parent].name, model.frames[frame].name);
             Element::new(Section::Points, &point.name, place, components.to_vec())
         }
@@ -301,11 +302,11 @@ fn conditions(model: &Model) -> Vec<Element> {
     let loops =
         model.loops.iter().map(|c| Element::new(Section::Constraints, &c.name, "a loop".to_owned(), vec![c.equation]));
     let of_motion = model.motion_constraints.iter().map(|c| {
-        let (name, place) = match c.tie {
-            Tie::Loop(_) => (format!("{}'", c.name), "the rate of a loop"),
-            Tie::Rolling(_) => (c.name.clone(), "rolling"),
-            Tie::Stated => (c.name.clone(), "between velocities"),
-            Tie::Clock => (c.name.clone(), "time goes on"),
+        let (name, place) = match c.kind {
+            MotionConstraintKind::Loop(_) => (format!("{}'", c.name), "the rate of a loop"),
+            MotionConstraintKind::Rolling(_) => (c.name.clone(), "rolling"),
+            MotionConstraintKind::Stated => (c.name.clone(), "between velocities"),
+            MotionConstraintKind::Clock => (c.name.clone(), "time goes on"),
         };
         Element::new(Section::Constraints, &name, format!("{place}{}", by(c.enforced_by)), vec![c.equation])
     });

@@ -1,7 +1,7 @@
 //! Printed systems and listings as equations of motion that can be written as code and run.
 
 use crate::diff::motions;
-use crate::mechanics::{By, Derivations, Equations, RowName};
+use crate::mechanics::{Derivations, Equations, EquationsOrigin, RowName};
 use crate::model::Model;
 use crate::publication::{EntryKind, Publication};
 
@@ -27,7 +27,7 @@ pub fn printed_equations(model: &Model, derivations: &mut Derivations, publicati
             continue;
         }
         list.push(Equations {
-            by: By::Printed { id: motion.id, formulation },
+            by: EquationsOrigin::Printed { id: motion.id, formulation },
             formulation: alike,
             rows: (0..motion.right.len()).map(RowName::Printed).collect(),
             matrix: motion.matrix,

@@ -174,7 +174,7 @@ pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, De
             body.rigid.as_ref().map(|(own, _)| (VectorName::AngularVelocity, *own, &velocities.angular[*own]));
         let moving = (VectorName::Velocity, body.centre, &velocities.linear[body.centre]);
         for (vector, of, value) in turning.into_iter().chain([moving]) {
-            steps.push(velocity_step(model, kinematics, (vector, of, frame), value));
+            steps.push(velocity_step(model, kinematics, vector, of, frame, value));
         }
     }
     let lines = active.iter().enumerate().map(|(at, force)| (LineName::ActiveForce(at), *force)).collect();
@@ -190,12 +190,14 @@ const MOST_PAIRS: usize = 1000;
 fn velocity_step(
     model: &Model,
     kinematics: &mut Kinematics,
-    (vector, of, frame): (VectorName, usize, usize),
+    vector: VectorName,
+    of: usize,
+    frame: usize,
     value: &Vector,
 ) -> Step {
     let Kinematics { arena, frames, simplifier, .. } = kinematics;
     let total = frames.express(arena, value, frame).map(|e| simplifier.simplify(arena, e));
-    let mut lines: Vec<(LineName, Expr)> = component_lines((vector, of, frame), total).collect();
+    let mut lines: Vec<(LineName, Expr)> = component_lines(vector, of, frame, total).collect();
     let listed = if model.bodies.len() * model.speeds.len() > MOST_PAIRS { Vec::new() } else { model.u() };
     for (speed, symbol) in listed.into_iter().enumerate() {
         let mut partial = Differential::partial(symbol);

@@ -10,6 +10,7 @@ use crate::algebra::value::rank::echelon;
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Vector};
 use crate::mechanics::error::DeriveError;
+use crate::mechanics::motion::carried_accelerations::AlphaTerms;
 use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
 use crate::mechanics::quantity::VectorName;
 use crate::mechanics::rows::{BalanceName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
@@ -184,15 +185,15 @@ pub fn balances(
     let mut list = Vec::new();
     let carried = kinematics.frames.carries.then(|| {
         let mut rates = motion_rates(model);
-        kinematics.accelerations(model, velocities, &mut rates, (&Kinematics::fall(model), false))
+        kinematics.accelerations(model, velocities, &mut rates, &Kinematics::fall(model), AlphaTerms::InMatrix)
     });
     for (at, body) in model.bodies.iter().enumerate() {
         let frame = frame.or(body.rigid.as_ref().map(|(_, inertia)| inertia.frame)).unwrap_or(0);
-        let rates = match &carried {
+        let (force, moment) = match &carried {
             Some(accelerations) => kinematics.carried_rates(model, velocities, accelerations, body),
             None => momentum_rates(model, kinematics, velocities, body),
         };
-        let (force, moment) = balance(model, kinematics, rates, at, body);
+        let (force, moment) = balance(model, kinematics, force, moment, at, body);
         for (moments, vector) in [Some((false, force)), moment.map(|m| (true, m))].into_iter().flatten() {
             let components = kinematics.frames.express(&mut kinematics.arena, &vector, frame);
             let entries = components.into_iter().enumerate();
@@ -261,7 +262,8 @@ fn momentum_rates(
 fn balance(
     model: &Model,
     kinematics: &mut Kinematics,
-    (mut force, mut moment): (Vector, Vector),
+    mut force: Vector,
+    mut moment: Vector,
     at: usize,
     body: &Body,
 ) -> (Vector, Option<Vector>) {
@@ -349,11 +351,11 @@ pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, De
     for (at, body) in model.bodies.iter().enumerate() {
         let frame = body.rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
         let a = rate(model, kinematics, &velocities, frame, &velocities.linear[body.centre]);
-        let mut lines: Vec<_> = component_lines((VectorName::Acceleration, body.centre, frame), a).collect();
+        let mut lines: Vec<_> = component_lines(VectorName::Acceleration, body.centre, frame, a).collect();
         if let Some((own, _)) = &body.rigid {
             let omega = kinematics.angular_velocity_in(body, &velocities).unwrap_or([Expr::ZERO; 3]);
             let alpha = rate(model, kinematics, &velocities, frame, &Vector::in_frame(frame, omega));
-            lines.extend(component_lines((VectorName::AngularAcceleration, *own, frame), alpha));
+            lines.extend(component_lines(VectorName::AngularAcceleration, *own, frame, alpha));
         }
         steps.push(Step { stage: Stage::Accelerations(at), lines });
     }

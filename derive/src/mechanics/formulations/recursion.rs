@@ -13,9 +13,9 @@ use crate::algebra::solve::least::{Block, Sum};
 use crate::algebra::term::adjoint::transposed_product;
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::{Arena, Expr, Rational};
-use crate::geometry::{Components, Vector, apply_tensor, cross_components};
+use crate::geometry::{Components, Placement, Vector, apply_tensor, cross_components};
 use crate::mechanics::error::DeriveError;
-use crate::mechanics::motion::carried_accelerations::Accelerations;
+use crate::mechanics::motion::carried_accelerations::{Accelerations, AlphaTerms};
 use crate::mechanics::motion::kinematics::{
     Kinematics, Velocities, motion_rates, motion_rates_without_acceleration, rates_to_speeds,
 };
@@ -33,8 +33,8 @@ impl Kinematics {
     /// Angular velocity ω and angular momentum H of a rigid body, in the frame of its inertia; `None` for a particle.
     fn spin(&mut self, body: &Body, velocities: &Velocities) -> Option<(Components, Components)> {
         let (own, inertia) = body.rigid.as_ref()?;
-        let called = ("w", self.frames.name(*own));
-        let omega = self.frames.carry(&mut self.arena, &velocities.angular[*own], inertia.frame, called);
+        let name = self.frames.name(*own);
+        let omega = self.frames.carry(&mut self.arena, &velocities.angular[*own], inertia.frame, "w", name);
         let momentum = apply_tensor(&mut self.arena, &inertia.tensor, &omega);
         Some((omega, crate::mechanics::motion::carry::named(&mut self.arena, momentum, &format!("H_{}", body.name))))
     }
@@ -62,13 +62,13 @@ impl Kinematics {
     ) -> Option<(Components, Components)> {
         let (omega, momentum) = self.spin(body, velocities)?;
         let (own, inertia) = body.rigid.as_ref()?;
-        let called = ("alpha", self.frames.name(*own));
-        let alpha = self.frames.carry(&mut self.arena, &accelerations.angular[*own], inertia.frame, called);
+        let name = self.frames.name(*own);
+        let alpha = self.frames.carry(&mut self.arena, &accelerations.angular[*own], inertia.frame, "alpha", name);
         let of_frame = if *own == inertia.frame {
             omega
         } else {
-            let called = ("w", self.frames.name(inertia.frame));
-            self.frames.carry(&mut self.arena, &velocities.angular[inertia.frame], inertia.frame, called)
+            let name = self.frames.name(inertia.frame);
+            self.frames.carry(&mut self.arena, &velocities.angular[inertia.frame], inertia.frame, "w", name)
         };
         let arena = &mut self.arena;
         // The rate of the components is α less ω_F × ω.
@@ -83,7 +83,7 @@ impl Kinematics {
         for body in &model.bodies {
             let v = &velocities.linear[body.centre];
             let home = self.frames.home([v]);
-            let v = self.frames.carry(&mut self.arena, v, home, ("v", &model.points[body.centre].name));
+            let v = self.frames.carry(&mut self.arena, v, home, "v", &model.points[body.centre].name);
             pairs.extend(v.map(|e| (e, self.arena.mul(body.mass, e))));
             if let Some((omega, momentum)) = self.spin(body, velocities) {
                 pairs.extend(omega.into_iter().zip(momentum));
@@ -100,8 +100,8 @@ impl Kinematics {
             let (v, a) = (&velocities.linear[body.centre], &accelerations.linear[body.centre]);
             let home = self.frames.home([v, a]);
             let point = &model.points[body.centre].name;
-            let v = self.frames.carry(&mut self.arena, v, home, ("v", point));
-            let a = self.frames.carry(&mut self.arena, a, home, ("a", point));
+            let v = self.frames.carry(&mut self.arena, v, home, "v", point);
+            let a = self.frames.carry(&mut self.arena, a, home, "a", point);
             for (v, a) in v.into_iter().zip(a) {
                 let force = self.arena.product(&[body.mass, a, Expr::MINUS_ONE]);
                 pairs.push((v, force));
@@ -126,8 +126,8 @@ impl Kinematics {
         for Load { velocity, scale, load } in loads {
             let load = load.substitute(&mut self.arena, put);
             let home = self.frames.home([velocity, &load]);
-            let velocity = self.frames.carry(&mut self.arena, velocity, home, ("v", "load"));
-            let load = self.frames.carry(&mut self.arena, &load, home, ("load", "on"));
+            let velocity = self.frames.carry(&mut self.arena, velocity, home, "v", "load");
+            let load = self.frames.carry(&mut self.arena, &load, home, "load", "on");
             pairs.extend(velocity.into_iter().zip(load.map(|e| self.arena.mul(*scale, e))));
         }
         pairs
@@ -140,7 +140,7 @@ impl Kinematics {
         point: usize,
         velocities: &Velocities,
     ) -> Components {
-        let Some((.., components)) = model.points[point].position else { return [Expr::ZERO; 3] };
+        let Some(Placement { components, .. }) = model.points[point].position else { return [Expr::ZERO; 3] };
         let mut rates =
             Differential::along(&model.q().into_iter().zip(velocities.rates.iter().copied()).collect::<Vec<_>>());
         components.map(|e| rates.apply(&mut self.arena, e))
@@ -222,7 +222,7 @@ impl Kinematics {
         fall: &Vector,
         rates: &mut Differential,
     ) -> Vec<Expr> {
-        let accelerations = self.accelerations(model, velocities, rates, (fall, false));
+        let accelerations = self.accelerations(model, velocities, rates, fall, AlphaTerms::InMatrix);
         let mut pairs = self.inertia_pairs(model, velocities, &accelerations);
         pairs.extend(self.load_pairs(loads, &mut rates_to_speeds(model)));
         transposed_product(&mut self.arena, &pairs, &model.u(), FORCE)
@@ -238,7 +238,7 @@ impl Kinematics {
     ) -> (Vector, Vector) {
         let a = &accelerations.linear[body.centre];
         let home = self.frames.home([&velocities.linear[body.centre], a]);
-        let a = self.frames.carry(&mut self.arena, a, home, ("a", &model.points[body.centre].name));
+        let a = self.frames.carry(&mut self.arena, a, home, "a", &model.points[body.centre].name);
         let force = Vector::in_frame(home, a.map(|e| self.arena.mul(body.mass, e)));
         let moment = self.momentum_rate(body, velocities, accelerations);
         let frame = body.rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
@@ -248,13 +248,14 @@ impl Kinematics {
     /// Function that u̇ minimizes by Gauss's principle: ½ Σ m a² + ½ ω' · I ω' + ω' · (ω × H) less the power of the
     /// loads along u̇.
     pub(in crate::mechanics) fn gauss(&mut self, model: &Model, velocities: &Velocities, loads: &[Load]) -> Sum {
-        let accelerations = self.accelerations(model, velocities, &mut motion_rates(model), (&Self::fall(model), true));
+        let accelerations =
+            self.accelerations(model, velocities, &mut motion_rates(model), &Self::fall(model), AlphaTerms::Separate);
         let mut blocks = Vec::new();
         let none = [Expr::ZERO; 3];
         for body in &model.bodies {
             let a = &accelerations.linear[body.centre];
             let home = self.frames.home([&velocities.linear[body.centre], a]);
-            let components = self.frames.carry(&mut self.arena, a, home, ("a", &model.points[body.centre].name));
+            let components = self.frames.carry(&mut self.arena, a, home, "a", &model.points[body.centre].name);
             let mut tensor = [none; 3];
             (0..3).for_each(|i| tensor[i][i] = body.mass);
             blocks.push(Block { components, tensor, linear: none });

@@ -6,7 +6,7 @@
 
 use super::inertial::Inertial;
 use crate::algebra::Expr;
-use crate::geometry::Turn;
+use crate::geometry::{Placement, Turn};
 use crate::model::Model;
 
 /// Body-fixed point and frame to which the inertial parameters of a body refer.
@@ -32,12 +32,12 @@ impl Anchor {
         let moved = model.q();
         let Some((own, _)) = &model.bodies[body].rigid else {
             let point = model.bodies[body].centre;
-            let frame = model.points[point].position.map_or(0, |(_, frame, _)| frame);
+            let frame = model.points[point].position.map_or(0, |placement| placement.frame);
             return Self { body, point, frame, axis: 2, turns: None, moved };
         };
         let frame = outermost(model, &moved, *own);
         let mut point = model.bodies[body].centre;
-        while let Some((before, of, components)) = model.points[point].position {
+        while let Some(Placement { parent: before, frame: of, components }) = model.points[point].position {
             if outermost(model, &moved, of) != frame || !is_fixed(model, &moved, &components) {
                 break;
             }

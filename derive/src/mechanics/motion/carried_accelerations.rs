@@ -3,13 +3,29 @@
 use super::kinematics::{Kinematics, Velocities};
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::{Expr, Rational};
-use crate::geometry::{Components, Vector, apply_tensor, cross_components};
+use crate::geometry::{Components, Placement, Vector, apply_tensor, cross_components};
 use crate::model::Model;
 
 /// Accelerations of all frames and points. Those of points are less the acceleration of free fall.
 pub(in crate::mechanics) struct Accelerations {
     pub angular: Vec<Vector>,
     pub linear: Vec<Vector>,
+}
+
+/// Place of the terms in the angular acceleration α of a frame.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(in crate::mechanics) enum AlphaTerms {
+    /// In the named matrix α× + ω×ω× of the frame.
+    InMatrix,
+    /// Beside the named matrix, into which only the squares of ω enter: α is unknown.
+    Separate,
+}
+
+/// Angular accelerations, and components of the angular velocities in the own frame, of all frames.
+#[derive(Clone, Copy)]
+struct Turning<'a> {
+    angular: &'a [Vector],
+    spins: &'a [Components],
 }
 
 impl Kinematics {
@@ -20,7 +36,8 @@ impl Kinematics {
         model: &Model,
         velocities: &Velocities,
         rates: &mut Differential,
-        (fall, split): (&Vector, bool),
+        fall: &Vector,
+        terms: AlphaTerms,
     ) -> Accelerations {
         let mut angular: Vec<Vector> = Vec::new();
         let mut spins: Vec<Components> = Vec::new();
@@ -31,7 +48,7 @@ impl Kinematics {
                 continue;
             };
             let name = &frame.name;
-            let omega = self.frames.carry(&mut self.arena, &velocities.angular[at], at, ("w", name));
+            let omega = self.frames.carry(&mut self.arena, &velocities.angular[at], at, "w", name);
             let own = velocities.angular[at].parts.iter().find(|(of, _)| *of == at);
             let own = own.map_or([Expr::ZERO; 3], |(_, components)| *components);
             let arena = &mut self.arena;
@@ -45,27 +62,28 @@ impl Kinematics {
             angular.push(angular[parent].add(arena, &step));
             spins.push(omega);
         }
-        let linear = self.linear_accelerations(model, (&angular, &spins), rates, (fall, split));
+        let linear = self.linear_accelerations(model, Turning { angular: &angular, spins: &spins }, rates, fall, terms);
         Accelerations { angular, linear }
     }
 
     fn linear_accelerations(
         &mut self,
         model: &Model,
-        (angular, spins): (&[Vector], &[Components]),
+        turning: Turning<'_>,
         rates: &mut Differential,
-        (fall, split): (&Vector, bool),
+        fall: &Vector,
+        terms: AlphaTerms,
     ) -> Vec<Vector> {
+        let Turning { angular, spins } = turning;
+        let split = terms == AlphaTerms::Separate;
         let mut turns: Vec<Option<[Components; 3]>> = vec![None; model.frames.len()];
         let mut linear: Vec<Vector> = Vec::new();
         for point in &model.points {
-            let Some((parent, frame, components)) = point.position else {
+            let Some(Placement { parent, frame, components }) = point.position else {
                 linear.push(fall.neg(&mut self.arena));
                 continue;
             };
-            let alpha =
-                self.frames.carry(&mut self.arena, &angular[frame], frame, ("alpha", &model.frames[frame].name));
-            // With `split`, only the squares of ω enter the named matrix, and the unknown α stays separate.
+            let alpha = self.frames.carry(&mut self.arena, &angular[frame], frame, "alpha", &model.frames[frame].name);
             let (given, sought) = if split { ([Expr::ZERO; 3], alpha) } else { (alpha, [Expr::ZERO; 3]) };
             let turn = *turns[frame].get_or_insert_with(|| self.turn_of_rates(model, frame, &given, &spins[frame]));
             let arena = &mut self.arena;

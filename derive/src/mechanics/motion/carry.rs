@@ -7,7 +7,7 @@
 //! [`Form`](super::form::Form) decides which models are derived with carried vectors.
 
 use crate::algebra::{Arena, Expr};
-use crate::geometry::{Components, Frames, Turn, Vector};
+use crate::geometry::{Components, Frames, Turn, TurnSense, Vector};
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -33,7 +33,7 @@ impl Frames {
     /// Carries all parts of a vector into one frame, the farthest part first, and returns the components there. A part
     /// on its way takes up the parts that it meets. Components are named after the letter and the owner, `w_B_1`; on
     /// the way they are named after the frame that they come from, `w_A_in_B_1`.
-    pub fn carry(&self, arena: &mut Arena, v: &Vector, frame: usize, (letter, of): (&str, &str)) -> Components {
+    pub fn carry(&self, arena: &mut Arena, v: &Vector, frame: usize, letter: &str, of: &str) -> Components {
         let path = self.ancestors(frame);
         let what = &format!("{letter}_{of}");
         let mut parts: BTreeMap<usize, Components> = v.parts.iter().copied().collect();
@@ -60,15 +60,15 @@ impl Frames {
             let Some(components) = parts.remove(&from) else { break };
             // Down towards the target frame if it lies below, else up.
             let (next, way) = match (place.get(&from), self.parent(from)) {
-                (None, Some(parent)) => (parent, self.turned_into(from).map(|turn| (turn, true))),
+                (None, Some(parent)) => (parent, self.turned_into(from).map(|turn| (turn, TurnSense::Back))),
                 (at, _) => {
                     let next = path[at.map_or(0, |at| at - 1)];
-                    (next, self.turned_into(next).map(|turn| (turn, false)))
+                    (next, self.turned_into(next).map(|turn| (turn, TurnSense::Forward)))
                 }
             };
-            let carried = way.map_or(components, |(turn, back)| {
+            let carried = way.map_or(components, |(turn, sense)| {
                 let called = format!("{letter}_{}_in_{}", self.name(from), self.name(next));
-                turned(arena, turn, back, &components, &called)
+                turned(arena, turn, sense, &components, &called)
             });
             let sum = match parts.get(&next) {
                 Some(there) => {
@@ -92,8 +92,8 @@ pub fn named(arena: &mut Arena, components: Components, what: &str) -> Component
     })
 }
 
-/// Components of a vector in a turned frame, each with a name. `back` turns the other way.
-pub fn turned(arena: &mut Arena, turn: &Turn, back: bool, v: &Components, what: &str) -> Components {
-    let result = turn.apply(arena, v, back);
+/// Components of a vector in the frame to which a turn leads, each with a name.
+pub fn turned(arena: &mut Arena, turn: &Turn, sense: TurnSense, v: &Components, what: &str) -> Components {
+    let result = turn.apply(arena, v, sense);
     named(arena, result, what)
 }

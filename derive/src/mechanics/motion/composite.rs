@@ -12,7 +12,7 @@ use super::carry::{named, turned};
 use super::kinematics::{Kinematics, Velocities};
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::{Arena, Expr, Rational};
-use crate::geometry::{Components, Turn, cross_components, transposed};
+use crate::geometry::{Components, Placement, Turn, TurnSense, cross_components, transposed};
 use crate::model::{Body, Model};
 
 const NOTHING: Components = [Expr::ZERO; 3];
@@ -38,6 +38,17 @@ struct Node {
     inertia: [Vec<Expr>; 6],
 }
 
+/// Composite of all bodies beyond a node, about the node's point and in the node's frame.
+#[derive(Clone)]
+struct Composite {
+    /// Mass, kg.
+    mass: Expr,
+    /// First moment Σ m r, kg m.
+    moment: Components,
+    /// Inertia Σ m (r² − r rᵀ), kg m²: upper triangle, row by row.
+    inertia: [Expr; 6],
+}
+
 /// Index of entry (i, j) of a symmetric tensor, stored as its upper triangle.
 fn place(i: usize, j: usize) -> usize {
     let (i, j) = (i.min(j), i.max(j));
@@ -47,8 +58,14 @@ fn place(i: usize, j: usize) -> usize {
 /// Linear and angular momentum about the point of a node.
 type Momentum = (Components, Components);
 
-/// Unit motion of the edge to a node, as (node, axis): a turn about, or a shift along, the axis.
-type Motion = (usize, usize);
+/// Unit motion of the edge to a node: a turn about, or a shift along, the axis.
+#[derive(Clone, Copy)]
+struct Motion {
+    /// Index of the node.
+    node: usize,
+    /// Index of the axis: 0, 1 or 2.
+    axis: usize,
+}
 
 /// The bodies of a model as a tree of frames and points.
 struct Tree {
@@ -71,12 +88,12 @@ impl Kinematics {
         let mut gradient = Gradient::new(variables);
         let slopes: Vec<_> = motions
             .iter()
-            .map(|(node, axis)| gradient.apply(&mut self.arena, tree.nodes[*node].rates[*axis]))
+            .map(|motion| gradient.apply(&mut self.arena, tree.nodes[motion.node].rates[motion.axis]))
             .collect();
         let n = variables.len();
         let mut terms = vec![vec![Vec::new(); n]; n];
-        for (at, (node, axis)) in motions.iter().enumerate() {
-            for (other, entry) in tree.couplings(&mut self.arena, model, &composites, &motions, (*node, *axis)) {
+        for (at, motion) in motions.iter().enumerate() {
+            for (other, entry) in tree.couplings(&mut self.arena, model, &composites, &motions, *motion) {
                 for (r, by_r) in slopes[at].iter() {
                     for (s, by_s) in slopes[other].iter() {
                         // A pair counts once for a motion with itself, and in both orders for two motions.
@@ -133,7 +150,7 @@ impl Tree {
     ) -> Option<usize> {
         let mut steps = Vec::new();
         let mut point = body.centre;
-        while let Some((before, frame, components)) = model.points[point].position {
+        while let Some(Placement { parent: before, frame, components }) = model.points[point].position {
             steps.push((frame, components, point));
             point = before;
         }
@@ -177,9 +194,10 @@ impl Tree {
         }
     }
 
-    /// Mass m, first moment s and inertia J of all bodies beyond each node, in the order of the nodes.
-    fn composites(&mut self, arena: &mut Arena, model: &Model) -> Vec<(Expr, Components, [Expr; 6])> {
-        let mut list = vec![(Expr::ZERO, NOTHING, [Expr::ZERO; 6]); self.nodes.len()];
+    /// Composite bodies beyond each node, in the order of the nodes.
+    fn composites(&mut self, arena: &mut Arena, model: &Model) -> Vec<Composite> {
+        let mut list =
+            vec![Composite { mass: Expr::ZERO, moment: NOTHING, inertia: [Expr::ZERO; 6] }; self.nodes.len()];
         for at in (0..self.nodes.len()).rev() {
             let node = &self.nodes[at];
             let name = &model.frames[node.frame].name;
@@ -192,17 +210,17 @@ impl Tree {
             let inertia = std::array::from_fn(|k| {
                 total(&node.inertia[k], format!("J_{name}_{}", ["11", "12", "13", "22", "23", "33"][k]))
             });
-            list[at] = (mass, moment, inertia);
+            list[at] = Composite { mass, moment, inertia };
             if at == 0 {
                 break;
             }
             let (moment, inertia) = match &node.edge {
                 Edge::Turn(turn) => {
                     let before = &model.frames[self.nodes[node.parent].frame].name;
-                    let moment = turned(arena, turn, true, &moment, &format!("s_{name}_in_{before}"));
+                    let moment = turned(arena, turn, TurnSense::Back, &moment, &format!("s_{name}_in_{before}"));
                     (moment, turned_tensor(arena, turn, &inertia, &format!("J_{name}_in_{before}")))
                 }
-                Edge::Shift { by } => shifted(arena, (mass, &moment, &inertia), by, name),
+                Edge::Shift { by } => shifted(arena, &list[at], by, name),
             };
             let before = node.parent;
             let parent = &mut self.nodes[before];
@@ -216,22 +234,25 @@ impl Tree {
     /// Lists the unit motions of all edges that move.
     fn motions(&self) -> Vec<Motion> {
         let axes = |at: usize| {
-            (0..3).filter(move |axis| self.nodes[at].rates[*axis] != Expr::ZERO).map(move |axis| (at, axis))
+            (0..3)
+                .filter(move |axis| self.nodes[at].rates[*axis] != Expr::ZERO)
+                .map(move |axis| Motion { node: at, axis })
         };
         (1..self.nodes.len()).flat_map(axes).collect()
     }
 
-    /// Entries that couple the unit motion `(start, axis)` with the motions from its edge to the root, itself included.
+    /// Entries that couple the unit motion with the motions from its edge to the root, itself included.
     /// Each is the index of the other motion with the momentum along it; each pair occurs once.
     fn couplings(
         &self,
         arena: &mut Arena,
         model: &Model,
-        composites: &[(Expr, Components, [Expr; 6])],
+        composites: &[Composite],
         motions: &[Motion],
-        (start, axis): Motion,
+        motion: Motion,
     ) -> Vec<(usize, Expr)> {
-        let (mass, moment, inertia) = &composites[start];
+        let Motion { node: start, axis } = motion;
+        let Composite { mass, moment, inertia } = &composites[start];
         let mut unit = NOTHING;
         unit[axis] = Expr::ONE;
         let (mut linear, mut angular): Momentum = match &self.nodes[start].edge {
@@ -243,17 +264,17 @@ impl Tree {
         while at != 0 {
             let node = &self.nodes[at];
             let along = if matches!(node.edge, Edge::Turn(_)) { &angular } else { &linear };
-            for (place, (_, by)) in motions.iter().enumerate().filter(|(_, (of, _))| *of == at) {
-                if at != start || *by >= axis {
-                    list.push((place, along[*by]));
+            for (place, other) in motions.iter().enumerate().filter(|(_, other)| other.node == at) {
+                if at != start || other.axis >= axis {
+                    list.push((place, along[other.axis]));
                 }
             }
             let name = &model.frames[node.frame].name;
             let of = &model.frames[self.nodes[start].frame].name;
             match &node.edge {
                 Edge::Turn(turn) => {
-                    linear = turned(arena, turn, true, &linear, &format!("p_{of}_in_{name}"));
-                    angular = turned(arena, turn, true, &angular, &format!("h_{of}_in_{name}"));
+                    linear = turned(arena, turn, TurnSense::Back, &linear, &format!("p_{of}_in_{name}"));
+                    angular = turned(arena, turn, TurnSense::Back, &angular, &format!("h_{of}_in_{name}"));
                 }
                 Edge::Shift { by } => {
                     let about = cross_components(arena, by, &linear);
@@ -276,13 +297,9 @@ impl Node {
 
 /// First moment and inertia about the parent's point, from which the node's point lies at r = `by`. They are s + m r
 /// and, with w = 2 s + m r, J + (r · w) 1 − ½ (r wᵀ + w rᵀ).
-fn shifted(
-    arena: &mut Arena,
-    (mass, moment, inertia): (Expr, &Components, &[Expr; 6]),
-    by: &Components,
-    name: &str,
-) -> (Components, [Expr; 6]) {
-    let carried = by.map(|e| arena.mul(mass, e));
+fn shifted(arena: &mut Arena, composite: &Composite, by: &Components, name: &str) -> (Components, [Expr; 6]) {
+    let Composite { mass, moment, inertia } = composite;
+    let carried = by.map(|e| arena.mul(*mass, e));
     let carried = named(arena, carried, &format!("mr_{name}"));
     let sum = std::array::from_fn(|i| arena.add(moment[i], carried[i]));
     let sum = named(arena, sum, &format!("s_{name}"));
@@ -317,9 +334,9 @@ fn turned_tensor(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6], what: &str)
     let Turn::About(axis, angle) = turn else {
         let half = [0, 1, 2].map(|i| {
             let column = std::array::from_fn(|j| tensor[place(j, i)]);
-            turned(arena, turn, true, &column, what)
+            turned(arena, turn, TurnSense::Back, &column, what)
         });
-        let rows = transposed(&half).map(|row| turned(arena, turn, true, &row, what));
+        let rows = transposed(&half).map(|row| turned(arena, turn, TurnSense::Back, &row, what));
         return [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)].map(|(i, j)| rows[i][j]);
     };
     let (axis, angle) = (*axis, *angle);
@@ -329,7 +346,7 @@ fn turned_tensor(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6], what: &str)
     // The entries beside the axis turn like a vector.
     let mut beside = NOTHING;
     (beside[j], beside[k]) = (row[1], row[2]);
-    let beside = turned(arena, turn, true, &beside, what);
+    let beside = turned(arena, turn, TurnSense::Back, &beside, what);
     let difference = arena.sub(tensor[place(k, k)], tensor[place(j, j)]);
     let difference = arena.name(difference, &format!("{what}_{}{}", j + 1, k + 1));
     let (of_difference, of_product) = (arena.mul(s, difference), arena.mul(c, tensor[place(j, k)]));

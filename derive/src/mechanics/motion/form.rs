@@ -1,6 +1,6 @@
 //! Form of derived equations: written out, or in named terms.
 
-use crate::geometry::{Frames, Turn};
+use crate::geometry::{Frames, Placement, Turn};
 use crate::model::Model;
 use std::collections::BTreeSet;
 
@@ -74,7 +74,7 @@ fn has_more_closed_terms(model: &Model, most: usize) -> bool {
     for body in &model.bodies {
         let mut parts: BTreeSet<usize> = BTreeSet::new();
         let mut point = body.centre;
-        while let Some((parent, frame, _)) = model.points[point].position {
+        while let Some(Placement { parent, frame, .. }) = model.points[point].position {
             parts.insert(frame);
             point = parent;
         }

@@ -252,7 +252,7 @@ pub fn motion_rates_without_acceleration(model: &Model) -> Differential {
 fn name_in_own_frames(arena: &mut Arena, frames: &mut Frames, angular: &[Vector]) {
     if frames.carries {
         for (frame, omega) in angular.iter().enumerate() {
-            frames.carry(arena, omega, frame, ("w", frames.name(frame)));
+            frames.carry(arena, omega, frame, "w", frames.name(frame));
         }
     }
 }

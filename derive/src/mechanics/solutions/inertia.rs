@@ -84,7 +84,7 @@ fn inertial(model: &Model) -> Vec<bool> {
         let tensor = body.rigid.iter().flat_map(|(_, inertia)| inertia.tensor.iter().flatten().copied());
         tensor.chain([body.mass])
     });
-    let points = model.points.iter().filter_map(|point| point.position).flat_map(|(_, _, components)| components);
+    let points = model.points.iter().filter_map(|point| point.position).flat_map(|placement| placement.components);
     let turns = model.frames.iter().filter_map(|frame| frame.rotation.as_ref()).flat_map(|(_, turn)| turn.terms());
     let constraints = model.constraints.iter().flat_map(|constraint| [constraint.equation, constraint.value]);
     let speeds = model.speeds.iter().map(|speed| speed.definition);

@@ -20,7 +20,7 @@ use crate::mechanics::derivation::derive_with;
 use crate::mechanics::error::DeriveError;
 use crate::mechanics::formulations::formulation::Formulation;
 use crate::mechanics::motion::anchor::Anchor;
-use crate::mechanics::motion::carried_accelerations::Accelerations;
+use crate::mechanics::motion::carried_accelerations::{Accelerations, AlphaTerms};
 use crate::mechanics::motion::form::Form;
 use crate::mechanics::motion::inertial::Inertial;
 use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
@@ -39,7 +39,7 @@ pub enum Varied {
 
 /// Parameter of a regressor's column: an inertial parameter of a body, or a parameter of the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Of {
+pub enum ColumnParameter {
     /// Inertial parameter of a body, with the index of the body.
     Body(usize, Inertial),
     /// Parameter of the model, with its index.
@@ -50,7 +50,7 @@ pub enum Of {
 #[derive(Clone, Debug)]
 pub struct Column {
     /// Parameter to which the column belongs.
-    pub of: Of,
+    pub of: ColumnParameter,
     /// Name of the parameter, such as `mx_rod`.
     pub name: String,
     /// Unit of the parameter.
@@ -96,13 +96,18 @@ impl Regressor {
 
     fn of_bodies(model: &Model, mut kinematics: Kinematics, required: Vec<Expr>, candidates: &[usize]) -> Self {
         let velocities = kinematics.in_speeds(model);
-        let accelerations =
-            kinematics.accelerations(model, &velocities, &mut motion_rates(model), (&Kinematics::fall(model), false));
+        let accelerations = kinematics.accelerations(
+            model,
+            &velocities,
+            &mut motion_rates(model),
+            &Kinematics::fall(model),
+            AlphaTerms::InMatrix,
+        );
         let mut bodies: Vec<(usize, Vec<Column>)> = Vec::new();
         let mut anchors = Vec::new();
         for at in 0..model.bodies.len() {
             let anchor = Anchor::of(model, at);
-            let motion = Motion::new(&mut kinematics, model, (&velocities, &accelerations), &anchor);
+            let motion = Motion::new(&mut kinematics, model, &velocities, &accelerations, &anchor);
             let deep = motion.moves_with();
             bodies.push((deep, motion.columns(&mut kinematics, model, &anchor)));
             anchors.push(anchor);
@@ -163,7 +168,7 @@ fn linear_part(
             *left = arena.sub(*left, part);
         }
         let (name, unit, stated) = (parameter.name.clone(), parameter.unit.clone(), parameter.symbol);
-        columns.push(Column { of: Of::Parameter(at), name, unit, forces, stated });
+        columns.push(Column { of: ColumnParameter::Parameter(at), name, unit, forces, stated });
     }
     (columns, rest)
 }
@@ -209,12 +214,13 @@ impl Motion {
     fn new(
         kinematics: &mut Kinematics,
         model: &Model,
-        (velocities, accelerations): (&Velocities, &Accelerations),
+        velocities: &Velocities,
+        accelerations: &Accelerations,
         anchor: &Anchor,
     ) -> Self {
         let name = anchor_name(model, anchor);
         let Kinematics { arena, frames, .. } = kinematics;
-        let mut carry = |vector: &Vector, letter: &str| frames.carry(arena, vector, anchor.frame, (letter, &name));
+        let mut carry = |vector: &Vector, letter: &str| frames.carry(arena, vector, anchor.frame, letter, &name);
         let v = carry(&velocities.linear[anchor.point], "v");
         let b = carry(&accelerations.linear[anchor.point], "a");
         let (omega, alpha) = match anchor.turns {
@@ -236,7 +242,7 @@ impl Motion {
     /// Columns of the regressor for the inertial parameters of a body.
     fn columns(&self, kinematics: &mut Kinematics, model: &Model, anchor: &Anchor) -> Vec<Column> {
         let body = &model.bodies[anchor.body];
-        let stated = Stated::new(kinematics, body, anchor);
+        let stated = InertialParameters::new(kinematics, body, anchor);
         anchor
             .parameters()
             .into_iter()
@@ -249,7 +255,7 @@ impl Motion {
                     arena.sum(&terms)
                 });
                 Column {
-                    of: Of::Body(anchor.body, inertial),
+                    of: ColumnParameter::Body(anchor.body, inertial),
                     forces: forces.collect(),
                     name: format!("{}_{}", inertial.letters(), body.name),
                     unit: inertial.unit(),
@@ -290,13 +296,13 @@ fn anchor_name(model: &Model, anchor: &Anchor) -> String {
 }
 
 /// Inertial parameters of a body by the model: mass, first moments and inertia about the anchor's point.
-struct Stated {
+struct InertialParameters {
     mass: Expr,
     moment: Components,
     inertia: [Components; 3],
 }
 
-impl Stated {
+impl InertialParameters {
     fn new(kinematics: &mut Kinematics, body: &Body, anchor: &Anchor) -> Self {
         let back = kinematics.positions[anchor.point].neg(&mut kinematics.arena);
         let arm = kinematics.positions[body.centre].add(&mut kinematics.arena, &back);

@@ -3,7 +3,7 @@
 use super::joints::Joints;
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::{Arena, Expr, Rational};
-use crate::geometry::Turn;
+use crate::geometry::{Placement, Turn};
 use crate::model::reading::names::{Allowed, CONFIGURATION, Kind, PARAMETERS};
 use crate::model::reading::reader::Loading;
 use crate::model::reading::tree::{Node, in_order};
@@ -15,6 +15,17 @@ use crate::read::{Entry, Located};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+
+/// Motion of a body along an axis of a frame.
+#[derive(Clone, Copy)]
+pub struct AxisMotion {
+    /// Index of the frame.
+    pub frame: usize,
+    /// Index of the axis: 0, 1 or 2.
+    pub axis: usize,
+    /// Distance per unit of the variable that moves the body.
+    pub distance: Expr,
+}
 
 /// Elements of a mechanism: frames, points and bodies, with the loads, reactions and contacts on them.
 #[derive(Default)]
@@ -78,10 +89,9 @@ impl Elements {
         found.next().filter(|_| found.next().is_none())
     }
 
-    /// Axis along which a coordinate moves a body relative to the place from which it is placed: frame, axis 0, 1 or 2,
-    /// and distance per unit of the coordinate. `None` unless the coordinate stands in exactly one component of one
-    /// position.
-    pub fn axis_moved(&self, arena: &mut Arena, body: usize, coordinate: Expr) -> Option<(usize, usize, Expr)> {
+    /// Axis along which a coordinate moves a body relative to the place from which it is placed. `None` unless the
+    /// coordinate stands in exactly one component of one position.
+    pub fn axis_moved(&self, arena: &mut Arena, body: usize, coordinate: Expr) -> Option<AxisMotion> {
         let steps = self.own_steps(&self.bodies[body]);
         let components = steps.iter().flat_map(|(frame, position)| {
             position.iter().enumerate().map(|(axis, component)| (*frame, axis, *component))
@@ -89,7 +99,7 @@ impl Elements {
         let mut moved = components.filter(|(.., component)| arena.reachable(&[*component]).contains(&coordinate));
         let (frame, axis, component) = moved.next().filter(|_| moved.next().is_none())?;
         let slopes = Gradient::new(&[coordinate]).apply(arena, component);
-        slopes.first().map(|(_, slope)| (frame, axis, *slope))
+        slopes.first().map(|(_, slope)| AxisMotion { frame, axis, distance: *slope })
     }
 
     /// Steps from the mass centre of a body back to the mass centre of the body from which it is placed, or to the
@@ -98,9 +108,9 @@ impl Elements {
         let is_centre = |point: usize| self.bodies.iter().any(|body| body.centre == point);
         let mut steps = Vec::new();
         let mut at = Some(body.centre);
-        while let Some((parent, frame, position)) = at.and_then(|point| self.points[point].position.as_ref()) {
-            steps.push((*frame, position));
-            at = Some(*parent).filter(|parent| !is_centre(*parent));
+        while let Some(placement) = at.and_then(|point| self.points[point].position.as_ref()) {
+            steps.push((placement.frame, &placement.components));
+            at = Some(placement.parent).filter(|parent| !is_centre(*parent));
         }
         steps
     }
@@ -154,7 +164,7 @@ impl Elements {
                     (None, None) => loading.frame_turns(entry, &what, &name.span),
                 };
                 if let (Some(parent), Some(turns)) = (parent, turns) {
-                    loading.chain(&mut nodes, (parent, name.clone()), turns);
+                    loading.chain(&mut nodes, parent, &name, turns);
                 }
                 continue;
             }
@@ -199,7 +209,8 @@ impl Elements {
         }
         for (node, parent) in in_order(loading, nodes, root.as_deref(), Kind::Point) {
             let (frame, position) = node.payload;
-            self.points.push(Point { name: node.name.text, position: Some((parent, frame, position)) });
+            let placement = Placement { parent, frame, components: position };
+            self.points.push(Point { name: node.name.text, position: Some(placement) });
         }
     }
 
@@ -328,7 +339,7 @@ impl Elements {
             return Some([Expr::ZERO; 3]);
         }
         let direct = |a: usize, b: usize| match &self.points[b].position {
-            Some((parent, f, r)) if *parent == a && *f == frame => Some(*r),
+            Some(placement) if placement.parent == a && placement.frame == frame => Some(placement.components),
             _ => None,
         };
         direct(from, to).or_else(|| direct(to, from).map(|r| r.map(|e| arena.neg(e))))
@@ -380,7 +391,7 @@ impl Elements {
             }
         }
         for point in &mut self.points {
-            if let Some((_, _, components)) = &mut point.position {
+            if let Some(Placement { components, .. }) = &mut point.position {
                 *components = components.map(&mut *map);
             }
         }

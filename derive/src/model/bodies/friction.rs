@@ -6,7 +6,7 @@
 //! Armstrong-Hélouvry, P. Dupont & C. Canudas de Wit, Automatica 30 (1994) 1083–1138).
 
 use super::elements::Elements;
-use super::motion::Moving;
+use super::motion::MechanismMotion;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Function};
 use crate::diagnostic::shown;
@@ -26,6 +26,15 @@ enum Contact {
     Point { on: Place, against: Option<usize>, frame: usize, normal: Option<usize> },
     /// A body that turns about an axis of a frame, against another body or the ground.
     Axis { on: usize, against: Option<usize>, frame: usize, axis: usize },
+}
+
+/// Entry whose keys are read, for error messages.
+#[derive(Clone, Copy)]
+struct Owner<'o> {
+    /// Name of the entry in messages, such as "friction `f`".
+    what: &'o str,
+    /// Place of the entry in the file.
+    span: &'o Range<usize>,
 }
 
 /// Law by which a contact resists slip.
@@ -54,10 +63,11 @@ impl<'a> Loading<'a> {
             let example = "[friction.NAME] with on = \"block\", coefficient = \"mu\", normal_force = \"m*g\" and smoothing = \"v0\"";
             let Some((entry, _)) = self.entry(&name, value, Kind::Force, None, example) else { continue };
             let what = format!("friction `{}`", name.text);
+            let owner = Owner { what: &what, span: &name.span };
             let found = if entry.contains_key("torque") {
-                self.about_an_axis(entry, elements, (&what, &name.span))
+                self.about_an_axis(entry, elements, owner)
             } else {
-                self.at_a_point(entry, elements, (&what, &name.span))
+                self.at_a_point(entry, elements, owner)
             };
             if let Some((contact, law)) = found {
                 list.push(StatedFriction { name, contact, law });
@@ -66,12 +76,8 @@ impl<'a> Loading<'a> {
         list
     }
 
-    fn at_a_point(
-        &mut self,
-        entry: &'a DeTable<'a>,
-        elements: &Elements,
-        (what, span): (&str, &Range<usize>),
-    ) -> Option<(Contact, Law)> {
+    fn at_a_point(&mut self, entry: &'a DeTable<'a>, elements: &Elements, owner: Owner<'_>) -> Option<(Contact, Law)> {
+        let Owner { what, span } = owner;
         let keys = [
             "on",
             "at",
@@ -94,13 +100,13 @@ impl<'a> Loading<'a> {
         };
         let plain = Unit::default();
         let speed = Unit::new(1, 0, -1);
-        let coefficient = self.needed(entry, "coefficient", DRIVEN, &plain, (what, span));
-        let load = self.needed(entry, "normal_force", DRIVEN, &Unit::new(1, 1, -2), (what, span))?;
+        let coefficient = self.needed(entry, "coefficient", DRIVEN, &plain, owner);
+        let load = self.needed(entry, "normal_force", DRIVEN, &Unit::new(1, 1, -2), owner)?;
         let (coefficient, against, on) = (coefficient?, against?, on?);
         let resistance = self.arena.mul(coefficient, load);
-        let at_rest = self.at_rest(entry, &plain, &speed, (what, span))?;
+        let at_rest = self.at_rest(entry, &plain, &speed, owner)?;
         let at_rest = at_rest.map(|(coefficient, until)| (self.arena.mul(coefficient, load), until));
-        let smoothing = self.smoothing(entry, &speed, (what, span))?;
+        let smoothing = self.smoothing(entry, &speed, owner)?;
         Some((Contact::Point { on, against, frame, normal }, Law { resistance, at_rest, smoothing }))
     }
 
@@ -108,8 +114,9 @@ impl<'a> Loading<'a> {
         &mut self,
         entry: &'a DeTable<'a>,
         elements: &Elements,
-        (what, span): (&str, &Range<usize>),
+        owner: Owner<'_>,
     ) -> Option<(Contact, Law)> {
+        let Owner { what, span } = owner;
         let keys = ["on", "against", "frame", "axis", "torque", "static", "stribeck", "smoothing", "about"];
         self.reader.allow(entry, "friction about an axis", &keys);
         let on = self.reader.need(entry, "on", what, span)?;
@@ -120,9 +127,9 @@ impl<'a> Loading<'a> {
         let axis = self.reader.need(entry, "axis", what, span)?;
         let axis = self.axis(axis);
         let (moment, speed) = (Unit::new(2, 1, -2), Unit::new(0, 0, -1));
-        let resistance = self.needed(entry, "torque", DRIVEN, &moment, (what, span))?;
-        let at_rest = self.at_rest(entry, &moment, &speed, (what, span))?;
-        let smoothing = self.smoothing(entry, &speed, (what, span))?;
+        let resistance = self.needed(entry, "torque", DRIVEN, &moment, owner)?;
+        let at_rest = self.at_rest(entry, &moment, &speed, owner)?;
+        let smoothing = self.smoothing(entry, &speed, owner)?;
         Some((Contact::Axis { on, against, frame: frame?, axis: axis? }, Law { resistance, at_rest, smoothing }))
     }
 
@@ -151,8 +158,9 @@ impl<'a> Loading<'a> {
         key: &str,
         allowed: Allowed,
         unit: &Unit,
-        (what, span): (&str, &Range<usize>),
+        owner: Owner<'_>,
     ) -> Option<Expr> {
+        let Owner { what, span } = owner;
         let value = self.reader.need(entry, key, what, span)?;
         let formula = self.reader.formula(value, &format!("`{key}`"))?;
         self.quantity(&formula, allowed, unit, &format!("`{key}` of {what}"))
@@ -166,7 +174,7 @@ impl<'a> Loading<'a> {
         entry: &'a DeTable<'a>,
         unit: &Unit,
         speed: &Unit,
-        owner: (&str, &Range<usize>),
+        owner: Owner<'_>,
     ) -> Option<Option<(Expr, Expr)>> {
         if !entry.contains_key("static") && !entry.contains_key("stribeck") {
             return Some(None);
@@ -176,8 +184,9 @@ impl<'a> Loading<'a> {
         Some(Some((more?, until?)))
     }
 
-    fn smoothing(&mut self, entry: &'a DeTable<'a>, speed: &Unit, (what, span): (&str, &Range<usize>)) -> Option<Expr> {
-        let smoothing = self.needed(entry, "smoothing", PARAMETERS, speed, (what, span))?;
+    fn smoothing(&mut self, entry: &'a DeTable<'a>, speed: &Unit, owner: Owner<'_>) -> Option<Expr> {
+        let Owner { what, span } = owner;
+        let smoothing = self.needed(entry, "smoothing", PARAMETERS, speed, owner)?;
         if zero_test(&self.arena, smoothing) == ZeroTest::NonZero {
             return Some(smoothing);
         }
@@ -187,7 +196,12 @@ impl<'a> Loading<'a> {
     }
 
     /// Adds the forces and torques of friction to the elements.
-    pub fn friction_loads(&mut self, moving: &mut Moving, elements: &mut Elements, stated: Vec<StatedFriction>) {
+    pub fn friction_loads(
+        &mut self,
+        moving: &mut MechanismMotion,
+        elements: &mut Elements,
+        stated: Vec<StatedFriction>,
+    ) {
         for friction in stated {
             match friction.contact {
                 Contact::Point { on, against, frame, normal } => {

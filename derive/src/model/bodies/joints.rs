@@ -158,7 +158,7 @@ impl<'a> Loading<'a> {
         let what = format!("joint `{}`", shown(&name.text));
         let entry = self.reader.table(value, &what, "[joints.NAME] with kind = \"pin\" and body = \"arm\"")?;
         self.about(entry);
-        let body = self.jointed(joints, entry, "body", (&what, &name.span))?;
+        let body = self.jointed(joints, entry, "body", &what, &name.span)?;
         let placed = joints.bodies.get_mut(&body.text)?;
         let carries = placed.joint.is_none() && !frames.contains(&placed.frame.text.as_str());
         if carries {
@@ -173,7 +173,7 @@ impl<'a> Loading<'a> {
         };
         let kind = *kind;
         let to = match self.reader.get(entry, "to") {
-            Some(_) => Some(self.jointed(joints, entry, "to", (&what, &name.span))?),
+            Some(_) => Some(self.jointed(joints, entry, "to", &what, &name.span)?),
             None => None,
         };
         if to.as_ref().is_some_and(|to| to.text == body.text) {
@@ -218,7 +218,8 @@ impl<'a> Loading<'a> {
         joints: &Joints<'a>,
         entry: &'a DeTable<'a>,
         key: &str,
-        (what, span): (&str, &Range<usize>),
+        what: &str,
+        span: &Range<usize>,
     ) -> Option<Located> {
         let value = self.reader.need(entry, key, what, span)?;
         let name = self.reader.string(value, &format!("`{key}`"))?;

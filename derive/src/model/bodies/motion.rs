@@ -11,14 +11,14 @@ use crate::model::velocities::NamedVelocity;
 use crate::model::{Coordinate, Place};
 
 /// Positions and velocities of the frames and points of a mechanism, in q and q̇.
-pub struct Moving {
+pub struct MechanismMotion {
     frames: Frames,
     motion: Motion,
     rates: Differential,
     simplifier: Simplifier,
 }
 
-impl Moving {
+impl MechanismMotion {
     /// The motion of frames and points that were read without errors.
     pub fn new(arena: &mut Arena, elements: &Elements, coordinates: &[Coordinate]) -> Self {
         let rates: Vec<_> = coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
@@ -49,7 +49,7 @@ impl Moving {
     pub fn material(&mut self, arena: &mut Arena, elements: &Elements, body: usize, point: usize) -> Vector {
         let body = &elements.bodies[body];
         match &body.rigid {
-            Some((frame, _)) => self.motion.of_material(arena, &mut self.frames, (*frame, body.centre), point),
+            Some((frame, _)) => self.motion.of_material(arena, &mut self.frames, *frame, body.centre, point),
             None => self.motion.linear[body.centre].clone(),
         }
     }

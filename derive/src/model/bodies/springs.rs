@@ -4,7 +4,7 @@
 //! where d is the distance of the ends. At rest the potential is k (d − l₀)²/2.
 
 use super::elements::Elements;
-use super::motion::Moving;
+use super::motion::MechanismMotion;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Expr, Function, Rational};
 use crate::model::reading::names::{Kind, PARAMETERS};
@@ -76,7 +76,7 @@ impl<'a> Loading<'a> {
     /// body.
     pub fn spring_forces(
         &mut self,
-        moving: &mut Moving,
+        moving: &mut MechanismMotion,
         elements: &Elements,
         springs: Vec<StatedSpring>,
     ) -> Vec<Force> {

@@ -1,30 +1,32 @@
 //! Decisions made in the closed poses of a mechanism: the constraints that follow from others there, and the joint
 //! speeds that describe the motion best.
 
-use super::closed_poses::{Closed, Dependent, Poses, reach};
-use super::motion::Ties;
+use super::closed_poses::{ClosedPoses, Dependent, Poses, reach};
+use super::motion::{SpeedDefinitions, Ties};
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
 use crate::model::reading::reader::Loading;
-use crate::model::{Coordinate, DependentConstraint, Tie, Unit};
+use crate::model::{Coordinate, DependentConstraint, MotionConstraintKind, Unit};
 use std::ops::{Range, RangeInclusive};
 
 impl Loading<'_> {
     /// Removes from the independent constraints those that follow from others wherever the loops are closed. If there
-    /// are too many speeds, it chooses among those of joints (`brought`). Without closed poses it removes the
+    /// are too many speeds, it chooses among those of joints. Without closed poses it removes the
     /// constraints at `also`, whose rates follow from the others everywhere.
     pub fn when_closed(
         &mut self,
         coordinates: &[Coordinate],
-        (speeds, brought): (&[Expr], &[bool]),
-        (defaults, also): (&[(Expr, f64)], Range<usize>),
+        speeds: SpeedDefinitions<'_>,
+        defaults: &[(Expr, f64)],
+        also: Range<usize>,
         ties: &mut Ties,
     ) {
+        let SpeedDefinitions { definitions: speeds, brought } = speeds;
         if ties.loops.is_empty() {
             return;
         }
         let declared = brought.iter().filter(|brought| !**brought).count()..=speeds.len();
-        let Some(closed) = self.closed_poses(coordinates, (speeds, declared), defaults, ties) else {
+        let Some(closed) = self.closed_poses(coordinates, speeds, declared, defaults, ties) else {
             for at in also.rev() {
                 take_out(ties, at);
             }
@@ -53,10 +55,11 @@ impl Loading<'_> {
     fn closed_poses(
         &mut self,
         coordinates: &[Coordinate],
-        (speeds, declared): (&[Expr], RangeInclusive<usize>),
+        speeds: &[Expr],
+        declared: RangeInclusive<usize>,
         defaults: &[(Expr, f64)],
         ties: &Ties,
-    ) -> Option<Closed> {
+    ) -> Option<ClosedPoses> {
         let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
         let mut form = LinearForm::new(&rates);
         let equations = ties.motion.iter().map(|(c, _)| c.equation).chain(speeds.iter().copied());
@@ -70,7 +73,7 @@ impl Loading<'_> {
         let equations: Vec<Expr> = ties.loops.iter().map(|c| c.equation).collect();
         let poses = Poses { known: defaults, coordinates: &places, reach: &reach, loops: &equations, flat: 0.0 };
         let count = ties.motion.len();
-        Closed::new(&mut self.arena.clone(), &poses, (count, &rows), declared)
+        ClosedPoses::new(&mut self.arena.clone(), &poses, count, &rows, declared)
     }
 }
 
@@ -78,10 +81,12 @@ impl Loading<'_> {
 /// constraint between velocities the expression that is zero.
 fn take_out(ties: &mut Ties, at: usize) -> (String, Option<Expr>) {
     let (constraint, _) = ties.motion.remove(at);
-    let Tie::Loop(place) = constraint.tie else { return (constraint.name, Some(constraint.equation)) };
+    let MotionConstraintKind::Loop(place) = constraint.kind else {
+        return (constraint.name, Some(constraint.equation));
+    };
     ties.closed.insert(0, ties.loops.remove(place));
     for (other, _) in &mut ties.motion {
-        if let Tie::Loop(at) = &mut other.tie {
+        if let MotionConstraintKind::Loop(at) = &mut other.kind {
             *at -= usize::from(*at > place);
         }
     }

@@ -60,7 +60,7 @@ pub struct Dependent {
 }
 
 /// Slopes of constraints and speeds in closed poses: rows of length 1, and the rows among them that are independent.
-pub struct Closed {
+pub struct ClosedPoses {
     poses: Vec<DMatrix<f64>>,
     /// Indices of the rows that are independent of earlier rows, in order, in the pose where most rows are independent.
     independent: Vec<usize>,
@@ -70,7 +70,7 @@ pub struct Closed {
 }
 
 /// Coordinates, rows of slopes, and independent rows of one closed pose.
-struct Found {
+struct ClosedPose {
     q: Vec<f64>,
     matrix: DMatrix<f64>,
     rows: Rows,
@@ -111,14 +111,15 @@ const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 /// Factor by which the least singular value of a later choice of rows must exceed that of the earliest choice.
 const BETTER: f64 = 1.5;
 
-impl Closed {
+impl ClosedPoses {
     /// Finds closed poses and judges rows there: first `constraints` rows of constraints, then rows of speeds, in q.
     /// The poses are on a branch whose number of freedoms is `declared`, if there is such a branch. `None` if no pose
     /// was found, or a value is not known.
     pub fn new(
         arena: &mut Arena,
         poses: &Poses<'_>,
-        (constraints, rows): (usize, &[Vec<Expr>]),
+        constraints: usize,
+        rows: &[Vec<Expr>],
         declared: RangeInclusive<usize>,
     ) -> Option<Self> {
         let of_loops = poses.tape(arena)?;
@@ -131,17 +132,17 @@ impl Closed {
                 row.normalize_mut();
             }
             let rows = dependent_rows(&matrix, constraints)?;
-            Some(Found { q, matrix, rows })
+            Some(ClosedPose { q, matrix, rows })
         };
-        let freedoms = |found: &Found| poses.coordinates.len() - found.rows.independent.len();
-        let is_declared = |found: &Found| declared.contains(&freedoms(found));
-        let mut all: Vec<Found> = poses.find(&of_loops).into_iter().filter_map(judged).collect();
+        let freedoms = |found: &ClosedPose| poses.coordinates.len() - found.rows.independent.len();
+        let is_declared = |found: &ClosedPose| declared.contains(&freedoms(found));
+        let mut all: Vec<ClosedPose> = poses.find(&of_loops).into_iter().filter_map(judged).collect();
         // Random poses reach the branch with most freedoms, although a mechanism may be meant to be assembled on
         // another branch.
         if !all.iter().any(is_declared) || all.iter().any(|found| freedoms(found) != freedoms(&all[0])) {
-            let moves = |found: &&Found| is_declared(found) && (freedoms(found) > 0 || *declared.end() == 0);
-            let best = |list: &[Found]| list.iter().filter(moves).map(|found| found.rows.independent.len()).max();
-            let grown: Vec<Found> = poses.grown(&of_loops).into_iter().filter_map(judged).collect();
+            let moves = |found: &&ClosedPose| is_declared(found) && (freedoms(found) > 0 || *declared.end() == 0);
+            let best = |list: &[ClosedPose]| list.iter().filter(moves).map(|found| found.rows.independent.len()).max();
+            let grown: Vec<ClosedPose> = poses.grown(&of_loops).into_iter().filter_map(judged).collect();
             if best(&grown) > best(&all) {
                 all.extend(grown);
             }
@@ -152,7 +153,7 @@ impl Closed {
         }
         // A mechanism may be unable to move in a pose that is closed the other way round. Such a pose tells nothing
         // about the poses in which it moves.
-        let moves = |found: &Found| found.rows.independent.len() < poses.coordinates.len();
+        let moves = |found: &ClosedPose| found.rows.independent.len() < poses.coordinates.len();
         if all.iter().filter(|found| moves(found)).count() > ENOUGH {
             all.retain(moves);
         }
@@ -169,7 +170,7 @@ impl Closed {
             dependent: (most < constraints).then(|| all.iter().map(|found| found.rows.left.1).fold(0.0, f64::max)),
         };
         let mut closed = Self { poses: Vec::new(), independent: Vec::new(), dependent: Vec::new(), branch };
-        for (at, Found { matrix, rows, .. }) in all.into_iter().enumerate() {
+        for (at, ClosedPose { matrix, rows, .. }) in all.into_iter().enumerate() {
             closed.poses.push(matrix);
             if at == 0 {
                 (closed.independent, closed.dependent) = (rows.independent, rows.dependent);
@@ -307,7 +308,7 @@ impl Poses<'_> {
     /// Closed poses found from random places, and on walks from these.
     fn find(&self, tape: &Tape) -> Vec<Vec<f64>> {
         let mut chance = Chance(SEED);
-        let mut found = self.seek(tape, &mut chance, (self.tries(), ENOUGH));
+        let mut found = self.seek(tape, &mut chance, self.tries(), ENOUGH);
         if self.loops.len() <= WALKED {
             for first in found.clone() {
                 self.walk(tape, first, &mut chance, &mut found);
@@ -353,14 +354,14 @@ impl Poses<'_> {
 
     /// At most `most` closed poses, found from random places alone; `None` if a value is not known.
     pub fn some(&self, arena: &mut Arena, most: usize) -> Option<Vec<Vec<f64>>> {
-        self.seek_from(arena, (self.tries(), most))
+        self.seek_from(arena, self.tries(), most)
     }
 
     /// At most `most` closed poses, found from at most this number of random places alone; `None` if a value is not
     /// known.
-    pub fn seek_from(&self, arena: &mut Arena, (tries, most): (usize, usize)) -> Option<Vec<Vec<f64>>> {
+    pub fn seek_from(&self, arena: &mut Arena, tries: usize, most: usize) -> Option<Vec<Vec<f64>>> {
         let tape = self.tape(arena)?;
-        Some(self.seek(&tape, &mut Chance(SEED), (tries, most)))
+        Some(self.seek(&tape, &mut Chance(SEED), tries, most))
     }
 
     /// Number of random starts of a search for closed poses; smaller for more loops.
@@ -382,7 +383,7 @@ impl Poses<'_> {
         Tape::new(arena, &self.inputs(), &all).ok()
     }
 
-    fn seek(&self, tape: &Tape, chance: &mut Chance, (tries, most): (usize, usize)) -> Vec<Vec<f64>> {
+    fn seek(&self, tape: &Tape, chance: &mut Chance, tries: usize, most: usize) -> Vec<Vec<f64>> {
         let mut found = Vec::new();
         for _ in 0..tries {
             let mut q: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();

@@ -8,17 +8,17 @@ use crate::algebra::term::calculus::Gradient;
 use crate::algebra::text::parse::VelocityOf;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
-use crate::model::bodies::elements::Elements;
-use crate::model::contacts::Compared;
+use crate::model::bodies::elements::{AxisMotion, Elements};
+use crate::model::contacts::{Compared, StatedVelocity};
 use crate::model::reading::names::Kind;
 use crate::model::reading::reader::Loading;
 use crate::model::{Coordinate, NamedVelocity};
 
-/// A variable of an equation. `motion` has the frame, the axis (0, 1 or 2) and the distance per unit with which the
-/// variable moves a body; `None` for any other motion.
+/// A variable of an equation.
 struct Tied {
     symbol: Expr,
-    motion: Option<(usize, usize, Expr)>,
+    /// Motion of a body along an axis with the variable; `None` for any other motion.
+    motion: Option<AxisMotion>,
 }
 
 impl Loading<'_> {
@@ -28,7 +28,8 @@ impl Loading<'_> {
         elements: &Elements,
         coordinates: &[Coordinate],
         velocities: &[NamedVelocity],
-        (name, equation): (&str, Expr),
+        name: &str,
+        equation: Expr,
     ) -> Compared {
         let parts = self.arena.reachable(&[equation]);
         let names: Vec<&NamedVelocity> = velocities.iter().filter(|v| parts.contains(&v.symbol)).collect();
@@ -36,8 +37,12 @@ impl Loading<'_> {
         let has_speeds = self.names.symbols_of(&[Kind::Speed]).iter().any(|speed| parts.contains(speed));
         let moved = self.moved(elements, coordinates, equation);
         let translations = names.iter().filter(|v| !matches!(v.of, VelocityOf::Turning(_)));
-        let mut tied: Vec<Tied> =
-            translations.map(|v| Tied { symbol: v.symbol, motion: Some((v.frame, v.axis, Expr::ONE)) }).collect();
+        let mut tied: Vec<Tied> = translations
+            .map(|v| Tied {
+                symbol: v.symbol,
+                motion: Some(AxisMotion { frame: v.frame, axis: v.axis, distance: Expr::ONE }),
+            })
+            .collect();
         let mut own = Vec::new();
         // Coordinates next to several names, or next to speeds, are coefficients.
         if names.len() <= 1 && !has_speeds {
@@ -54,7 +59,7 @@ impl Loading<'_> {
         let alone = match names.as_slice() {
             [NamedVelocity { of: VelocityOf::Place(_), .. }] => None,
             [only] if !others.iter().any(|symbol| parts.contains(symbol)) => {
-                Some((only.of.clone(), only.frame, only.axis))
+                Some(StatedVelocity { of: only.of.clone(), frame: only.frame, axis: only.axis })
             }
             _ => None,
         };
@@ -93,12 +98,13 @@ fn is_difference(arena: &mut Arena, tied: &[Tied], equation: Expr) -> bool {
     let Some(motions) = tied.iter().map(|one| one.motion).collect::<Option<Vec<_>>>() else { return false };
     let symbols: Vec<Expr> = tied.iter().map(|one| one.symbol).collect();
     let slopes = Gradient::new(&symbols).apply(arena, equation);
-    let mut stays = |along: (usize, usize)| {
-        let moved = slopes.iter().filter(|(at, _)| (motions[*at].0, motions[*at].1) == along);
-        let moved: Vec<(Expr, Expr)> = moved.map(|(at, slope)| (*slope, motions[*at].2)).collect();
+    let stays = |along: &AxisMotion| {
+        let is_along = |motion: &AxisMotion| (motion.frame, motion.axis) == (along.frame, along.axis);
+        let moved = slopes.iter().filter(|(at, _)| is_along(&motions[*at]));
+        let moved: Vec<(Expr, Expr)> = moved.map(|(at, slope)| (*slope, motions[*at].distance)).collect();
         let terms: Option<Vec<Expr>> = moved.into_iter().map(|(slope, way)| arena.div(slope, way)).collect();
         let sum = terms.map(|terms| arena.sum(&terms));
         sum.is_some_and(|sum| zero_test(arena, sum) == ZeroTest::Zero)
     };
-    !motions.is_empty() && motions.iter().all(|(frame, axis, _)| stays((*frame, *axis)))
+    !motions.is_empty() && motions.iter().all(stays)
 }

@@ -19,7 +19,7 @@ use std::ops::Range;
 use toml::de::DeTable;
 
 /// A constraint as read, before it is solved.
-pub struct Stated {
+pub struct StatedConstraint {
     /// Name of the constraint.
     pub name: String,
     /// Left side less right side of the constraint: the expression that is zero.
@@ -32,9 +32,16 @@ pub struct Stated {
     pub may_repeat: bool,
 }
 
+impl StatedConstraint {
+    /// The constraint after a substitution in its equation.
+    pub fn with(self, arena: &mut Arena, put: &mut Substitution) -> Self {
+        Self { equation: put.apply(arena, self.equation), ..self }
+    }
+}
+
 impl<'a> Loading<'a> {
     /// Reads the section `[constraints]` of a model file.
-    pub fn constraints(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<Stated> {
+    pub fn constraints(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedConstraint> {
         let mut stated = Vec::new();
         for (name, value) in self.section(table, "constraints", &[]) {
             let entry = self.entry(&name, value, Kind::Constraint, None, "{ equation = \"z = 0\" }");
@@ -58,7 +65,13 @@ impl<'a> Loading<'a> {
                 continue;
             }
             let equation = self.arena.sub(left, right);
-            stated.push(Stated { name: name.text, equation, enforced_by, span: text.span, may_repeat: false });
+            stated.push(StatedConstraint {
+                name: name.text,
+                equation,
+                enforced_by,
+                span: text.span,
+                may_repeat: false,
+            });
         }
         stated
     }
@@ -71,7 +84,7 @@ pub struct Solved {
     /// Coordinates that constraints fix, and the time derivatives of these, each with its replacement.
     pub replacements: Vec<(Expr, Expr)>,
     /// Constraints that could not be solved for a coordinate: loops and prescribed coordinates.
-    pub kept: Vec<Stated>,
+    pub kept: Vec<StatedConstraint>,
     /// Names of constraints that follow from others, which is no error for them.
     pub repeated: Vec<String>,
     /// Names of constraints of the model file that stay unsolved and contain one coordinate other than time.
@@ -101,7 +114,7 @@ pub fn solve_all(
     arena: &mut Arena,
     coordinates: &mut Vec<Coordinate>,
     potentials: &[Potential],
-    stated: Vec<Stated>,
+    stated: Vec<StatedConstraint>,
 ) -> Solved {
     let (mut solved, mut kept, mut repeated) = (Vec::<Constraint>::new(), Vec::new(), Vec::new());
     let mut undefined = None;
@@ -149,7 +162,7 @@ pub fn solve_all(
             if named == 1 && !constraint.may_repeat {
                 prescribing.push(constraint.name.clone());
             }
-            kept.push(Stated { equation, ..constraint });
+            kept.push(StatedConstraint { equation, ..constraint });
             continue;
         };
         let fixed = coordinates.remove(at);

@@ -18,7 +18,7 @@ use crate::geometry::{Frames, Vector};
 use crate::model::bodies::elements::Elements;
 use crate::model::reading::names::Kind;
 use crate::model::reading::reader::Loading;
-use crate::model::{Coordinate, Loop, MotionConstraint, Repeated, Rolled, Tie, Unit};
+use crate::model::{Coordinate, Loop, MotionConstraint, MotionConstraintKind, Repeated, Rolled, Unit};
 use crate::read::Located;
 use rustc_hash::FxHashSet;
 use std::ops::Range;
@@ -27,7 +27,7 @@ use std::ops::Range;
 pub struct Candidate {
     pub name: String,
     pub equation: Expr,
-    pub tie: Tie,
+    pub kind: MotionConstraintKind,
     pub enforced_by: Option<usize>,
     pub span: Range<usize>,
     pub may_repeat: bool,
@@ -44,10 +44,10 @@ pub struct Independent {
 }
 
 /// Coordinates, elements and loops to which constraints refer.
-pub struct Given<'m> {
+pub struct ConstrainedSystem<'m> {
     pub coordinates: &'m [Coordinate],
     pub elements: &'m Elements,
-    /// Equations between coordinates, indexed by [`Tie::Loop`].
+    /// Equations between coordinates, indexed by [`MotionConstraintKind::Loop`].
     pub loops: &'m [Loop],
     /// Symbols of parameters with their default values.
     pub defaults: &'m [(Expr, f64)],
@@ -122,10 +122,18 @@ impl Taken {
     }
 }
 
+/// Poses in which a constraint follows from others.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Reach {
+    EveryPose,
+    /// Poses in which the other constraints are independent.
+    MostPoses,
+}
+
 impl Loading<'_> {
     /// Chooses the constraints that are independent of those before them. Reports constraints that contradict or repeat
     /// others.
-    pub fn independent(&mut self, given: &Given<'_>, candidates: Vec<Candidate>) -> Independent {
+    pub fn independent(&mut self, given: &ConstrainedSystem<'_>, candidates: Vec<Candidate>) -> Independent {
         let coordinates = given.coordinates;
         let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
         let form = LinearForm::new(&rates);
@@ -142,32 +150,32 @@ impl Loading<'_> {
         };
         let mut waiting = candidates.into_iter();
         while let Some(candidate) = waiting.next() {
-            let Tie::Rolling(rolled) = candidate.tie else {
-                self.take(&mut taken, given, candidate, true);
+            let MotionConstraintKind::Rolling(rolled) = candidate.kind else {
+                self.take(&mut taken, given, candidate, Reach::EveryPose);
                 continue;
             };
             // The three components of a contact come one after another.
             let mut group = vec![candidate];
             group.extend(waiting.by_ref().take(2));
-            let everywhere = self.turn_contact(&mut taken, given.elements, rolled, &mut group);
+            let reach = self.turn_contact(&mut taken, given.elements, rolled, &mut group);
             for candidate in group {
-                self.take(&mut taken, given, candidate, everywhere);
+                self.take(&mut taken, given, candidate, reach);
             }
         }
         taken.found
     }
 
     /// Takes a contact along the axes of another frame if a component along its own axes follows from other constraints
-    /// in most poses only. Returns true if the components that follow do so in every pose.
+    /// in most poses only. Returns the poses in which the components that follow do so.
     fn turn_contact(
         &mut self,
         taken: &mut Taken,
         elements: &Elements,
         rolled: Rolled,
         group: &mut [Candidate],
-    ) -> bool {
+    ) -> Reach {
         let stated: Vec<Expr> = group.iter().map(|c| c.equation).collect();
-        let &[x, y, z] = stated.as_slice() else { return true };
+        let &[x, y, z] = stated.as_slice() else { return Reach::EveryPose };
         let slip = Vector::in_frame(rolled.frame, [x, y, z]);
         let mut everywhere = taken.follow_everywhere(&mut self.arena, &slip, rolled.frame);
         let others = if everywhere || rolled.is_stated { Vec::new() } else { frames_at(elements, rolled) };
@@ -175,21 +183,21 @@ impl Loading<'_> {
             let turned = taken.components(&mut self.arena, &slip, frame);
             for (candidate, equation) in group.iter_mut().zip(turned) {
                 candidate.equation = equation;
-                candidate.tie = match candidate.tie {
-                    Tie::Rolling(rolled) => Tie::Rolling(Rolled { frame, ..rolled }),
-                    tie => tie,
+                candidate.kind = match candidate.kind {
+                    MotionConstraintKind::Rolling(rolled) => MotionConstraintKind::Rolling(Rolled { frame, ..rolled }),
+                    kind => kind,
                 };
             }
             everywhere = true;
         }
         taken.slips.push(slip);
-        everywhere
+        if everywhere { Reach::EveryPose } else { Reach::MostPoses }
     }
 
-    /// Takes a candidate if it is independent of those taken before; else it follows from them, `everywhere` or in most
-    /// poses.
-    fn take(&mut self, taken: &mut Taken, given: &Given<'_>, candidate: Candidate, everywhere: bool) {
-        let Candidate { name, equation, tie, enforced_by, span, may_repeat } = candidate;
+    /// Takes a candidate if it is independent of those taken before; else it follows from them, in the poses of
+    /// `reach`.
+    fn take(&mut self, taken: &mut Taken, given: &ConstrainedSystem<'_>, candidate: Candidate, reach: Reach) {
+        let Candidate { name, equation, kind, enforced_by, span, may_repeat } = candidate;
         let (row, rest) = match taken.form.coefficients(&mut self.arena, equation) {
             Ok(linear) => linear,
             Err(not_linear) => {
@@ -205,8 +213,8 @@ impl Loading<'_> {
         if row.iter().all(|e| is_zero(&self.arena, e)) {
             match (may_repeat, is_zero(&self.arena, &rest)) {
                 // An equation between coordinates that is zero everywhere was left out before.
-                (true, true) if matches!(tie, Tie::Loop(_)) => self.unmoved(given, &name, span, tie),
-                (true, true) => taken.found.repeated.push(Repeated::of(name, tie, None)),
+                (true, true) if matches!(kind, MotionConstraintKind::Loop(_)) => self.unmoved(given, &name, span, kind),
+                (true, true) => taken.found.repeated.push(Repeated::of(name, kind, None)),
                 (_, true) => self.repeated(&name, span, "is always fulfilled"),
                 (_, false) => self.repeated(&name, span, "is never fulfilled"),
             }
@@ -219,17 +227,17 @@ impl Loading<'_> {
             return;
         };
         let is_new = found.dependent.is_none();
-        if is_new || may_repeat && matches!(tie, Tie::Loop(_)) {
+        if is_new || may_repeat && matches!(kind, MotionConstraintKind::Loop(_)) {
             let unit = self.unit_of_difference(equation);
             let drive = if is_zero(&self.arena, &rest) { Expr::ZERO } else { rest };
             let stated = Located { text: format!("lambda_{name}"), span: span.clone(), exact: false };
             let multiplier = self.arena.symbol(&stated.text);
             self.names.declare(&mut self.reader, &stated, Kind::Multiplier, Some(multiplier));
-            if is_new && !matches!(tie, Tie::Rolling(_)) {
+            if is_new && !matches!(kind, MotionConstraintKind::Rolling(_)) {
                 taken.others.push(row);
             }
             let list = if is_new { &mut taken.found.motion } else { &mut taken.found.also };
-            list.push((MotionConstraint { name, equation, drive, unit, multiplier, tie, enforced_by }, span));
+            list.push((MotionConstraint { name, equation, drive, unit, multiplier, kind, enforced_by }, span));
             if !is_new {
                 taken.rows.pop();
             }
@@ -241,11 +249,11 @@ impl Loading<'_> {
             (_, None) => self.undecided(&name, span),
             (_, Some(false)) => self.repeated(&name, span, "contradicts those before it"),
             (true, Some(true)) => {
-                taken.found.repeated.push(Repeated::of(name, tie, (!everywhere).then_some(equation)));
+                taken.found.repeated.push(Repeated::of(name, kind, (reach == Reach::MostPoses).then_some(equation)));
             }
             (_, Some(true)) => {
-                let how = match tie {
-                    Tie::Loop(place) => self.where_others_hold(taken, given, place),
+                let how = match kind {
+                    MotionConstraintKind::Loop(place) => self.where_others_hold(taken, given, place),
                     _ => "follows from those before it",
                 };
                 self.repeated(&name, span, how);
@@ -255,9 +263,9 @@ impl Loading<'_> {
 
     /// Words for an equation between coordinates whose rate follows from earlier ones. It follows from them, or
     /// contradicts them, in the poses where these hold.
-    fn where_others_hold(&mut self, taken: &Taken, given: &Given<'_>, place: usize) -> &'static str {
-        let others = taken.found.motion.iter().filter_map(|(c, _)| match c.tie {
-            Tie::Loop(at) => Some(given.loops[at].equation),
+    fn where_others_hold(&mut self, taken: &Taken, given: &ConstrainedSystem<'_>, place: usize) -> &'static str {
+        let others = taken.found.motion.iter().filter_map(|(c, _)| match c.kind {
+            MotionConstraintKind::Loop(at) => Some(given.loops[at].equation),
             _ => None,
         });
         let others: Vec<Expr> = others.collect();
@@ -273,7 +281,12 @@ impl Loading<'_> {
 
     /// Number of poses in which an equation holds, and number of poses tested. The other equations hold in all tested
     /// poses, at the default values. `None` if no pose was found.
-    fn closed_share(&mut self, given: &Given<'_>, others: &[Expr], equation: Expr) -> Option<(usize, usize)> {
+    fn closed_share(
+        &mut self,
+        given: &ConstrainedSystem<'_>,
+        others: &[Expr],
+        equation: Expr,
+    ) -> Option<(usize, usize)> {
         let lengths = given.defaults.iter().filter(|(symbol, _)| self.units.get(symbol) == Some(&Unit::new(1, 0, 0)));
         let reach = reach(given.coordinates.iter().map(|c| c.unit.is_plain()), lengths.map(|(_, value)| *value));
         let places: Vec<Expr> = given.coordinates.iter().map(|c| c.symbol).collect();
@@ -296,8 +309,8 @@ impl Loading<'_> {
 
     /// Reports an equation of a joint that no motion changes and that is not exactly zero. The other joints leave the
     /// points or axes of this joint apart by as much, in every pose.
-    fn unmoved(&mut self, given: &Given<'_>, name: &str, span: Range<usize>, tie: Tie) {
-        let Tie::Loop(place) = tie else { return };
+    fn unmoved(&mut self, given: &ConstrainedSystem<'_>, name: &str, span: Range<usize>, kind: MotionConstraintKind) {
+        let MotionConstraintKind::Loop(place) = kind else { return };
         let known = given.defaults.iter().map(|(symbol, value)| (*symbol, *value));
         let rest = given.coordinates.iter().map(|c| (c.symbol, 0.0));
         let (symbols, values): (Vec<Expr>, Vec<f64>) = known.chain(rest).unzip();
@@ -331,7 +344,7 @@ impl Loading<'_> {
 /// Frames along whose axes a contact may be taken: those from the ground outwards to its bodies and its point.
 fn frames_at(elements: &Elements, rolled: Rolled) -> Vec<usize> {
     let of_body = |body: usize| elements.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
-    let of_point = elements.points[rolled.point].position.as_ref().map(|(_, frame, _)| *frame);
+    let of_point = elements.points[rolled.point].position.map(|placement| placement.frame);
     let mut list: Vec<usize> = Vec::new();
     for last in [of_body(rolled.body), rolled.against.and_then(of_body), of_point].into_iter().flatten() {
         let parent = |at: &usize| elements.frames[*at].rotation.as_ref().map(|(parent, _)| *parent);

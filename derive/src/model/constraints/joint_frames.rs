@@ -1,18 +1,18 @@
 //! Frames and points that joints place, and equations of joints that close loops.
 
-use super::configuration::Stated;
+use super::configuration::StatedConstraint;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Expr, Rational};
 use crate::geometry::{Frame, Turn, Vector, cross_components};
 use crate::model::bodies::elements::{Elements, vector};
 use crate::model::bodies::joint_kinds::{Freedom, JointKind};
 use crate::model::bodies::joints::{Joint, Joints, Placed};
-use crate::model::bodies::motion::Moving;
+use crate::model::bodies::motion::MechanismMotion;
 use crate::model::reading::names::{CONFIGURATION, Kind, PARAMETERS};
 use crate::model::reading::reader::Loading;
 use crate::model::reading::tree::Node;
 use crate::model::units::Unit;
-use crate::model::{Hung, Model, Place, Reaction, ReactionKind};
+use crate::model::{CarriedBody, JointReaction, Model, Place, Reaction, ReactionKind};
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};
 
@@ -35,9 +35,6 @@ pub struct Closing {
     /// Index of the closed body, and index of the body that carries; `None` for the ground.
     bodies: (usize, Option<usize>),
 }
-
-/// Name of an equation of a closed joint, and the reaction that holds this equation.
-pub type Holding = (String, Reaction);
 
 impl Joint<'_> {
     /// Name `JOINT_part`, made of the joint's name and a part.
@@ -106,7 +103,7 @@ impl<'a> Joints<'a> {
 
 impl Joints<'_> {
     /// Bodies that joints carry, each with its holder and its point at the joint.
-    pub fn hung(&self, elements: &Elements) -> Vec<Hung> {
+    pub fn carried(&self, elements: &Elements) -> Vec<CarriedBody> {
         let body = |name: &str| elements.bodies.iter().position(|body| body.name == name);
         let carries = |joint: &Joint<'_>| {
             let on = match &joint.to {
@@ -114,7 +111,7 @@ impl Joints<'_> {
                 None => None,
             };
             let point = elements.points.iter().position(|point| point.name == joint.name.text)?;
-            Some(Hung { body: body(&joint.body.text)?, on, point })
+            Some(CarriedBody { body: body(&joint.body.text)?, on, point })
         };
         self.list.iter().filter(|joint| joint.carries).filter_map(carries).collect()
     }
@@ -145,20 +142,20 @@ impl<'a> Loading<'a> {
                     }
                     continue;
                 };
-                parent = self.chain(&mut nodes, (parent, base), turns);
+                parent = self.chain(&mut nodes, parent, &base, turns);
             }
             if let Some(turned) = self.reader.get(joint.entry, "body_turned")
                 && let Some(placed) = joints.bodies.get(&joint.body.text)
             {
                 let last = joint.named("closed_base");
                 match self.turned(joint, "body_turned", turned) {
-                    Some(turns) => drop(self.chain(&mut nodes, (placed.frame.clone(), last), turns)),
+                    Some(turns) => drop(self.chain(&mut nodes, placed.frame.clone(), &last, turns)),
                     None => self.names.spoil(&last.text),
                 }
             }
             let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) else { continue };
             let turns = self.turns_of(joint).into_iter().chain(tilted).collect();
-            self.chain(&mut nodes, (parent, placed.frame.clone()), turns);
+            self.chain(&mut nodes, parent, &placed.frame, turns);
         }
         nodes
     }
@@ -189,7 +186,8 @@ impl<'a> Loading<'a> {
     pub fn chain(
         &mut self,
         nodes: &mut Vec<FrameNode>,
-        (mut parent, last): (Located, Located),
+        mut parent: Located,
+        last: &Located,
         turns: Vec<Turn>,
     ) -> Located {
         let count = turns.len();
@@ -309,7 +307,11 @@ impl<'a> Loading<'a> {
     /// axes that stay perpendicular. Each has its reaction. The force on the closed body acts at the joint's point. Its
     /// opposite acts on the other body, at that body's joint point or at its material at the first point. So the two do
     /// no work in open loops either.
-    pub fn closed(&mut self, moving: &mut Moving, closings: &[Closing]) -> (Vec<Stated>, Vec<Holding>) {
+    pub fn closed(
+        &mut self,
+        moving: &mut MechanismMotion,
+        closings: &[Closing],
+    ) -> (Vec<StatedConstraint>, Vec<JointReaction>) {
         let (mut list, mut holding) = (Vec::new(), Vec::new());
         for Closing { name, kind, axes, frames: [base, body], parts_at_ground, points: [on, at], bodies } in closings {
             let axis = axes.first().copied().unwrap_or(2);
@@ -344,8 +346,8 @@ impl<'a> Loading<'a> {
                         is_shared: false,
                         law: None,
                     };
-                    holding.push((name_of.clone(), reaction));
-                    list.push(Stated {
+                    holding.push(JointReaction { joint: name.text.clone(), equation: name_of.clone(), reaction });
+                    list.push(StatedConstraint {
                         name: name_of,
                         equation,
                         enforced_by: None,
@@ -397,14 +399,15 @@ fn parting(frames: &[Frame], [mut a, mut b]: [usize; 2]) -> usize {
 impl Model {
     /// Adds the reactions of joint equations that are constraints; the reactions of dependent equations are redundant.
     /// In directions, values replace the coordinates that constraints fix.
-    pub(in crate::model) fn hold_joints(&mut self, holding: Vec<Holding>, fixed: &mut Substitution) {
-        for (name, mut reaction) in holding {
-            let solved = self.constraints.iter().any(|c| c.name == name);
+    pub(in crate::model) fn hold_joints(&mut self, holding: Vec<JointReaction>, fixed: &mut Substitution) {
+        for mut held in holding {
+            let reaction = &mut held.reaction;
             reaction.direction = reaction.direction.map(|e| fixed.apply(&mut self.arena, e));
-            if solved || self.motion_constraints.iter().any(|c| c.name == name) {
-                self.reactions.push(reaction);
+            let solved = self.constraints.iter().any(|c| c.name == held.equation);
+            if solved || self.motion_constraints.iter().any(|c| c.name == held.equation) {
+                self.reactions.push(held.reaction);
             } else {
-                self.redundant.push((name, reaction));
+                self.redundant.push(held);
             }
         }
     }

@@ -11,20 +11,30 @@
 //! as q̇ = W u + w. An equation between coordinates that cannot be solved for a coordinate restricts their rates by its
 //! time derivative.
 
-use super::configuration::Stated;
-use super::independent::{Candidate, Given, Independent};
+/// Definitions of all speeds, in terms of q and q̇.
+#[derive(Clone, Copy)]
+pub struct SpeedDefinitions<'s> {
+    /// Right sides of the definitions.
+    pub definitions: &'s [Expr],
+    /// True for each speed that a joint brings.
+    pub brought: &'s [bool],
+}
+
+use super::configuration::StatedConstraint;
+use super::independent::{Candidate, ConstrainedSystem, Independent};
 use crate::algebra::Expr;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::diagnostic::shown;
 use crate::model::bodies::elements::Elements;
 use crate::model::bodies::joints::Joints;
-use crate::model::bodies::motion::Moving;
+use crate::model::bodies::motion::MechanismMotion;
 use crate::model::physics::defaults;
 use crate::model::reading::names::{Kind, TIME};
 use crate::model::reading::reader::Loading;
 use crate::model::{
-    Branch, Coordinate, DependentConstraint, Loop, MotionConstraint, Parameter, Repeated, Rolled, Speed, Tie,
+    Branch, Coordinate, DependentConstraint, Loop, MotionConstraint, MotionConstraintKind, Parameter, Repeated, Rolled,
+    Speed,
 };
 use crate::read::Located;
 use std::ops::Range;
@@ -32,7 +42,7 @@ use toml::de::DeTable;
 
 /// Rolling of a body, as the model file states it.
 pub struct StatedRolling {
-    name: Located,
+    pub name: Located,
     body: usize,
     point: usize,
     against: Option<usize>,
@@ -48,11 +58,11 @@ pub struct Tied<'m> {
     pub joints: &'m Joints<'m>,
     pub parameters: &'m [Parameter],
     /// Equations between coordinates that were not solved for a coordinate.
-    pub kept: Vec<Stated>,
+    pub kept: Vec<StatedConstraint>,
     /// Equations between velocities that the model file states.
-    pub stated: Vec<Stated>,
+    pub stated: Vec<StatedConstraint>,
     /// Components of the velocities at which rolling bodies would slip, each as an equation.
-    pub rolling: Vec<(Stated, Rolled)>,
+    pub rolling: Vec<(StatedConstraint, Rolled)>,
 }
 
 /// Motion constraints, with their byte ranges in the model file, and the loops of which some are time derivatives.
@@ -111,12 +121,13 @@ impl<'a> Loading<'a> {
     /// Equations of rolling: three components of the velocity at which each rolling body would slip are zero.
     pub fn slips(
         &mut self,
-        moving: &mut Moving,
+        moving: &mut MechanismMotion,
         elements: &Elements,
         rolling: Vec<StatedRolling>,
-    ) -> Vec<(Stated, Rolled)> {
+    ) -> Vec<(StatedConstraint, Rolled)> {
         let mut list = Vec::new();
-        for StatedRolling { name, body, point, against, frame, is_stated } in rolling {
+        for (contact, rolling) in rolling.into_iter().enumerate() {
+            let StatedRolling { name, body, point, against, frame, is_stated } = rolling;
             let span = name.span.clone();
             let mut slip = moving.material(&mut self.arena, elements, body, point);
             if let Some(other) = against {
@@ -126,8 +137,9 @@ impl<'a> Loading<'a> {
             for axis in 0..3 {
                 let equation = moving.component(&mut self.arena, &slip, frame, axis);
                 let name = format!("{}_{}", name.text, axis + 1);
-                let stated = Stated { name, equation, enforced_by: None, span: span.clone(), may_repeat: true };
-                list.push((stated, Rolled { body, against, point, frame, axis, is_stated }));
+                let stated =
+                    StatedConstraint { name, equation, enforced_by: None, span: span.clone(), may_repeat: true };
+                list.push((stated, Rolled { contact, body, against, point, frame, axis, is_stated }));
             }
         }
         list
@@ -149,22 +161,22 @@ impl<'a> Loading<'a> {
         let rates: Vec<_> = coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         let mut d_dt = Differential::along(&rates);
         let mut simplifier = Simplifier::default();
-        for Stated { name, equation, enforced_by, span, may_repeat } in kept {
+        for StatedConstraint { name, equation, enforced_by, span, may_repeat } in kept {
             let rate = d_dt.apply(&mut self.arena, equation);
             let rate = simplifier.simplify(&mut self.arena, rate);
-            let tie = Tie::Loop(loops.len());
-            candidates.push(Candidate { name: name.clone(), equation: rate, tie, enforced_by, span, may_repeat });
+            let kind = MotionConstraintKind::Loop(loops.len());
+            candidates.push(Candidate { name: name.clone(), equation: rate, kind, enforced_by, span, may_repeat });
             let unit = self.unit_of_difference(equation);
             loops.push(Loop { name, equation, unit, prescribes: false });
         }
         let definitions: Vec<_> = speeds.iter().map(|(s, _)| (s.symbol, s.definition)).collect();
         let mut put = Substitution::new(&definitions);
-        let stated = stated.into_iter().map(|c| (c, Tie::Stated));
-        for (Stated { name, equation, enforced_by, span, may_repeat }, tie) in
-            stated.chain(rolling.into_iter().map(|(c, rolled)| (c, Tie::Rolling(rolled))))
+        let stated = stated.into_iter().map(|c| (c, MotionConstraintKind::Stated));
+        for (StatedConstraint { name, equation, enforced_by, span, may_repeat }, kind) in
+            stated.chain(rolling.into_iter().map(|(c, rolled)| (c, MotionConstraintKind::Rolling(rolled))))
         {
             let equation = put.apply(&mut self.arena, equation);
-            candidates.push(Candidate { name, equation, tie, enforced_by, span, may_repeat });
+            candidates.push(Candidate { name, equation, kind, enforced_by, span, may_repeat });
         }
         if let Some(time) = coordinates.iter().find(|c| c.name == TIME) {
             let equation = self.arena.sub(time.rate, Expr::ONE);
@@ -172,26 +184,32 @@ impl<'a> Loading<'a> {
             candidates.push(Candidate {
                 name,
                 equation,
-                tie: Tie::Clock,
+                kind: MotionConstraintKind::Clock,
                 enforced_by: None,
                 span: 0..0,
                 may_repeat: false,
             });
         }
         let known = defaults(parameters);
-        let given = Given { coordinates, elements, loops: &loops, defaults: &known };
+        let given = ConstrainedSystem { coordinates, elements, loops: &loops, defaults: &known };
         let Independent { mut motion, repeated, also } = self.independent(&given, candidates);
         if self.reader.errors.len() > before {
             return None;
         }
         // Constraints of loops come first.
-        let place = motion.iter().take_while(|(c, _)| matches!(c.tie, Tie::Loop(_))).count();
+        let place = motion.iter().take_while(|(c, _)| matches!(c.kind, MotionConstraintKind::Loop(_))).count();
         let also_at = place..place + also.len();
         motion.splice(place..place, also);
         let mut ties = Ties { motion, loops, repeated, ..Ties::default() };
         let brought: Vec<bool> = speeds.iter().map(|(speed, _)| joints.brings(speed)).collect();
         let speeds: Vec<Expr> = speeds.iter().map(|(speed, _)| speed.definition).collect();
-        self.when_closed(coordinates, (&speeds, &brought), (&known, also_at), &mut ties);
+        self.when_closed(
+            coordinates,
+            SpeedDefinitions { definitions: &speeds, brought: &brought },
+            &known,
+            also_at,
+            &mut ties,
+        );
         Some(ties)
     }
 

@@ -4,12 +4,12 @@
 //! motion along it: a slider carries no force along its own axis, even if a loop prevents it from sliding. So each such
 //! coordinate keeps the velocities at which frames turn and points move along it.
 
-use super::configuration::{Opened, Stated};
+use super::configuration::{Opened, StatedConstraint};
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::Turn;
 use crate::model::bodies::elements::Elements;
-use crate::model::{AddedVelocity, Opening};
+use crate::model::{AddedVelocity, Opening, Placement};
 
 /// Motions along the coordinates that equations of joints fix. `elements` and the `constraints` that were not solved
 /// still contain these coordinates; `replacements` are the values of all coordinates that constraints fix.
@@ -17,7 +17,7 @@ pub(in crate::model) fn openings(
     arena: &mut Arena,
     opened: &Opened,
     elements: &Elements,
-    constraints: &[&[Stated]],
+    constraints: &[&[StatedConstraint]],
     replacements: &[(Expr, Expr)],
 ) -> Vec<Opening> {
     let mut slopes = OpenSlopes {
@@ -52,7 +52,7 @@ pub(in crate::model) fn openings(
         }
     }
     for (at, point) in elements.points.iter().enumerate() {
-        let Some((_, _, place)) = point.position else { continue };
+        let Some(Placement { components: place, .. }) = point.position else { continue };
         for (axis, component) in place.into_iter().enumerate() {
             for (which, slope) in slopes.of(arena, component) {
                 own(&mut list[which].moves, at)[axis] = slope;

@@ -85,7 +85,8 @@ impl<'a> Loading<'a> {
     /// mechanism moves. Speeds that the model file states all stay.
     pub fn independent_speeds(
         &mut self,
-        (coordinates, fixed): (&[Coordinate], &[(Expr, Expr)]),
+        coordinates: &[Coordinate],
+        fixed: &[(Expr, Expr)],
         speeds: Vec<(Speed, Range<usize>)>,
         joints: &Joints<'_>,
         ties: &Ties,

@@ -9,7 +9,7 @@ use crate::algebra::Expr;
 use crate::model::bodies::inputs::formulas;
 use crate::model::reading::names::{Kind, TIME};
 use crate::model::reading::reader::Loading;
-use crate::model::{Coordinate, Model, Tie, Unit};
+use crate::model::{Coordinate, Model, MotionConstraintKind, Unit};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -88,7 +88,7 @@ impl Model {
     /// True if constraints tie the rates of coordinates; the constraint on time alone does not count.
     #[must_use]
     pub fn ties_rates(&self) -> bool {
-        self.motion_constraints.iter().any(|constraint| constraint.tie != Tie::Clock)
+        self.motion_constraints.iter().any(|constraint| constraint.kind != MotionConstraintKind::Clock)
     }
 
     /// True if constraints move the mechanism even where all speeds are zero. A constraint then states a velocity, or
@@ -96,15 +96,16 @@ impl Model {
     /// more than the work of loads.
     #[must_use]
     pub fn is_driven(&self) -> bool {
-        let states_velocity = |c: &crate::model::MotionConstraint| c.tie != Tie::Clock && c.drive != Expr::ZERO;
+        let states_velocity =
+            |c: &crate::model::MotionConstraint| c.kind != MotionConstraintKind::Clock && c.drive != Expr::ZERO;
         if self.motion_constraints.iter().any(states_velocity) {
             return true;
         }
         let Some(time) = self.time().map(|at| &self.coordinates[at]) else { return false };
         let turns = self.frames.iter().filter_map(|f| f.rotation.as_ref()).flat_map(|(_, turn)| turn.terms());
-        let places = self.points.iter().filter_map(|p| p.position.as_ref()).flat_map(|(_, _, position)| *position);
+        let places = self.points.iter().filter_map(|p| p.position).flat_map(|placement| placement.components);
         let geometry: Vec<Expr> = turns.chain(places).collect();
-        let ties = self.motion_constraints.iter().filter(|c| c.tie != Tie::Clock).map(|c| c.equation);
+        let ties = self.motion_constraints.iter().filter(|c| c.kind != MotionConstraintKind::Clock).map(|c| c.equation);
         self.arena.reachable(&geometry).contains(&time.symbol)
             || self.arena.reachable(&ties.collect::<Vec<_>>()).contains(&time.rate)
     }

@@ -1,6 +1,6 @@
 //! Turns of frames, as model files state them.
 
-use super::configuration::Stated;
+use super::configuration::StatedConstraint;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Expr, Function};
@@ -138,7 +138,7 @@ impl<'a> Loading<'a> {
 
     /// Constraints `FRAME_norm`: the Euler parameters of a frame have length 1. One for each frame that is turned by
     /// Euler parameters.
-    pub fn norms(&mut self, frames: &[Frame]) -> Vec<Stated> {
+    pub fn norms(&mut self, frames: &[Frame]) -> Vec<StatedConstraint> {
         let mut list = Vec::new();
         for frame in frames {
             let Some((_, turn @ Turn::Oriented(oriented))) = &frame.rotation else { continue };
@@ -151,7 +151,7 @@ impl<'a> Loading<'a> {
             let span = self.names.span(&frame.name).unwrap_or_default();
             let name = Located { text: format!("{}_norm", frame.name), span: span.clone(), exact: false };
             self.names.declare_brought(&mut self.reader, &name, Kind::Constraint);
-            list.push(Stated { name: name.text, equation, enforced_by: None, span, may_repeat: true });
+            list.push(StatedConstraint { name: name.text, equation, enforced_by: None, span, may_repeat: true });
         }
         list
     }

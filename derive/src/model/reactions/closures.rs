@@ -9,7 +9,7 @@
 
 use super::relative_motion::{Holder, Relative};
 use crate::algebra::Expr;
-use crate::model::{Place, Reaction, ReactionKind, Tie};
+use crate::model::{MotionConstraintKind, Place, Reaction, ReactionKind};
 
 /// A pair of bodies, or a body and the ground, that equations keep together at a point of each.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -20,8 +20,8 @@ struct Closing {
 }
 
 impl Relative<'_> {
-    /// Forces and torques that may act where equations keep points together, each after an empty string.
-    pub fn closings(&self, holders: &[(usize, Holder)]) -> Vec<(String, Reaction)> {
+    /// Forces and torques that may act where equations keep points together.
+    pub fn closings(&self, holders: &[(usize, Holder)]) -> Vec<Reaction> {
         let found: Vec<Closing> = self.model.reactions.iter().filter_map(|r| self.closing(r, holders)).collect();
         let mut list = Vec::new();
         for (at, closing) in found.iter().enumerate() {
@@ -39,8 +39,8 @@ impl Relative<'_> {
         let ReactionKind::Force { on, against } = reaction.kind else { return None };
         let by = against.map(|place| place.body);
         let pairs = [(Some(on.body), by), (by, Some(on.body))];
-        let rolls = self.model.motion_constraints.iter().any(|c| match c.tie {
-            Tie::Rolling(rolled) => pairs.contains(&(Some(rolled.body), rolled.against)),
+        let rolls = self.model.motion_constraints.iter().any(|c| match c.kind {
+            MotionConstraintKind::Rolling(rolled) => pairs.contains(&(Some(rolled.body), rolled.against)),
             _ => false,
         });
         let hangs = holders.iter().any(|(body, holder)| pairs.contains(&(Some(*body), *holder)));
@@ -54,12 +54,12 @@ impl Relative<'_> {
         })
     }
 
-    /// Reactions at a closing that do no work in any permitted motion, each after an empty string.
-    fn held_at(&self, closing: &Closing) -> Vec<(String, Reaction)> {
+    /// Reactions at a closing that do no work in any permitted motion.
+    fn held_at(&self, closing: &Closing) -> Vec<Reaction> {
         let &Closing { on, against, frame } = closing;
         let (body, holder, space) = (on.body, against.map(|place| place.body), self.drawn.space);
         let force = ReactionKind::Force { on, against };
-        let slips = self.slips(body, holder, (on.point, against.map_or(on.point, |place| place.point)));
+        let slips = self.slips(body, holder, on.point, against.map_or(on.point, |place| place.point));
         let mut kinds = vec![("force", force, slips)];
         if self.is_rigid(Some(body)) && self.is_rigid(holder) {
             kinds.push(("torque", ReactionKind::Torque { on: body, against: holder }, self.turns(body, holder)));
@@ -73,7 +73,7 @@ impl Relative<'_> {
                     let mut direction = [Expr::ZERO; 3];
                     direction[axis] = Expr::ONE;
                     let symbol = Expr::ONE;
-                    let reaction = Reaction {
+                    list.push(Reaction {
                         name,
                         symbol,
                         kind,
@@ -82,8 +82,7 @@ impl Relative<'_> {
                         is_stated: false,
                         is_shared: false,
                         law: None,
-                    };
-                    list.push((String::new(), reaction));
+                    });
                 }
             }
         }

@@ -27,13 +27,18 @@ use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::{Expr, Function};
 use crate::geometry::Frames;
 use crate::model::{Model, Reaction, ReactionKind};
-use search::{Along, Found, Search};
+use search::{FoundReaction, ReactionDirection, Search};
 
 /// Largest number of Newton–Euler equations for which reactions are found. In larger systems the model file must name
 /// them.
 pub(in crate::model) const MOST_EQUATIONS: usize = 72;
 /// Most characters of the name of a found reaction, without its number.
 const MAX_LENGTH: usize = 56;
+
+/// Beginning of the name of every reaction on a body that is found; `what` is `force` or `torque`.
+pub fn found_prefix(body: &str, what: &str) -> String {
+    format!("{body}_{what}_")
+}
 
 impl Model {
     /// Reactions that the model file names. They come first in [`Self::reactions`].
@@ -72,22 +77,22 @@ impl Model {
     }
 
     /// Adds a reaction that was found, under a name that no other quantity has.
-    fn name_reaction(&mut self, Found { kind, along, is_shared, law }: Found) {
+    fn name_reaction(&mut self, FoundReaction { kind, along, is_shared, law }: FoundReaction) {
         let (what, body) = match kind {
             ReactionKind::Force { on, .. } => ("force", on.body),
             ReactionKind::Torque { on, .. } => ("torque", on),
         };
         let (frame, direction, along) = match along {
-            Along::Axis(frame, axis) => {
+            ReactionDirection::Axis(frame, axis) => {
                 let mut direction = [Expr::ZERO; 3];
                 direction[axis] = Expr::ONE;
                 (frame, direction, format!("{}{}", self.frames[frame].name.to_lowercase(), axis + 1))
             }
-            Along::Line(from, to) => {
+            ReactionDirection::Line(from, to) => {
                 (0, self.unit_along(from, to), format!("to_{}", self.points[to].name.to_lowercase()))
             }
         };
-        let mut wanted = format!("{}_{what}_{along}", self.bodies[body].name);
+        let mut wanted = found_prefix(&self.bodies[body].name, what) + &along;
         wanted.truncate(MAX_LENGTH);
         let mut name = wanted.clone();
         let mut times = 1;

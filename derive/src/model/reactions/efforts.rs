@@ -124,7 +124,7 @@ impl Model {
         let mut material = |arena: &mut Arena, Place { body, point }: Place| {
             let body = &self.bodies[body];
             match &body.rigid {
-                Some((frame, _)) => motion.of_material(arena, frames, (*frame, body.centre), point),
+                Some((frame, _)) => motion.of_material(arena, frames, *frame, body.centre, point),
                 None => motion.linear[body.centre].clone(),
             }
         };

@@ -4,7 +4,7 @@
 //! symbol stands for the component, since reactions that nobody named are found last. Then the sum replaces the symbol,
 //! so that only the reading of files knows of the name.
 
-use super::connections::MOST_EQUATIONS;
+use super::connections::{MOST_EQUATIONS, found_prefix};
 use super::relative_motion::{Holder, sides};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::Substitution;
@@ -13,7 +13,7 @@ use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::geometry::{Frames, Vector};
 use crate::model::units::Unit;
-use crate::model::{Hung, Model, Place, Reaction, ReactionKind};
+use crate::model::{CarriedBody, Model, Place, Placement, Reaction, ReactionKind};
 use crate::read::Located;
 use std::ops::Range;
 
@@ -76,16 +76,32 @@ impl StatedInteraction {
     }
 }
 
+/// Direction of a reaction, seen from the wanted force or torque between two bodies.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Sense {
+    /// The reaction acts on the same body as the wanted force or torque.
+    Along,
+    /// The opposite of the reaction acts on that body.
+    Against,
+}
+
+/// Reaction between the two bodies of a wanted force or torque.
+#[derive(Clone)]
+struct Acting {
+    reaction: Reaction,
+    sense: Sense,
+}
+
 impl Interaction {
-    /// True if a reaction is part of this force or torque with a positive sign, false if with a negative sign. `None`
-    /// if it is no part.
-    fn sign(&self, reaction: &Reaction) -> Option<bool> {
+    /// A reaction as a part of this force or torque; `None` if it is no part.
+    fn part(&self, reaction: &Reaction) -> Option<Acting> {
         let (on, against) = sides(reaction.kind);
-        match (Some(on), against) {
-            pair if pair == (self.on, self.by) => Some(true),
-            pair if pair == (self.by, self.on) => Some(false),
-            _ => None,
-        }
+        let sense = match (Some(on), against) {
+            pair if pair == (self.on, self.by) => Sense::Along,
+            pair if pair == (self.by, self.on) => Sense::Against,
+            _ => return None,
+        };
+        Some(Acting { reaction: reaction.clone(), sense })
     }
 }
 
@@ -97,11 +113,10 @@ impl Model {
     /// point of a torque is open, or equilibrium does not determine the component.
     pub fn interaction(&mut self, stated: &StatedInteraction) -> Result<Expr, Diagnostic> {
         let mut sought = self.found_interaction(stated)?;
-        let acting: Vec<(Reaction, bool)> =
-            self.reactions.iter().filter_map(|r| Some((r.clone(), sought.sign(r)?))).collect();
+        let acting: Vec<Acting> = self.reactions.iter().filter_map(|r| sought.part(r)).collect();
         // A joint that holds only what is held otherwise connects the bodies too.
-        let again = self.redundant.iter().filter_map(|(_, r)| Some((r.clone(), sought.sign(r)?)));
-        let joined: Vec<(Reaction, bool)> = acting.iter().cloned().chain(again).collect();
+        let again = self.redundant.iter().filter_map(|r| sought.part(&r.reaction));
+        let joined: Vec<Acting> = acting.iter().cloned().chain(again).collect();
         if joined.is_empty() {
             return Err(self.nothing_acts(stated));
         }
@@ -118,19 +133,19 @@ impl Model {
     }
 
     /// Component of the sum of reactions, with the moments of forces about the point `sought.about`.
-    fn sum_of(&self, arena: &mut Arena, sought: Interaction, acting: &[(Reaction, bool)]) -> Expr {
+    fn sum_of(&self, arena: &mut Arena, sought: Interaction, acting: &[Acting]) -> Expr {
         let mut frames = Frames::new(&self.frames);
         let mut sum = Vector::default();
-        for (reaction, is_along) in acting {
+        for Acting { reaction, sense } in acting {
             let mut vector = Vector::in_frame(reaction.frame, reaction.direction).scale(arena, reaction.symbol);
-            if !is_along {
+            if *sense == Sense::Against {
                 vector = vector.neg(arena);
             }
             let part = match (reaction.kind, sought.about) {
                 (ReactionKind::Force { .. }, _) if !sought.is_torque => vector,
                 (ReactionKind::Torque { .. }, _) if sought.is_torque => vector,
                 (ReactionKind::Force { on, against }, Some(about)) => {
-                    let point = felt_at(on, against, *is_along);
+                    let point = felt_at(on, against, *sense);
                     let back = self.position(arena, about).neg(arena);
                     let arm = self.position(arena, point).add(arena, &back);
                     frames.cross(arena, &arm, &vector)
@@ -146,7 +161,7 @@ impl Model {
     /// Position of a point relative to the origin.
     pub(in crate::model) fn position(&self, arena: &mut Arena, point: usize) -> Vector {
         let (mut at, mut sum) = (point, Vector::default());
-        while let Some((parent, frame, components)) = self.points[at].position {
+        while let Some(Placement { parent, frame, components }) = self.points[at].position {
             sum = sum.add(arena, &Vector::in_frame(frame, components));
             at = parent;
         }
@@ -159,22 +174,22 @@ impl Model {
         &self,
         stated: &StatedInteraction,
         sought: Interaction,
-        acting: &[(Reaction, bool)],
+        acting: &[Acting],
     ) -> Result<Option<usize>, Diagnostic> {
         if sought.about.is_some() {
             return Ok(sought.about);
         }
-        let joins = |hung: &&Hung| {
-            let pair = (Some(hung.body), hung.on);
+        let joins = |carried: &&CarriedBody| {
+            let pair = (Some(carried.body), carried.on);
             pair == (sought.on, sought.by) || pair == (sought.by, sought.on)
         };
-        if let Some(joint) = self.hung.iter().find(joins) {
+        if let Some(joint) = self.carried.iter().find(joins) {
             return Ok(Some(joint.point));
         }
         let mut points = Vec::new();
-        for (reaction, is_along) in acting {
+        for Acting { reaction, sense } in acting {
             if let ReactionKind::Force { on, against } = reaction.kind {
-                let point = felt_at(on, against, *is_along);
+                let point = felt_at(on, against, *sense);
                 if !points.contains(&point) {
                     points.push(point);
                 }
@@ -257,9 +272,9 @@ impl Model {
     }
 }
 
-/// Index of the point at which a force acts, or, if `is_along` is false, at which its opposite acts.
-fn felt_at(on: Place, against: Option<Place>, is_along: bool) -> usize {
-    against.filter(|_| !is_along).unwrap_or(on).point
+/// Index of the point at which a force acts, or, against it, at which its opposite acts.
+fn felt_at(on: Place, against: Option<Place>, sense: Sense) -> usize {
+    against.filter(|_| sense == Sense::Against).unwrap_or(on).point
 }
 
 /// A reaction that a condition of the domain names, by the reaction's own name or by two bodies.
@@ -311,8 +326,9 @@ impl Model {
         let redundant = self
             .redundant
             .iter()
-            .filter(|(_, r)| self.domain.iter().any(|c| self.arena.mentions(c.positive, r.symbol)));
-        errors.extend(redundant.map(|(_, r)| {
+            .map(|redundant| &redundant.reaction)
+            .filter(|r| self.domain.iter().any(|c| self.arena.mentions(c.positive, r.symbol)));
+        errors.extend(redundant.map(|r| {
             let place = self.declared.get(&r.name).cloned().unwrap_or_default();
             let (message, help) = is_redundant(&r.name);
             Diagnostic::new(place, message, help)
@@ -342,15 +358,8 @@ pub fn is_redundant(name: &str) -> (String, &'static str) {
 /// Unit of a reaction that may be found under a name such as `BODY_force_…` or `BODY_torque_…`; `None` for other names.
 pub fn may_be_found<'n>(name: &str, mut bodies: impl Iterator<Item = &'n str>) -> Option<Unit> {
     let is_of = |body: &str| {
-        let rest = name.strip_prefix(body)?;
-        let starts = |what: &str| rest.starts_with(what);
-        if starts("_force_") {
-            Some(Unit::new(1, 1, -2))
-        } else if starts("_torque_") {
-            Some(Unit::new(2, 1, -2))
-        } else {
-            None
-        }
+        let kinds = [("force", Unit::new(1, 1, -2)), ("torque", Unit::new(2, 1, -2))];
+        kinds.into_iter().find(|(what, _)| name.starts_with(&found_prefix(body, what)))
     };
-    bodies.find_map(is_of)
+    bodies.find_map(is_of).map(|(_, unit)| unit)
 }

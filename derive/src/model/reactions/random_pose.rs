@@ -10,7 +10,7 @@ use crate::algebra::value::field::Field;
 use crate::algebra::value::points::Drawn;
 use crate::algebra::{Arena, Expr, Function, Rational};
 use crate::geometry::Turn;
-use crate::model::{AddedVelocity, Model};
+use crate::model::{AddedVelocity, Model, Placement};
 use std::collections::BTreeMap;
 
 /// Residues of three components of a vector, along inertial axes if nothing else is said.
@@ -73,7 +73,7 @@ impl Residues {
 /// A frame in a random pose: axes, angular velocity along each q̇ and then along each of [`Model::openings`], in total,
 /// and angular acceleration.
 #[derive(Clone)]
-pub struct Turned {
+pub struct DrawnFrame {
     pub axes: [Triple; 3],
     pub along: Vec<Triple>,
     pub velocity: Triple,
@@ -83,7 +83,7 @@ pub struct Turned {
 /// A point in a random pose: position, velocity along each q̇ and then along each of [`Model::openings`], in total, and
 /// acceleration.
 #[derive(Clone)]
-pub struct Moved {
+pub struct DrawnPoint {
     pub place: Triple,
     pub along: Vec<Triple>,
     pub velocity: Triple,
@@ -93,8 +93,8 @@ pub struct Moved {
 /// A model in a random pose and motion, in residues modulo a prime.
 pub struct DrawnModel {
     pub space: Space,
-    pub frames: Vec<Turned>,
-    pub points: Vec<Moved>,
+    pub frames: Vec<DrawnFrame>,
+    pub points: Vec<DrawnPoint>,
     /// Slopes ∂q̇/∂u: a row for each coordinate, a column for each speed.
     pub partial_rates: Vec<Vec<u64>>,
     drawn: Drawn,
@@ -111,7 +111,7 @@ struct Followed {
 
 /// Residues of the terms of a `Followed` quantity.
 #[derive(Clone, Default)]
-struct Values {
+struct FollowedResidues {
     value: u64,
     slopes: Vec<(usize, u64)>,
     rate: u64,
@@ -123,9 +123,14 @@ impl Followed {
         [self.value, self.rate, self.second].into_iter().chain(self.slopes.iter().map(|(_, slope)| *slope))
     }
 
-    fn read(&self, residues: &mut Residues) -> Values {
+    fn read(&self, residues: &mut Residues) -> FollowedResidues {
         let [value, rate, second] = residues.triple();
-        Values { value, rate, second, slopes: self.slopes.iter().map(|(at, _)| (*at, residues.one())).collect() }
+        FollowedResidues {
+            value,
+            rate,
+            second,
+            slopes: self.slopes.iter().map(|(at, _)| (*at, residues.one())).collect(),
+        }
     }
 }
 
@@ -224,8 +229,7 @@ impl DrawnModel {
             .iter()
             .enumerate()
             .map(|(at, point)| {
-                let (_, _, position) = point.position?;
-                let components = position.into_iter().enumerate();
+                let components = point.position?.components.into_iter().enumerate();
                 let mut place = components.map(|(axis, e)| (axis, follower.follow(arena, e))).collect::<Vec<_>>();
                 let openings: Vec<_> = model.openings.iter().map(|opening| added(&opening.moves, at)).collect();
                 Follower::open(&mut place, first, &openings);
@@ -248,25 +252,25 @@ impl DrawnModel {
         let space = Space(drawn.field());
         let (n, p) = (model.coordinates.len(), model.speeds.len());
         let all = n + model.openings.len();
-        let mut frames: Vec<Turned> = Vec::new();
+        let mut frames: Vec<DrawnFrame> = Vec::new();
         for (frame, turning) in model.frames.iter().zip(&turns) {
             let (Some((parent, turn)), Some(turning)) = (&frame.rotation, turning) else {
-                frames.push(Turned::still(all));
+                frames.push(DrawnFrame::still(all));
                 continue;
             };
-            let before: &Turned = &frames[*parent];
+            let before: &DrawnFrame = &frames[*parent];
             let axes = match turn {
                 Turn::About(axis, _) => before.about(space, *axis, [residues.one(), residues.one()]),
                 Turn::Oriented(_) => [0, 1, 2].map(|_| space.along(&before.axes, residues.triple())),
             };
-            let spins: Vec<(usize, Values)> =
+            let spins: Vec<(usize, FollowedResidues)> =
                 turning.spins.iter().map(|(axis, followed)| (*axis, followed.read(&mut residues))).collect();
             frames.push(before.turned(space, axes, &spins));
         }
-        let mut points: Vec<Moved> = Vec::new();
+        let mut points: Vec<DrawnPoint> = Vec::new();
         for (point, place) in model.points.iter().zip(&places) {
-            let (Some((parent, frame, _)), Some(followed)) = (point.position, place) else {
-                points.push(Moved::still(all));
+            let (Some(Placement { parent, frame, .. }), Some(followed)) = (point.position, place) else {
+                points.push(DrawnPoint::still(all));
                 continue;
             };
             let place = [0, 1, 2].map(|i: usize| followed[i].1.read(&mut residues));
@@ -314,7 +318,7 @@ impl DrawnModel {
     }
 }
 
-impl Turned {
+impl DrawnFrame {
     fn still(n: usize) -> Self {
         let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
         Self { axes, along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
@@ -330,7 +334,7 @@ impl Turned {
     }
 
     /// A frame turned from this frame to these axes, given the components of the angular velocity that the turn adds.
-    fn turned(&self, space: Space, axes: [Triple; 3], spins: &[(usize, Values)]) -> Self {
+    fn turned(&self, space: Space, axes: [Triple; 3], spins: &[(usize, FollowedResidues)]) -> Self {
         let mut along = self.along.clone();
         let (mut spin, mut second) = ([0; 3], [0; 3]);
         for (axis, values) in spins {
@@ -347,14 +351,15 @@ impl Turned {
     }
 }
 
-impl Moved {
+impl DrawnPoint {
     fn still(n: usize) -> Self {
         Self { place: [0; 3], along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
     }
 
     /// A point placed from this point in a frame, given the components of its position.
-    fn moved(&self, space: Space, frame: &Turned, place: &[Values; 3]) -> Self {
-        let of = |part: fn(&Values) -> u64| space.along(&frame.axes, [0, 1, 2].map(|i: usize| part(&place[i])));
+    fn moved(&self, space: Space, frame: &DrawnFrame, place: &[FollowedResidues; 3]) -> Self {
+        let of =
+            |part: fn(&FollowedResidues) -> u64| space.along(&frame.axes, [0, 1, 2].map(|i: usize| part(&place[i])));
         let (arm, slip, second) = (of(|v| v.value), of(|v| v.rate), of(|v| v.second));
         let mut along: Vec<Triple> =
             self.along.iter().zip(&frame.along).map(|(v, turn)| space.add(*v, space.cross(*turn, arm))).collect();

@@ -4,7 +4,7 @@ use super::random_pose::{DrawnModel, Triple};
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::value::rank::Basis;
 use crate::algebra::{Arena, Expr};
-use crate::model::{Model, MotionConstraint, ReactionKind, Tie};
+use crate::model::{Model, MotionConstraint, MotionConstraintKind, ReactionKind};
 
 /// Index of a body on which another body rests; `None` is the ground.
 pub type Holder = Option<usize>;
@@ -29,10 +29,10 @@ pub struct Relative<'m> {
 impl Model {
     /// Indices of the coordinates whose rates are zero neither by time nor by a prescribed motion, if all else is open.
     pub(crate) fn undriven(&self) -> Vec<usize> {
-        let drives = |constraint: &&MotionConstraint| match constraint.tie {
-            Tie::Loop(at) => self.loops[at].prescribes,
-            Tie::Clock => true,
-            Tie::Rolling(_) | Tie::Stated => false,
+        let drives = |constraint: &&MotionConstraint| match constraint.kind {
+            MotionConstraintKind::Loop(at) => self.loops[at].prescribes,
+            MotionConstraintKind::Clock => true,
+            MotionConstraintKind::Rolling(_) | MotionConstraintKind::Stated => false,
         };
         let is_driven =
             |rate: Expr| self.motion_constraints.iter().filter(drives).any(|c| self.arena.mentions(c.equation, rate));
@@ -176,7 +176,7 @@ impl Relative<'_> {
 
     /// Velocities of a body's material at a point relative to its holder's material at another point, one for each
     /// speed.
-    pub fn slips(&self, body: usize, holder: Holder, (point, opposite): (usize, usize)) -> Vec<Triple> {
+    pub fn slips(&self, body: usize, holder: Holder, point: usize, opposite: usize) -> Vec<Triple> {
         let space = self.drawn.space;
         self.permitted(|along| {
             space.sub(self.material(Some(body), point, along), self.material(holder, opposite, along))

@@ -16,7 +16,7 @@ use crate::algebra::term::calculus::{Differential, Gradient};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Frames, Motion, Vector};
 use crate::model::physics::{defaults, values_at};
-use crate::model::{Model, Place, Reaction, ReactionKind, Rolled};
+use crate::model::{JointReaction, Model, Place, Reaction, ReactionKind, Rolled};
 use nalgebra::{DMatrix, DVector, Vector3};
 
 /// Residual, over its length, up to which a column depends on other columns; these are projected out of it.
@@ -47,6 +47,25 @@ struct SelfStress {
     reach: f64,
 }
 
+/// Connection that holds a direction.
+enum HeldBy {
+    /// Joint with this name.
+    Joint(String),
+    /// Contact with this name, where a body rolls.
+    Contact(String),
+    /// Reaction that the model file names.
+    Connection,
+}
+
+/// Reaction along a direction that is held otherwise as well.
+struct HeldAgain {
+    /// Name of the equation of the joint or contact, or of the reaction that the model file names.
+    name: String,
+    by: HeldBy,
+    /// Reaction of size 1.
+    reaction: Reaction,
+}
+
 impl Model {
     /// Message and advice if equilibrium does not determine the wanted component; `None` if it does.
     pub(in crate::model) fn undetermined(&self, sought: &Interaction, text: &str) -> Option<(String, String)> {
@@ -62,9 +81,10 @@ impl Model {
         if repeated.is_empty() {
             return self.undetermined_by_equations(&relative?, &holders?, sought, text);
         }
-        let (Some(pose), Some(holders)) = (self.closed_pose(&repeated), holders) else {
-            let held = repeated.iter().filter(|(_, reaction)| !reaction.is_stated);
-            let names: Vec<String> = held.map(|(name, _)| format!("`{name}`")).collect();
+        let reactions: Vec<Reaction> = repeated.iter().map(|held| held.reaction.clone()).collect();
+        let (Some(pose), Some(holders)) = (self.closed_pose(&reactions), holders) else {
+            let held = repeated.iter().filter(|held| !held.reaction.is_stated);
+            let names: Vec<String> = held.map(|held| format!("`{}`", held.name)).collect();
             if names.is_empty() {
                 return None;
             }
@@ -79,10 +99,10 @@ impl Model {
             ));
         };
         let first = self.reactions.len();
-        let twice = repeated.iter().enumerate().find_map(|(at, (name, reaction))| {
-            let stress = self.self_stress(&pose, (first + at, reaction), &holders)?;
+        let twice = repeated.iter().enumerate().find_map(|(at, held)| {
+            let stress = self.self_stress(&pose, first + at, &held.reaction, &holders)?;
             let share = stress.share(&pose, sought)?;
-            Some(self.words(text, (name, reaction), share, &stress, sought.is_torque))
+            Some(self.words(text, sought, held, share, &stress))
         });
         twice.or_else(|| self.undetermined_by_equations(&relative?, &holders, sought, text))
     }
@@ -103,8 +123,8 @@ impl Model {
         // If no closed pose is known, any pose shows the components that a plane mechanism leaves undetermined.
         let pose = self.closed_pose(&closings).or_else(|| self.any_pose(&closings))?;
         let first = self.reactions.len();
-        closings.iter().enumerate().find_map(|(at, (_, reaction))| {
-            let stress = self.self_stress(&pose, (first + at, reaction), holders)?;
+        closings.iter().enumerate().find_map(|(at, reaction)| {
+            let stress = self.self_stress(&pose, first + at, reaction, holders)?;
             let share = stress.share(&pose, sought)?;
             let unit = |is_torque: bool| if is_torque { "N m" } else { "N" };
             let (on, by) = sides(reaction.kind);
@@ -127,21 +147,20 @@ impl Model {
     /// and reactions that the file names. Examples are the ground that presses on one of two wheels, and a gear that
     /// presses on another along the line of their pinned centres. If a body's own holder holds a direction twice, both
     /// count as one force of the holder.
-    fn held_again(&self, holders: &[(usize, Holder)]) -> Vec<(String, Reaction)> {
+    fn held_again(&self, holders: &[(usize, Holder)]) -> Vec<HeldAgain> {
         let contacts = self.repeated.iter().filter_map(|r| Some((r.name.clone(), r.rolled?)));
         let contacts = contacts.filter(|(_, rolled)| {
             let ways = [(Some(rolled.body), rolled.against), (rolled.against, Some(rolled.body))];
             !holders.iter().any(|(body, holder)| ways.contains(&(Some(*body), *holder)))
         });
-        let contacts = contacts.map(|(name, Rolled { body, against, point, frame, axis, .. })| {
+        let contacts = contacts.map(|(name, Rolled { contact, body, against, point, frame, axis, .. })| {
             let (on, against) = (Place { body, point }, against.map(|body| Place { body, point }));
             let kind = ReactionKind::Force { on, against };
             let (label, symbol) = (format!("{name}_force"), Expr::ONE);
             let direction = unit(axis);
-            (
-                name,
-                Reaction { name: label, symbol, kind, frame, direction, is_stated: false, is_shared: false, law: None },
-            )
+            let reaction =
+                Reaction { name: label, symbol, kind, frame, direction, is_stated: false, is_shared: false, law: None };
+            HeldAgain { name, by: HeldBy::Contact(self.contacts.rolling[contact].clone()), reaction }
         });
         // A reaction that the file names between bodies that do not rest on one another may be held by their holders.
         let named = self.stated_reactions().iter().filter(|reaction| {
@@ -149,24 +168,32 @@ impl Model {
             let ways = [(Some(on), by), (by, Some(on))];
             !holders.iter().any(|(body, holder)| ways.contains(&(Some(*body), *holder)))
         });
-        let named = named.map(|reaction| (reaction.name.clone(), reaction.clone()));
-        self.redundant.iter().cloned().chain(contacts).chain(named).collect()
+        let named = named.map(|reaction| HeldAgain {
+            name: reaction.name.clone(),
+            by: HeldBy::Connection,
+            reaction: reaction.clone(),
+        });
+        let joints = self.redundant.iter().map(|held| {
+            let JointReaction { joint, equation, reaction } = held.clone();
+            HeldAgain { name: equation, by: HeldBy::Joint(joint), reaction }
+        });
+        joints.chain(contacts).chain(named).collect()
     }
 
+    /// Message and advice for the wanted component, to which each unit of a reaction adds `share`.
     fn words(
         &self,
         text: &str,
-        (name, reaction): (&str, &Reaction),
+        sought: &Interaction,
+        held: &HeldAgain,
         share: f64,
         stress: &SelfStress,
-        is_torque: bool,
     ) -> (String, String) {
-        let is_contact = self.repeated.iter().any(|r| r.rolled.is_some() && r.name == name);
-        let is_named = reaction.is_stated;
-        let what = match (is_contact, is_named) {
-            (true, _) => "contacts hold",
-            (_, true) => "connections hold",
-            _ => "the joints hold",
+        let HeldAgain { name, by, reaction } = held;
+        let what = match by {
+            HeldBy::Contact(_) => "contacts hold",
+            HeldBy::Connection => "connections hold",
+            HeldBy::Joint(_) => "the joints hold",
         };
         let unit = |is_torque: bool| if is_torque { "N m" } else { "N" };
         let is_free_torque = matches!(reaction.kind, ReactionKind::Torque { .. });
@@ -182,25 +209,22 @@ impl Model {
             unit(is_free_torque),
             reaction.name,
             rounded(share),
-            unit(is_torque),
+            unit(sought.is_torque),
             way.join(", ")
         );
-        let joint = name.rsplit_once('_').map_or(name, |(joint, _)| joint);
-        let free = if is_contact {
-            format!("let something give way where `{joint}` rolls")
-        } else if is_named {
-            "name under [reactions] all that holds these bodies".to_owned()
-        } else {
-            format!(
+        let free = match by {
+            HeldBy::Contact(contact) => format!("let something give way where `{contact}` rolls"),
+            HeldBy::Connection => "name under [reactions] all that holds these bodies".to_owned(),
+            HeldBy::Joint(joint) => format!(
                 "let the joint `{joint}`, or another of the loop, leave that free (a ball or a cylinder instead of a pin)"
-            )
+            ),
         };
         (message, format!("{free}, or ask for a component that is determined"))
     }
 
     /// Pose in which independence of constraints was decided, with the reactions that act there; `None` if no closed
     /// pose is known.
-    fn closed_pose(&self, repeated: &[(String, Reaction)]) -> Option<Pose> {
+    fn closed_pose(&self, repeated: &[Reaction]) -> Option<Pose> {
         match &self.branch {
             Some(branch) => self.pose(repeated, branch.pose.clone(), 0),
             // If nothing has to be closed, any pose and any values will do.
@@ -210,7 +234,7 @@ impl Model {
     }
 
     /// A pose in which all required terms have values; `None` if none is found.
-    fn any_pose(&self, repeated: &[(String, Reaction)]) -> Option<Pose> {
+    fn any_pose(&self, repeated: &[Reaction]) -> Option<Pose> {
         (0..MOST_POSES).find_map(|at| {
             let first = at * (self.coordinates.len() + self.parameters.len());
             self.pose(repeated, (first..).take(self.coordinates.len()).map(scattered).collect(), first)
@@ -219,7 +243,7 @@ impl Model {
 
     /// Evaluates frames, points and reactions in a pose. Parameters without a default value are drawn, from index
     /// `first` on. `None` if a value does not exist.
-    fn pose(&self, repeated: &[(String, Reaction)], pose: Vec<f64>, first: usize) -> Option<Pose> {
+    fn pose(&self, repeated: &[Reaction], pose: Vec<f64>, first: usize) -> Option<Pose> {
         let mut known = defaults(&self.parameters);
         if self.branch.is_none() {
             let open = self.parameters.iter().map(|p| p.symbol).filter(|symbol| known.iter().all(|(s, _)| s != symbol));
@@ -244,7 +268,7 @@ impl Model {
         let mut d_dt = Differential::along(&rates);
         let motion = Motion::new(&mut arena, &mut frames, &self.frames, &self.points, &mut d_dt);
         let mut along = Gradient::new(&self.q_dot());
-        let all: Vec<&Reaction> = self.reactions.iter().chain(repeated.iter().map(|(_, r)| r)).collect();
+        let all: Vec<&Reaction> = self.reactions.iter().chain(repeated).collect();
         for reaction in &all {
             let direction = Vector::in_frame(reaction.frame, reaction.direction);
             wanted.extend(frames.express(&mut arena, &direction, 0));
@@ -284,7 +308,7 @@ impl Model {
 
     /// Work of a reaction of size 1 along q̇, then the forces and moments that it hands on to idle contacts, which must
     /// be zero.
-    fn effect(&self, pose: &Pose, (at, reaction): (usize, &Reaction), holders: &[(usize, Holder)]) -> DVector<f64> {
+    fn effect(&self, pose: &Pose, at: usize, reaction: &Reaction, holders: &[(usize, Holder)]) -> DVector<f64> {
         let (direction, work) = &pose.acting[at];
         let mut on_bodies = vec![(Vector3::zeros(), Vector3::zeros()); self.bodies.len()];
         put_on(&mut on_bodies, reaction, wrench_of(pose, reaction, *direction));
@@ -301,11 +325,12 @@ impl Model {
     fn self_stress(
         &self,
         pose: &Pose,
-        (redundant, its_reaction): (usize, &Reaction),
+        redundant: usize,
+        its_reaction: &Reaction,
         holders: &[(usize, Holder)],
     ) -> Option<SelfStress> {
         let all = self.reactions.len();
-        let effect = |at: usize, reaction: &Reaction| self.effect(pose, (at, reaction), holders);
+        let effect = |at: usize, reaction: &Reaction| self.effect(pose, at, reaction, holders);
         let work = &effect(redundant, its_reaction);
         let columns: Vec<DVector<f64>> = self.reactions.iter().enumerate().map(|(at, r)| effect(at, r)).collect();
         let matrix = DMatrix::from_fn(work.len(), all, |row, column| columns[column][row]);

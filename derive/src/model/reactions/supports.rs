@@ -11,7 +11,7 @@
 
 use super::relative_motion::{Holder, Relative};
 use crate::algebra::text::parse::VelocityOf;
-use crate::model::{Compared, Rolled, Tie};
+use crate::model::{Compared, MotionConstraintKind, Placement, Rolled};
 use std::cmp::{Ordering, Reverse};
 
 /// Reason why a body may rest on another, the strongest reason first.
@@ -31,7 +31,7 @@ pub enum Reason {
 
 /// A body, its holder, and the reason why it rests there.
 #[derive(Clone, Copy, Debug)]
-pub struct Rest {
+pub struct Support {
     pub body: usize,
     pub holder: Holder,
     pub reason: Reason,
@@ -39,36 +39,36 @@ pub struct Rest {
 
 impl Relative<'_> {
     /// Each body with its holder, outermost bodies first: bodies that rest on a body come before that body.
-    pub fn rests(&self) -> Vec<Rest> {
+    pub fn supports(&self) -> Vec<Support> {
         let count = self.model.bodies.len();
         let free = self.freedoms();
         let touches = self.touches(&free);
         let mut order: Vec<usize> = (0..count).collect();
         order.sort_by_key(|body| (free[*body], *body));
-        let mut found: Vec<Rest> = Vec::with_capacity(count);
+        let mut found: Vec<Support> = Vec::with_capacity(count);
         for body in &order {
-            found.push(self.rest(*body, &free, &touches, &found));
+            found.push(self.support(*body, &free, &touches, &found));
         }
-        found.sort_by_key(|rest| Reverse((free[rest.body], rest.body)));
+        found.sort_by_key(|support| Reverse((free[support.body], support.body)));
         let mut list = Vec::with_capacity(count);
         while !found.is_empty() {
             // The next body on which nothing rests any more.
-            let is_free = |rest: &Rest| found.iter().all(|other| other.holder != Some(rest.body));
+            let is_free = |support: &Support| found.iter().all(|other| other.holder != Some(support.body));
             let next = found.iter().position(is_free).unwrap_or(0);
             list.push(found.remove(next));
         }
         list
     }
 
-    /// Each body with its holder, in the order of [`Self::rests`].
+    /// Each body with its holder, in the order of [`Self::supports`].
     pub fn holders(&self) -> Vec<(usize, Holder)> {
-        self.rests().into_iter().map(|rest| (rest.body, rest.holder)).collect()
+        self.supports().into_iter().map(|support| (support.body, support.holder)).collect()
     }
 
     /// Finds the body, or the ground, on which a body rests. `found` are the bodies whose holder is known.
-    fn rest(&self, body: usize, free: &[usize], touches: &[(usize, Holder)], found: &[Rest]) -> Rest {
-        if let Some(hung) = self.model.hung.iter().find(|hung| hung.body == body) {
-            return Rest { body, holder: hung.on, reason: Reason::Joint };
+    fn support(&self, body: usize, free: &[usize], touches: &[(usize, Holder)], found: &[Support]) -> Support {
+        if let Some(carried) = self.model.carried.iter().find(|carried| carried.body == body) {
+            return Support { body, holder: carried.on, reason: Reason::Joint };
         }
         let reason = |holder: Holder| {
             let is_stated = touches.contains(&(body, holder));
@@ -82,20 +82,20 @@ impl Relative<'_> {
             }
         };
         let candidates = (0..free.len()).filter(|other| *other != body && !rests_on(found, *other, body));
-        let rests = std::iter::once(None).chain(candidates.map(Some)).map(|holder| (holder, reason(holder)));
+        let supports = std::iter::once(None).chain(candidates.map(Some)).map(|holder| (holder, reason(holder)));
         // A body that moves more rests on this one, if at all. One that moves as much holds it only if the file says
         // so.
-        let rests = rests.filter(|(holder, reason)| {
+        let supports = supports.filter(|(holder, reason)| {
             holder.is_none_or(|other| {
                 let is_before = (free[other], other) < (free[body], body);
                 is_before || *reason < Reason::Ground && free[other] <= free[body]
             })
         });
-        let least = rests.min_by_key(|(holder, reason)| {
+        let least = supports.min_by_key(|(holder, reason)| {
             (self.freedom(body, *holder), *reason, holder.map_or(0, |other| free[other]))
         });
         let (holder, reason) = least.unwrap_or((None, Reason::Ground));
-        Rest { body, holder, reason }
+        Support { body, holder, reason }
     }
 
     /// Number of independent ways in which each body moves against the ground.
@@ -107,8 +107,8 @@ impl Relative<'_> {
     /// `free` are [`Self::freedoms`].
     pub fn touches(&self, free: &[usize]) -> Vec<(usize, Holder)> {
         let model = self.model;
-        let rolled = model.motion_constraints.iter().filter_map(|constraint| match constraint.tie {
-            Tie::Rolling(rolled) => Some(rolled),
+        let rolled = model.motion_constraints.iter().filter_map(|constraint| match constraint.kind {
+            MotionConstraintKind::Rolling(rolled) => Some(rolled),
             _ => None,
         });
         let rolled = rolled.chain(model.repeated.iter().filter_map(|repeated| repeated.rolled));
@@ -137,12 +137,12 @@ impl Relative<'_> {
         let touches = stated.iter().filter(|(body, other)| !other.is_some_and(|other| is_pair(*body, other)));
         held.extend(touches.map(|(body, _)| *body));
         let steps = self.steps(free, &pairs, &held);
-        let rests = |[one, other]: [usize; 2]| match (free[one], steps[one]).cmp(&(free[other], steps[other])) {
+        let supports = |[one, other]: [usize; 2]| match (free[one], steps[one]).cmp(&(free[other], steps[other])) {
             Ordering::Greater => Some((one, Some(other))),
             Ordering::Less => Some((other, Some(one))),
             Ordering::Equal => None,
         };
-        pairs.into_iter().filter_map(rests).collect()
+        pairs.into_iter().filter_map(supports).collect()
     }
 
     /// Number of these pairs between each body and the nearest body that is `held`, or that no constraint moves; `None`
@@ -202,7 +202,7 @@ impl Relative<'_> {
         let own = frame_of(body);
         let mut frames: Vec<usize> = own.into_iter().collect();
         let mut at = model.bodies[body].centre;
-        while let Some((parent, frame, _)) = model.points[at].position {
+        while let Some(Placement { parent, frame, .. }) = model.points[at].position {
             frames.push(frame);
             if parent != 0 && !self.has(body, parent) {
                 if self.has(other, parent) {
@@ -228,13 +228,13 @@ impl Relative<'_> {
 }
 
 /// True if a body rests on another body, directly or through others.
-fn rests_on(found: &[Rest], body: usize, other: usize) -> bool {
+fn rests_on(found: &[Support], body: usize, other: usize) -> bool {
     let mut at = Some(body);
     while let Some(next) = at {
         if next == other {
             return true;
         }
-        at = found.iter().find(|rest| rest.body == next).and_then(|rest| rest.holder);
+        at = found.iter().find(|support| support.body == next).and_then(|support| support.holder);
     }
     false
 }

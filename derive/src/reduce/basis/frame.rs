@@ -24,7 +24,7 @@ pub struct Turn {
 /// Moving frame: symmetries that move it, and the states that stay zero in it.
 #[derive(Clone)]
 pub struct Frame {
-    /// Symmetries along which the frame moves, as indices among those of the ground.
+    /// Symmetries along which the frame moves, as indices among those of the reduction basis.
     pub turns: Vec<usize>,
     /// States that stay zero in the frame, as indices in q, then u.
     pub pins: Vec<usize>,

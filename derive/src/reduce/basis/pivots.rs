@@ -30,7 +30,7 @@ pub fn solve_rows(
     columns: &[usize],
 ) -> Solved {
     let (mut pivots, mut divisors): (Vec<(usize, usize)>, Vec<Expr>) = (Vec::new(), Vec::new());
-    while let Some((row, column)) = simplest(arena, &rows, &pivots, (states, columns)) {
+    while let Some((row, column)) = simplest(arena, &rows, &pivots, states, columns) {
         let pivot = rows[row][column];
         divisors.push(pivot);
         for entry in rows[row].iter_mut().chain(&mut right[row]) {
@@ -71,7 +71,8 @@ fn simplest(
     arena: &Arena,
     rows: &[Vec<Expr>],
     pivots: &[(usize, usize)],
-    (states, columns): (&[Expr], &[usize]),
+    states: &[Expr],
+    columns: &[usize],
 ) -> Option<(usize, usize)> {
     let class = |e: Expr| match e {
         e if arena.as_number(e).is_some() => 0,

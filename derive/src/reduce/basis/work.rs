@@ -1,6 +1,6 @@
 //! Limit of the work of a search for the best choice.
 
-use super::ground::Ground;
+use super::reduction_basis::ReductionBasis;
 
 /// Most terms that trials may make before no further choice is tried. The scenes of the library make at most 23 109
 /// terms. For a floating chain of four links all trials make 65 968 terms and take three times as long as one trial.
@@ -11,9 +11,9 @@ const MOST_WORK: usize = 24_000;
 pub struct Work(usize);
 
 impl Work {
-    /// Adds the number of terms that a trial made beyond those of its ground.
-    pub fn add(&mut self, trial: &Ground, ground: &Ground) {
-        self.0 += trial.arena.len().saturating_sub(ground.arena.len());
+    /// Adds the number of terms that a trial made beyond those of its basis.
+    pub fn add(&mut self, trial: &ReductionBasis, basis: &ReductionBasis) {
+        self.0 += trial.arena.len().saturating_sub(basis.arena.len());
     }
 
     /// True if the work is used up and no further choice is tried.

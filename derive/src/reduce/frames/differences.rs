@@ -7,10 +7,10 @@
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::fresh_symbol;
-use crate::reduce::basis::ground::{Ground, Momentum, Relative};
+use crate::reduce::basis::reduction_basis::{Momentum, ReductionBasis, Relative};
 use crate::reduce::slices::outputs::Wanted;
 
-impl Ground {
+impl ReductionBasis {
     /// Replaces coordinates and speeds by differences, if a symmetry of these momenta moves them at constant ratios and
     /// no other moves them. Returns the wanted quantities in the differences.
     pub(in crate::reduce) fn relative(&mut self, momenta: &[usize], wanted: Wanted) -> Wanted {

@@ -10,7 +10,7 @@ use crate::algebra::{Arena, Expr};
 use crate::flow::{Flow as Whole, Symmetry, turned};
 use crate::mechanics::Solved;
 use crate::reduce::basis::frame::Turn;
-use crate::reduce::basis::ground::Ground;
+use crate::reduce::basis::reduction_basis::ReductionBasis;
 use crate::reduce::basis::work::Work;
 use crate::reduce::slices::outputs::Wanted;
 use crate::reduce::slices::slice::Flow;
@@ -25,9 +25,9 @@ const STATE: usize = 12;
 /// Choice of momenta to be held, and of a moving frame.
 #[derive(Clone, Debug, Default)]
 pub struct Choice {
-    /// Momenta that are held constant, as indices among those of the ground.
+    /// Momenta that are held constant, as indices among those of the reduction basis.
     pub momenta: Vec<usize>,
-    /// Symmetries along which the frame moves, as indices among those of the ground; empty without a frame.
+    /// Symmetries along which the frame moves, as indices among those of the reduction basis; empty without a frame.
     pub turns: Vec<usize>,
     /// States that the frame keeps at zero, as indices in q, then u.
     pub pins: Vec<usize>,
@@ -38,7 +38,7 @@ fn cost(integrated: usize, operations: usize) -> usize {
     STATE * integrated + operations
 }
 
-impl Ground {
+impl ReductionBasis {
     /// Finds the frame with the least cost that leaves a scene fewer variables than the momenta alone. `None` if no
     /// frame is better.
     pub(in crate::reduce) fn framing(
@@ -110,7 +110,7 @@ impl Ground {
     pub(in crate::reduce) fn framed_by(&mut self, choice: &Choice, wanted: Wanted) -> Option<Wanted> {
         match choice.turns.as_slice() {
             [] => Some(wanted),
-            turns => self.in_frame((turns, &choice.pins), &choice.momenta, &wanted),
+            turns => self.in_frame(turns, &choice.pins, &choice.momenta, &wanted),
         }
     }
 
@@ -253,11 +253,11 @@ impl Ground {
             if smaller {
                 break;
             }
-            let mut ground = self.clone();
-            let wanted = ground.relative(&self.plain(momenta), wanted.clone());
-            for pins in ground.sections(turns, momenta, &wanted) {
-                let mut trial = ground.clone();
-                let framed = trial.in_frame((turns, &pins), momenta, &wanted);
+            let mut basis = self.clone();
+            let wanted = basis.relative(&self.plain(momenta), wanted.clone());
+            for pins in basis.sections(turns, momenta, &wanted) {
+                let mut trial = basis.clone();
+                let framed = trial.in_frame(turns, &pins, momenta, &wanted);
                 if framed.is_some_and(|_| trial.level(momenta, None).is_some()) {
                     list.push(Choice { momenta: momenta.clone(), turns: turns.to_vec(), pins });
                 }
@@ -319,13 +319,13 @@ impl Ground {
     }
 }
 
-/// Bracket of two symmetries of the ground.
+/// Bracket of two symmetries of the reduction basis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Bracket {
     /// The bracket is zero: the symmetries commute.
     Zero,
     /// The bracket is a symmetry with this index, or its negative.
     Turn(usize),
-    /// The bracket is a field that is no symmetry of the ground.
+    /// The bracket is a field that is no symmetry of the reduction basis.
     Other,
 }

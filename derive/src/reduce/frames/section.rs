@@ -6,18 +6,19 @@ use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::reduce::basis::frame::{Frame, Turn};
-use crate::reduce::basis::ground::Ground;
 use crate::reduce::basis::pivots::{Solved, solve_rows};
-use crate::reduce::result::reduction::Turned;
+use crate::reduce::basis::reduction_basis::ReductionBasis;
+use crate::reduce::result::reduction::MovingFrame;
 use crate::reduce::slices::outputs::Wanted;
 
-impl Ground {
+impl ReductionBasis {
     /// Writes the equations in the frame that moves along the symmetries `turns` and keeps the states `pins` at zero.
     /// Returns the wanted quantities on the section. `None` if the section is singular, or if a held momentum changes
     /// along the frame's motion.
     pub(in crate::reduce) fn in_frame(
         &mut self,
-        (turns, pins): (&[usize], &[usize]),
+        turns: &[usize],
+        pins: &[usize],
         momenta: &[usize],
         wanted: &Wanted,
     ) -> Option<Wanted> {
@@ -78,7 +79,7 @@ impl Ground {
     }
 
     /// Data that lead from a start of the whole model to a start in the frame; `None` without a frame.
-    pub(in crate::reduce) fn turned(&mut self) -> Option<Turned> {
+    pub(in crate::reduce) fn turned(&mut self) -> Option<MovingFrame> {
         let frame = self.frame.clone()?;
         let starts = [self.q_start.as_slice(), &self.u_start].concat();
         let pins: Vec<Expr> = frame.pins.iter().map(|pin| starts[*pin]).collect();
@@ -93,7 +94,7 @@ impl Ground {
             }
         }
         let (about, fields) = turns.into_iter().map(|turn| (turn.words, turn.of_model)).unzip();
-        Some(Turned { about, fields, pins, slopes })
+        Some(MovingFrame { about, fields, pins, slopes })
     }
 
     /// Substitution of zero for the states that the frame keeps at zero.

@@ -9,7 +9,7 @@ use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::Distance;
-use crate::reduce::basis::ground::Ground;
+use crate::reduce::basis::reduction_basis::ReductionBasis;
 use crate::reduce::levels::level::Level;
 use crate::reduce::levels::separate::Surface;
 use crate::reduce::slices::outputs::Wanted;
@@ -20,7 +20,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Whole turns on either side of a coordinate's origin within which singular surfaces are searched.
 const MOST_TURNS: i32 = 100;
 
-impl Ground {
+impl ReductionBasis {
     /// Finds the singular surface of a level, if it is a multiple of a quarter turn of an integrated coordinate. A
     /// surface named by the scene takes precedence over the surface nearest to the start.
     pub(in crate::reduce) fn surface(&mut self, level: &Level, wanted: &Wanted, scene: &Scene) -> Option<Distance> {

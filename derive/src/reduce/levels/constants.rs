@@ -8,11 +8,11 @@ use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::fresh_symbol;
-use crate::reduce::basis::ground::Ground;
 use crate::reduce::basis::pivots::Solved;
 use crate::reduce::basis::prose::Prose;
+use crate::reduce::basis::reduction_basis::ReductionBasis;
 
-impl Ground {
+impl ReductionBasis {
     /// Replaces held momenta by constant multiples. Momenta that move a mass centre are unchanged.
     pub(in crate::reduce) fn choose_constants(&mut self, solved: &mut Solved, held: &mut [Held]) {
         for k in 0..solved.pivots.len() {

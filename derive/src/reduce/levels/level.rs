@@ -9,8 +9,8 @@ use super::separate::Surface;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::steps::Definition;
 use crate::algebra::{Arena, Expr};
-use crate::reduce::basis::ground::Ground;
 use crate::reduce::basis::pivots::{Solved, solve_rows};
+use crate::reduce::basis::reduction_basis::ReductionBasis;
 
 /// Equations of motion on a level set of momenta.
 #[derive(Clone)]
@@ -31,7 +31,7 @@ pub struct Level {
     pub divisors: Vec<Expr>,
 }
 
-impl Ground {
+impl ReductionBasis {
     /// Equations on the level set of these momenta. `None` if their symmetries do not move exactly as many speeds as
     /// there are momenta, or if the momenta do not determine these speeds.
     pub(in crate::reduce) fn level(&mut self, momenta: &[usize], surface: Option<&Surface>) -> Option<Level> {

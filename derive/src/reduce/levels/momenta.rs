@@ -5,13 +5,13 @@ use crate::algebra::term::calculus::Differential;
 use crate::algebra::term::steps::fresh_symbol;
 use crate::model::{Model, Unit};
 use crate::prove::IntegralKind;
-use crate::reduce::basis::ground::{Ground, Momentum};
 use crate::reduce::basis::prose::Prose;
+use crate::reduce::basis::reduction_basis::{Momentum, ReductionBasis};
 
 /// Momentum that is held constant, with a symbol for its value.
 #[derive(Clone)]
 pub struct Held {
-    /// Index of the momentum among those of the ground.
+    /// Index of the momentum among those of the reduction basis.
     pub momentum: usize,
     /// Symbol of the momentum's value.
     pub symbol: Expr,
@@ -23,7 +23,7 @@ pub struct Held {
     pub unit: Unit,
 }
 
-impl Ground {
+impl ReductionBasis {
     /// Momentum of this index, with a new symbol for its value.
     pub(in crate::reduce) fn hold(&mut self, at: usize) -> Held {
         let momentum = &self.momenta[at];

@@ -19,6 +19,15 @@ pub struct Surface {
     pub symbol: Expr,
 }
 
+/// Right-hand side N/D of a row.
+struct Quotient<'q> {
+    row: usize,
+    /// Value N/D, which the split replaces.
+    value: &'q mut Expr,
+    /// Divisor D.
+    divisor: Expr,
+}
+
 impl Surface {
     /// Splits the right-hand sides whose divisors vanish on the surface.
     pub(in crate::reduce) fn separate(
@@ -36,7 +45,7 @@ impl Surface {
                 continue;
             }
             let Some((given_way, instead)) =
-                self.separate_row(arena, simplifier, (row, &mut solved.right[row][0], divisor), held)
+                self.separate_row(arena, simplifier, Quotient { row, value: &mut solved.right[row][0], divisor }, held)
             else {
                 continue;
             };
@@ -55,9 +64,10 @@ impl Surface {
         self,
         arena: &mut Arena,
         simplifier: &mut Simplifier,
-        (row, quotient, divisor): (usize, &mut Expr, Expr),
+        quotient: Quotient<'_>,
         held: &mut [Held],
     ) -> Option<(Expr, Expr)> {
+        let Quotient { row, value: quotient, divisor } = quotient;
         let product = arena.mul(*quotient, divisor);
         let numerator = simplifier.simplify(arena, product);
         let mut on_surface = Substitution::new(&[(self.symbol, Expr::ZERO)]);

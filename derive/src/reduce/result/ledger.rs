@@ -7,23 +7,29 @@ use crate::algebra::term::calculus::Differential;
 use crate::algebra::term::steps::Definition;
 use crate::algebra::text::print::text;
 use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
-use crate::reduce::basis::ground::Ground;
 use crate::reduce::basis::prose::{Piece, Prose};
+use crate::reduce::basis::reduction_basis::ReductionBasis;
 use crate::reduce::levels::level::Level;
 use crate::reduce::slices::slice::{Flow, Variable};
 use crate::scene::Scene;
 
 /// Lists the parameters, variables and outputs of the model that the reduced equations omit.
-pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene, proof: &Proof) -> Vec<Omission> {
+pub fn omissions(
+    basis: &mut ReductionBasis,
+    level: &Level,
+    flow: &Flow,
+    scene: &Scene,
+    proof: &Proof,
+) -> Vec<Omission> {
     let mut list = Vec::new();
-    for (name, value) in &ground.folded {
+    for (name, value) in &basis.folded {
         list.push(Omission {
             what: format!("parameter {name}").into(),
             why: format!("the scene fixes it at {}", value.to_f64()).into(),
             proof: "the number of the scene file, put in exactly".to_owned(),
         });
     }
-    list.extend(held(ground, level, flow, proof));
+    list.extend(held(basis, level, flow, proof));
     for carried in &flow.carried {
         let equation = Piece::Equation(carried.coordinate, carried.value);
         list.push(Omission {
@@ -32,17 +38,17 @@ pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene,
             proof: format!("the rate of that position is the momentum, by identity{}", proof.doubt()),
         });
     }
-    list.extend(turned(ground, proof));
-    for relative in &ground.relatives {
-        let (arena, name) = (&ground.arena, text(&ground.arena, relative.variable));
+    list.extend(turned(basis, proof));
+    for relative in &basis.relatives {
+        let (arena, name) = (&basis.arena, text(&basis.arena, relative.variable));
         list.push(Omission {
             what: Prose::term(relative.variable),
             why: Prose::term(relative.symbol).then(" stands for it"),
             proof: format!("a symmetry moves {name} and {} together, by identity", text(arena, relative.pivot)),
         });
     }
-    let mut pinned = ground.pinned();
-    let mut is_pinned = |v: &Variable| pinned.apply(&mut ground.arena, v.symbol) != v.symbol;
+    let mut pinned = basis.pinned();
+    let mut is_pinned = |v: &Variable| pinned.apply(&mut basis.arena, v.symbol) != v.symbol;
     let dropped: Vec<Variable> = flow
         .dropped
         .iter()
@@ -50,17 +56,17 @@ pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene,
         .copied()
         .collect();
     for variable in dropped {
-        list.push(independence(ground, flow, variable));
+        list.push(independence(basis, flow, variable));
     }
-    list.extend(unasked(ground, flow, scene));
+    list.extend(unasked(basis, flow, scene));
     list
 }
 
 /// Omission of the states that a moving frame keeps at zero; empty without a frame.
-fn turned(ground: &Ground, proof: &Proof) -> Vec<Omission> {
-    let Some(frame) = &ground.frame else { return Vec::new() };
-    let states = [ground.q.as_slice(), &ground.kane.variables].concat();
-    let words: Vec<&str> = frame.turns.iter().map(|turn| ground.turns[*turn].words.as_str()).collect();
+fn turned(basis: &ReductionBasis, proof: &Proof) -> Vec<Omission> {
+    let Some(frame) = &basis.frame else { return Vec::new() };
+    let states = [basis.q.as_slice(), &basis.kane.variables].concat();
+    let words: Vec<&str> = frame.turns.iter().map(|turn| basis.turns[*turn].words.as_str()).collect();
     let mut pins = frame.pins.iter().map(|pin| Piece::Term(states[*pin]));
     let first = pins.next().map(Prose::from).unwrap_or_default();
     let what = pins.fold(first, |what, pin| what.then(", ").then(pin));
@@ -76,8 +82,8 @@ fn turned(ground: &Ground, proof: &Proof) -> Vec<Omission> {
 }
 
 /// Omissions of the speeds that held momenta determine.
-fn held(ground: &Ground, level: &Level, flow: &Flow, proof: &Proof) -> Vec<Omission> {
-    let used = flow.dependence.mentioned(&ground.arena, &flow.terms());
+fn held(basis: &ReductionBasis, level: &Level, flow: &Flow, proof: &Proof) -> Vec<Omission> {
+    let used = flow.dependence.mentioned(&basis.arena, &flow.terms());
     let one = |d: &Definition| {
         if !used.contains(&d.symbol) {
             return Omission {
@@ -86,7 +92,7 @@ fn held(ground: &Ground, level: &Level, flow: &Flow, proof: &Proof) -> Vec<Omiss
                 proof: "no formula that is left mentions it".to_owned(),
             };
         }
-        let constants = level.held.iter().filter(|h| ground.arena.mentions(d.value, h.symbol));
+        let constants = level.held.iter().filter(|h| basis.arena.mentions(d.value, h.symbol));
         let mut why = Prose::from(Piece::Equation(d.symbol, d.value)).then(", from what is constant: ");
         for (at, held) in constants.enumerate() {
             why = why.then(if at == 0 { "" } else { "; " }).then(held.about.clone());
@@ -101,17 +107,17 @@ fn held(ground: &Ground, level: &Level, flow: &Flow, proof: &Proof) -> Vec<Omiss
 }
 
 /// Omission of a variable on which neither the outputs nor the variables that they need depend.
-fn independence(ground: &mut Ground, flow: &Flow, variable: Variable) -> Omission {
+fn independence(basis: &mut ReductionBasis, flow: &Flow, variable: Variable) -> Omission {
     let (mut weakest, mut shown) = (f64::INFINITY, Vec::new());
     for (rate, value) in &flow.raw {
         let present = flow.core.iter().chain(&flow.quadratures).any(|v| v.symbol == *rate);
-        if !present || !ground.arena.mentions(*value, variable.symbol) {
+        if !present || !basis.arena.mentions(*value, variable.symbol) {
             continue;
         }
-        let slope = Differential::partial(variable.symbol).apply(&mut ground.arena, *value);
-        if let (ZeroTest::Zero, exponent) = bounded_zero_test(&ground.arena, slope) {
+        let slope = Differential::partial(variable.symbol).apply(&mut basis.arena, *value);
+        if let (ZeroTest::Zero, exponent) = bounded_zero_test(&basis.arena, slope) {
             weakest = weakest.min(exponent);
-            shown.push(format!("{}'", text(&ground.arena, *rate)));
+            shown.push(format!("{}'", text(&basis.arena, *rate)));
         }
     }
     let proof = if shown.is_empty() {
@@ -129,8 +135,8 @@ fn unneeded(symbol: Expr) -> Prose {
 }
 
 /// Omissions of quantities that no output requests: reactions, and the total energy.
-fn unasked(ground: &Ground, flow: &Flow, scene: &Scene) -> Vec<Omission> {
-    let (arena, model) = (&ground.arena, &ground.model);
+fn unasked(basis: &ReductionBasis, flow: &Flow, scene: &Scene) -> Vec<Omission> {
+    let (arena, model) = (&basis.arena, &basis.model);
     let asked: Vec<Expr> = scene
         .outputs
         .iter()
@@ -152,7 +158,7 @@ fn unasked(ground: &Ground, flow: &Flow, scene: &Scene) -> Vec<Omission> {
             proof: "reactions enter no equation of motion".to_owned(),
         });
     }
-    if flow.energy.is_none() && ground.energy.is_some() {
+    if flow.energy.is_none() && basis.energy.is_some() {
         list.push(Omission {
             what: "the total energy".into(),
             why: "it depends on what is left out".into(),

@@ -9,11 +9,11 @@ use crate::algebra::text::print::text;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::value::range::never_zero;
 use crate::algebra::{Arena, Expr, Node};
-use crate::mechanics::{By, Derivation, Equations, Formulation, RowName};
+use crate::mechanics::{Derivation, Equations, EquationsOrigin, Formulation, RowName};
 use crate::model::{Condition, Coordinate, KinematicEquations, Parameter, Speed, Unit};
-use crate::reduce::basis::ground::Ground;
 use crate::reduce::basis::hoist::Hoist;
 use crate::reduce::basis::prose::Prose;
+use crate::reduce::basis::reduction_basis::ReductionBasis;
 use crate::reduce::levels::level::Level;
 use crate::reduce::slices::one_degree::Slope;
 use crate::reduce::slices::outputs::Wanted;
@@ -26,38 +26,38 @@ use rustc_hash::FxHashSet;
 /// # Errors
 /// Statement that cannot be proved, in words; the reduction must not be used.
 pub fn pack(
-    mut ground: Ground,
+    mut basis: ReductionBasis,
     whole: &Whole,
     level: &Level,
     mut flow: Flow,
     scene: &Scene,
 ) -> Result<Reduction, String> {
-    flow.strip_energy(&mut ground, level);
-    flow.keep_system(&mut ground, level);
-    let proof = prove(&mut ground, whole, level, &mut flow)?;
-    let states = quantities(&ground, &flow.core);
-    let quadratures = quantities(&ground, &flow.quadratures);
-    let omitted = omissions(&mut ground, level, &flow, scene, &proof);
+    flow.strip_energy(&mut basis, level);
+    flow.keep_system(&mut basis, level);
+    let proof = prove(&mut basis, whole, level, &mut flow)?;
+    let states = quantities(&basis, &flow.core);
+    let quadratures = quantities(&basis, &flow.quadratures);
+    let omitted = omissions(&mut basis, level, &flow, scene, &proof);
     // Events and conditions are evaluated apart from the equations, without their definitions.
     let mut dependence = flow.dependence.clone();
     for e in flow.wanted.events.iter_mut().chain(&mut flow.wanted.conditions) {
-        *e = dependence.whole(&mut ground.arena, *e);
+        *e = dependence.whole(&mut basis.arena, *e);
     }
-    let mut equations = equations(&mut ground, level, &flow);
-    let hoisted = hoist(&mut ground, level, &mut equations);
+    let mut equations = equations(&mut basis, level, &flow);
+    let hoisted = hoist(&mut basis, level, &mut equations);
     let outputs =
         flow.wanted.outputs.iter().map(|(name, value)| Output { name: name.clone(), value: *value }).collect();
-    let folded = ground.folded.clone();
-    let frame = ground.turned();
-    let kept_by_domain = ground.kept_by_domain.clone();
+    let folded = basis.folded.clone();
+    let frame = basis.turned();
+    let kept_by_domain = basis.kept_by_domain.clone();
     let events = flow.wanted.events.clone();
-    let slope = flow.slope(&mut ground, equations.kinetic_energy, equations.potential_energy);
-    let constants = constants(&mut ground, level, &flow, (&equations, slope.as_ref()), &hoisted);
+    let slope = flow.slope(&mut basis, equations.kinetic_energy, equations.potential_energy);
+    let constants = constants(&mut basis, level, &flow, &equations, slope.as_ref(), &hoisted);
     let mut divisors = equations.divisors.clone();
     divisors.dedup();
     let has_energy = flow.energy.is_some();
     let time = flow.time;
-    let model = model(ground, &flow, &constants, &equations);
+    let model = model(basis, &flow, &constants, &equations);
     let derivation = Derivation { arena: model.arena.clone(), equations };
     let reduction = Reduction {
         model,
@@ -121,16 +121,16 @@ fn closed(reduction: &Reduction) -> Result<(), String> {
 }
 
 /// Variables of the reduced system with their values at the start.
-fn quantities(ground: &Ground, list: &[Variable]) -> Vec<Quantity> {
+fn quantities(basis: &ReductionBasis, list: &[Variable]) -> Vec<Quantity> {
     let quantity = |v: &Variable| {
-        let name = ground.arena.symbol_name(v.symbol).unwrap_or_default().to_owned();
-        let model = &ground.model;
+        let name = basis.arena.symbol_name(v.symbol).unwrap_or_default().to_owned();
+        let model = &basis.model;
         let (of_start, own, about, unit) = if v.is_speed {
             let speed = &model.speeds[v.place];
-            (ground.u_start[v.place], speed.symbol, "generalized speed", &speed.unit)
+            (basis.u_start[v.place], speed.symbol, "generalized speed", &speed.unit)
         } else {
             let coordinate = &model.coordinates[v.place];
-            (ground.q_start[v.place], coordinate.symbol, coordinate.about.as_str(), &coordinate.unit)
+            (basis.q_start[v.place], coordinate.symbol, coordinate.about.as_str(), &coordinate.unit)
         };
         let about = if of_start == own { about.into() } else { Prose::term(of_start) };
         Quantity { name, symbol: v.symbol, about, unit: unit.clone(), of_start }
@@ -140,32 +140,33 @@ fn quantities(ground: &Ground, list: &[Variable]) -> Vec<Quantity> {
 
 /// Constants that the reduced system uses: held momenta, positions of the mass centre at the start, and products.
 fn constants(
-    ground: &mut Ground,
+    basis: &mut ReductionBasis,
     level: &Level,
     flow: &Flow,
-    (equations, slope): (&Equations, Option<&Slope>),
+    equations: &Equations,
+    slope: Option<&Slope>,
     hoisted: &Hoist,
 ) -> Vec<Quantity> {
     let held = level.held.iter().map(|h| (h.symbol, h.about.clone(), h.unit.clone(), h.of_state));
     let places = flow.carried.iter().map(|c| {
         let about = Prose::term(c.position).then(" at the start");
-        let unit = ground.momenta[level.held[c.held].momentum].position_unit.clone();
+        let unit = basis.momenta[level.held[c.held].momentum].position_unit.clone();
         (c.symbol, about, unit, c.position)
     });
     let mut all: Vec<(Expr, Prose, Unit, Expr)> = held.chain(places).collect();
     let mut of_held = Substitution::new(&level.held.iter().map(|h| (h.symbol, h.of_state)).collect::<Vec<_>>());
     for (symbol, value) in &hoisted.constants {
-        let unit = ground.model.unit_of(&ground.arena, *value).unwrap_or_default();
-        let of_state = of_held.apply(&mut ground.arena, *value);
+        let unit = basis.model.unit_of(&basis.arena, *value).unwrap_or_default();
+        let of_state = of_held.apply(&mut basis.arena, *value);
         all.push((*symbol, Prose::term(*value), unit, of_state));
     }
-    let mentioned = mentioned(&ground.arena, flow, equations, slope);
-    let mut back = ground.back();
+    let mentioned = mentioned(&basis.arena, flow, equations, slope);
+    let mut back = basis.back();
     all.into_iter()
         .filter(|(symbol, ..)| mentioned.contains(symbol))
         .map(|(symbol, about, unit, of_state)| {
-            let of_start = back.apply(&mut ground.arena, of_state);
-            let name = ground.arena.symbol_name(symbol).unwrap_or_default().to_owned();
+            let of_start = back.apply(&mut basis.arena, of_state);
+            let name = basis.arena.symbol_name(symbol).unwrap_or_default().to_owned();
             Quantity { name, symbol, about, unit, of_start }
         })
         .collect()
@@ -191,14 +192,14 @@ fn mentioned(arena: &Arena, flow: &Flow, e: &Equations, slope: Option<&Slope>) -
 }
 
 /// Replaces products of parameters in the equations by constants, since the equations are evaluated in every step.
-fn hoist(ground: &mut Ground, level: &Level, e: &mut Equations) -> Hoist {
-    let folded = &ground.folded;
-    let free = ground.model.parameters.iter().filter(|p| folded.iter().all(|(name, _)| *name != p.name));
+fn hoist(basis: &mut ReductionBasis, level: &Level, e: &mut Equations) -> Hoist {
+    let folded = &basis.folded;
+    let free = basis.model.parameters.iter().filter(|p| folded.iter().all(|(name, _)| *name != p.name));
     let parameters: Vec<Expr> = free.map(|p| p.symbol).chain(level.held.iter().map(|h| h.symbol)).collect();
     let mut hoist = Hoist::default();
     let definitions = e.definitions.iter_mut().map(|d| &mut d.value);
     for value in definitions.chain(&mut e.forcing).chain(&mut e.coordinate_rates).chain(e.matrix.iter_mut().flatten()) {
-        *value = hoist.apply(&mut ground.arena, &parameters, *value);
+        *value = hoist.apply(&mut basis.arena, &parameters, *value);
     }
     hoist
 }
@@ -206,47 +207,47 @@ fn hoist(ground: &mut Ground, level: &Level, e: &mut Equations) -> Hoist {
 impl Flow {
     /// Removes a constant part of the energy that does not belong to the reduced system, such as the energy of a mass
     /// centre that no output shows.
-    fn strip_energy(&mut self, ground: &mut Ground, level: &Level) {
+    fn strip_energy(&mut self, basis: &mut ReductionBasis, level: &Level) {
         let Some(energy) = self.energy.take() else { return };
         let terms = self.terms();
-        let own = self.dependence.mentioned(&ground.arena, &terms);
+        let own = self.dependence.mentioned(&basis.arena, &terms);
         let pairs: Vec<(Expr, Expr)> =
             level.held.iter().filter(|h| !own.contains(&h.symbol)).map(|h| (h.symbol, Expr::ZERO)).collect();
-        let whole = self.dependence.whole(&mut ground.arena, energy);
+        let whole = self.dependence.whole(&mut basis.arena, energy);
         let mut without = Substitution::new(&pairs);
-        let rest = without.apply(&mut ground.arena, whole);
-        let difference = ground.arena.sub(whole, rest);
+        let rest = without.apply(&mut basis.arena, whole);
+        let difference = basis.arena.sub(whole, rest);
         let constant = self.core.iter().chain(&self.quadratures).all(|v| {
-            let slope = Differential::partial(v.symbol).apply(&mut ground.arena, difference);
-            zero_test(&ground.arena, slope) == ZeroTest::Zero
+            let slope = Differential::partial(v.symbol).apply(&mut basis.arena, difference);
+            zero_test(&basis.arena, slope) == ZeroTest::Zero
         });
-        let short = without.apply(&mut ground.arena, energy);
+        let short = without.apply(&mut basis.arena, energy);
         // A constant in a definition that only the energy uses is written out first.
-        let mentioned = self.dependence.mentioned(&ground.arena, &[short]);
+        let mentioned = self.dependence.mentioned(&basis.arena, &[short]);
         let clean = pairs.iter().all(|(symbol, _)| !mentioned.contains(symbol));
         self.energy = match (constant && without.undefined.is_none(), clean) {
             (true, true) => Some(short),
-            (true, false) => Some(ground.simplifier.simplify(&mut ground.arena, rest)),
+            (true, false) => Some(basis.simplifier.simplify(&mut basis.arena, rest)),
             (false, _) => Some(energy),
         };
     }
 
     /// Keeps the linear system of the level, if all of its speeds are integrated and it contains only variables on
     /// which their rates depend.
-    fn keep_system(&mut self, ground: &mut Ground, level: &Level) {
+    fn keep_system(&mut self, basis: &mut ReductionBasis, level: &Level) {
         let all: Vec<Variable> = self.core.iter().chain(&self.quadratures).copied().collect();
         let speeds = all.iter().filter(|v| v.is_speed).map(|v| v.place);
         if !speeds.eq(level.kept.iter().copied()) {
             return;
         }
         let variables: Vec<Expr> = self.raw.iter().map(|(symbol, _)| *symbol).collect();
-        let (arena, simplifier, dependence) = (&mut ground.arena, &mut ground.simplifier, &mut self.dependence);
+        let (arena, simplifier, dependence) = (&mut basis.arena, &mut basis.simplifier, &mut self.dependence);
         let mut settle = |e: &Expr| dependence.settle(arena, simplifier, *e, &variables);
         let matrix: Vec<Vec<Expr>> = level.matrix.iter().map(|row| row.iter().map(&mut settle).collect()).collect();
         let forcing: Vec<Expr> = level.forcing.iter().map(&mut settle).collect();
-        let mentioned = self.dependence.mentioned(&ground.arena, &[matrix.concat(), forcing.clone()].concat());
+        let mentioned = self.dependence.mentioned(&basis.arena, &[matrix.concat(), forcing.clone()].concat());
         let of_rates: Vec<Expr> = all.iter().filter(|v| v.is_speed).map(|v| v.rate).collect();
-        let needed = self.dependence.mentioned(&ground.arena, &of_rates);
+        let needed = self.dependence.mentioned(&basis.arena, &of_rates);
         if variables.iter().all(|v| !mentioned.contains(v) || needed.contains(v)) {
             self.system = Some((matrix, forcing));
         }
@@ -267,12 +268,12 @@ impl Flow {
 }
 
 /// Equations of the reduced system: v̇ = rates as solved, or the linear system of the level if it is kept.
-fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
+fn equations(basis: &mut ReductionBasis, level: &Level, flow: &Flow) -> Equations {
     let all = || flow.core.iter().chain(&flow.quadratures);
     let speeds: Vec<&Variable> = all().filter(|v| v.is_speed).collect();
     let coordinates: Vec<&Variable> = all().filter(|v| !v.is_speed).collect();
     let variables: Vec<Expr> = speeds.iter().map(|v| v.symbol).collect();
-    let unknowns: Vec<Expr> = speeds.iter().map(|v| ground.kane.unknowns[v.place]).collect();
+    let unknowns: Vec<Expr> = speeds.iter().map(|v| basis.kane.unknowns[v.place]).collect();
     let n = speeds.len();
     let identity = |i: usize| (0..n).map(|j| if i == j { Expr::ONE } else { Expr::ZERO }).collect();
     // The matrix is the identity, with the solved accelerations on the right. If the linear system is kept, code
@@ -285,7 +286,7 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
     // An output may be a solved acceleration, even if the equations are kept as a linear system.
     let rates = coordinates.iter().map(|v| v.rate);
     let terms: Vec<Expr> = flow.shown().chain(rates).chain(matrix.concat()).chain(forcing.iter().copied()).collect();
-    let arena = &mut ground.arena;
+    let arena = &mut basis.arena;
     let (kinetic_energy, potential_energy) = flow.energy.map_or((Expr::ZERO, Expr::ZERO), |energy| {
         let at_rest: Vec<(Expr, Expr)> = variables.iter().map(|u| (*u, Expr::ZERO)).collect();
         let through = flow.dependence.mentioned(arena, &[energy]);
@@ -294,14 +295,14 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
         let moving = definitions.into_iter().any(|d| variables.iter().any(|u| arena.mentions(d.value, *u)));
         let form = if moving { flow.dependence.clone().whole(arena, energy) } else { energy };
         let potential = Substitution::new(&at_rest).apply(arena, form);
-        let potential = ground.simplifier.simplify(arena, potential);
+        let potential = basis.simplifier.simplify(arena, potential);
         let kinetic = arena.sub(energy, potential);
-        (ground.simplifier.simplify(arena, kinetic), potential)
+        (basis.simplifier.simplify(arena, kinetic), potential)
     });
     let present: Vec<Expr> = all().map(|v| v.symbol).collect();
     let divides = |d: &&Expr| present.iter().any(|s| arena.mentions(**d, *s));
     let definitions = flow.used(arena, &terms);
-    let divisors: Vec<Expr> = level.divisors.iter().chain(&ground.kane.divisors).filter(divides).copied().collect();
+    let divisors: Vec<Expr> = level.divisors.iter().chain(&basis.kane.divisors).filter(divides).copied().collect();
     let mut divisors: Vec<Expr> = divisors.into_iter().filter_map(|d| part_with_zeros(arena, d)).collect();
     divisors.sort_unstable();
     divisors.dedup();
@@ -309,7 +310,7 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
         definitions,
         required: Vec::new(),
         gauss: None,
-        by: By::Reduced,
+        by: EquationsOrigin::Reduced,
         distance: None,
         formulation: Formulation::Kane,
         coordinates: coordinates.iter().map(|v| v.symbol).collect(),
@@ -347,8 +348,8 @@ fn part_with_zeros(arena: &mut Arena, divisor: Expr) -> Option<Expr> {
     (!open.is_empty()).then(|| arena.product(&open))
 }
 
-fn model(ground: Ground, flow: &Flow, constants: &[Quantity], equations: &Equations) -> crate::Model {
-    let Ground { model: whole, mut arena, folded, kane, .. } = ground;
+fn model(basis: ReductionBasis, flow: &Flow, constants: &[Quantity], equations: &Equations) -> crate::Model {
+    let ReductionBasis { model: whole, mut arena, folded, kane, .. } = basis;
     let free = whole.parameters.iter().filter(|p| folded.iter().all(|(name, _)| *name != p.name)).cloned();
     let held = constants.iter().map(|c| Parameter {
         name: c.name.clone(),

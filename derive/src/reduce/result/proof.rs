@@ -12,8 +12,8 @@ use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
 use crate::mechanics::Equations;
 use crate::reduce::basis::frame::{Turn, solved_rates};
-use crate::reduce::basis::ground::Ground;
 use crate::reduce::basis::pivots::solve_rows;
+use crate::reduce::basis::reduction_basis::ReductionBasis;
 use crate::reduce::levels::level::Level;
 use crate::reduce::slices::outputs::Wanted;
 use crate::reduce::slices::slice::Flow;
@@ -57,15 +57,15 @@ pub struct Whole {
 ///
 /// # Errors
 /// Description of the first identity that is not proved.
-pub fn prove(ground: &mut Ground, whole: &Whole, level: &Level, flow: &mut Flow) -> Result<Proof, String> {
+pub fn prove(basis: &mut ReductionBasis, whole: &Whole, level: &Level, flow: &mut Flow) -> Result<Proof, String> {
     let mut check =
-        Check::new(ground, whole, level, flow).ok_or("the variables are no linear functions of the model's")?;
-    check.frame(ground, whole)?;
-    check.kinematics(ground, whole)?;
-    check.dynamics(ground, whole)?;
-    check.constants(ground, level, flow)?;
-    check.rates(ground, flow)?;
-    check.wanted(ground, whole, flow)?;
+        Check::new(basis, whole, level, flow).ok_or("the variables are no linear functions of the model's")?;
+    check.frame(basis, whole)?;
+    check.kinematics(basis, whole)?;
+    check.dynamics(basis, whole)?;
+    check.constants(basis, level, flow)?;
+    check.rates(basis, flow)?;
+    check.wanted(basis, whole, flow)?;
     Ok(check.proof)
 }
 
@@ -81,42 +81,42 @@ struct Check {
 }
 
 impl Check {
-    fn new(ground: &mut Ground, whole: &Whole, level: &Level, flow: &mut Flow) -> Option<Self> {
+    fn new(basis: &mut ReductionBasis, whole: &Whole, level: &Level, flow: &mut Flow) -> Option<Self> {
         let change = Differential::along(&flow.raw);
         let (of_q, of_u) = (whole.kane.coordinates.clone(), whole.kane.variables.clone());
-        let there: Vec<Expr> = ground.q.clone();
-        let q = inverse(ground, &of_q, &ground.q_start.clone(), &there)?;
-        let mut put = ground.pinned();
-        let q: Vec<Expr> = q.into_iter().map(|e| put.apply(&mut ground.arena, e)).collect();
+        let there: Vec<Expr> = basis.q.clone();
+        let q = inverse(basis, &of_q, &basis.q_start.clone(), &there)?;
+        let mut put = basis.pinned();
+        let q: Vec<Expr> = q.into_iter().map(|e| put.apply(&mut basis.arena, e)).collect();
         // Every speed must be kept, defined, constant or pinned.
         let held = level.definitions.iter().map(|d| d.symbol).chain(level.held.iter().map(|h| h.symbol));
-        let known: Vec<Expr> = held.chain(level.kept.iter().map(|k| ground.kane.variables[*k])).collect();
-        let speeds: Vec<Expr> = ground.kane.variables.clone();
-        if !speeds.iter().enumerate().all(|(at, u)| known.contains(u) || ground.is_pinned_speed(at)) {
+        let known: Vec<Expr> = held.chain(level.kept.iter().map(|k| basis.kane.variables[*k])).collect();
+        let speeds: Vec<Expr> = basis.kane.variables.clone();
+        if !speeds.iter().enumerate().all(|(at, u)| known.contains(u) || basis.is_pinned_speed(at)) {
             return None;
         }
-        let u = inverse(ground, &of_u, &ground.u_start.clone(), &speeds)?;
+        let u = inverse(basis, &of_u, &basis.u_start.clone(), &speeds)?;
         let mut check = Self {
             written: Substitution::default(),
             change,
             rates: Vec::new(),
             proof: Proof { identities: 0, exponent: f64::INFINITY },
         };
-        let u: Vec<Expr> = u.into_iter().map(|e| put.apply(&mut ground.arena, e)).collect();
-        let u: Vec<Expr> = u.into_iter().map(|e| flow.dependence.whole(&mut ground.arena, e)).collect();
+        let u: Vec<Expr> = u.into_iter().map(|e| put.apply(&mut basis.arena, e)).collect();
+        let u: Vec<Expr> = u.into_iter().map(|e| flow.dependence.whole(&mut basis.arena, e)).collect();
         let states: Vec<Expr> = q.into_iter().chain(u).collect();
-        let rates: Vec<Expr> = states.iter().map(|e| check.change.apply(&mut ground.arena, *e)).collect();
+        let rates: Vec<Expr> = states.iter().map(|e| check.change.apply(&mut basis.arena, *e)).collect();
         let names = of_q.iter().chain(&of_u).copied();
         check.written = Substitution::new(&names.zip(states).collect::<Vec<_>>());
         // The rates of the whole motion are those of the reduced state less the frame's additions.
         check.rates = rates;
-        if let Some(frame) = &ground.frame {
+        if let Some(frame) = &basis.frame {
             for (turn, rate) in frame.turns.iter().zip(&frame.rates) {
-                let turning = flow.dependence.whole(&mut ground.arena, *rate);
-                for (total, along) in check.rates.iter_mut().zip(&ground.turns[*turn].of_model) {
-                    let along = check.written.apply(&mut ground.arena, *along);
-                    let part = ground.arena.mul(turning, along);
-                    *total = ground.arena.sub(*total, part);
+                let turning = flow.dependence.whole(&mut basis.arena, *rate);
+                for (total, along) in check.rates.iter_mut().zip(&basis.turns[*turn].of_model) {
+                    let along = check.written.apply(&mut basis.arena, *along);
+                    let part = basis.arena.mul(turning, along);
+                    *total = basis.arena.sub(*total, part);
                 }
             }
         }
@@ -128,9 +128,9 @@ impl Check {
 
     /// Checks that each symmetry of the frame commutes with the motion of the whole model, and leaves the wanted
     /// quantities unchanged.
-    fn frame(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
-        let Some(frame) = ground.frame.clone() else { return Ok(()) };
-        let flow = solved_rates(&mut ground.arena, &whole.kane)
+    fn frame(&mut self, basis: &mut ReductionBasis, whole: &Whole) -> Result<(), String> {
+        let Some(frame) = basis.frame.clone() else { return Ok(()) };
+        let flow = solved_rates(&mut basis.arena, &whole.kane)
             .ok_or("the accelerations of the whole model are not determined")?;
         let states = [whole.kane.coordinates.clone(), whole.kane.variables.clone()].concat();
         let along = |field: &[Expr]| {
@@ -141,29 +141,29 @@ impl Check {
             whole.kane.unknowns.iter().copied().zip(accelerations.iter().copied()).collect();
         let mut solved = Substitution::new(&accelerations);
         for turn in frame.turns {
-            let Turn { words, of_model, .. } = ground.turns[turn].clone();
+            let Turn { words, of_model, .. } = basis.turns[turn].clone();
             let (mut by_field, mut by_time) = (along(&of_model), along(&flow));
             for (rate, component) in flow.iter().zip(&of_model) {
-                let a = by_field.apply(&mut ground.arena, *rate);
-                let b = by_time.apply(&mut ground.arena, *component);
-                self.equal(ground, a, b, || format!("that {words} is a symmetry"))?;
+                let a = by_field.apply(&mut basis.arena, *rate);
+                let b = by_time.apply(&mut basis.arena, *component);
+                self.equal(basis, a, b, || format!("that {words} is a symmetry"))?;
             }
             for (about, value) in whole.wanted.named() {
-                let value = solved.apply(&mut ground.arena, value);
-                let change = by_field.apply(&mut ground.arena, value);
-                self.zero(ground, change, || format!("that {words} leaves {about} as it is"))?;
+                let value = solved.apply(&mut basis.arena, value);
+                let change = by_field.apply(&mut basis.arena, value);
+                self.zero(basis, change, || format!("that {words} leaves {about} as it is"))?;
             }
         }
         Ok(())
     }
 
     /// Counts an identity e = 0 of the proof; the error names an identity that does not hold or is not decided.
-    fn zero(&mut self, ground: &Ground, e: Expr, what: impl FnOnce() -> String) -> Result<(), String> {
+    fn zero(&mut self, basis: &ReductionBasis, e: Expr, what: impl FnOnce() -> String) -> Result<(), String> {
         self.proof.identities += 1;
         if e == Expr::ZERO {
             return Ok(());
         }
-        let (answer, exponent) = bounded_zero_test(&ground.arena, e);
+        let (answer, exponent) = bounded_zero_test(&basis.arena, e);
         self.proof.exponent = self.proof.exponent.min(exponent);
         match answer {
             ZeroTest::Zero => Ok(()),
@@ -172,97 +172,103 @@ impl Check {
         }
     }
 
-    fn equal(&mut self, ground: &mut Ground, a: Expr, b: Expr, what: impl FnOnce() -> String) -> Result<(), String> {
-        let difference = ground.arena.sub(a, b);
-        self.zero(ground, difference, what)
+    fn equal(
+        &mut self,
+        basis: &mut ReductionBasis,
+        a: Expr,
+        b: Expr,
+        what: impl FnOnce() -> String,
+    ) -> Result<(), String> {
+        let difference = basis.arena.sub(a, b);
+        self.zero(basis, difference, what)
     }
 
     /// Checks the kinematic equations: the speeds give q̇.
-    fn kinematics(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
+    fn kinematics(&mut self, basis: &mut ReductionBasis, whole: &Whole) -> Result<(), String> {
         let rates = whole.kane.coordinates.iter().zip(&whole.kane.coordinate_rates);
         for (at, (q, rate)) in rates.enumerate() {
             debug_assert_eq!(*q, whole.kane.coordinates[at], "a rate for each coordinate");
             let found = self.rates[at];
-            let stated = self.written.apply(&mut ground.arena, *rate);
-            self.equal(ground, found, stated, || format!("kinematic equation {}", at + 1))?;
+            let stated = self.written.apply(&mut basis.arena, *rate);
+            self.equal(basis, found, stated, || format!("kinematic equation {}", at + 1))?;
         }
         Ok(())
     }
 
     /// Checks Kane's equations M u̇ − f = 0, row by row.
-    fn dynamics(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
+    fn dynamics(&mut self, basis: &mut ReductionBasis, whole: &Whole) -> Result<(), String> {
         for (at, (row, right)) in whole.kane.matrix.iter().zip(&whole.kane.forcing).enumerate() {
             let products = row.iter().zip(&whole.kane.unknowns);
-            let products: Vec<Expr> = products.map(|(m, x)| ground.arena.mul(*m, *x)).collect();
-            let left = ground.arena.sum(&products);
-            let difference = ground.arena.sub(left, *right);
-            let residual = self.written.apply(&mut ground.arena, difference);
-            self.zero(ground, residual, || format!("Kane's equation {}", at + 1))?;
+            let products: Vec<Expr> = products.map(|(m, x)| basis.arena.mul(*m, *x)).collect();
+            let left = basis.arena.sum(&products);
+            let difference = basis.arena.sub(left, *right);
+            let residual = self.written.apply(&mut basis.arena, difference);
+            self.zero(basis, residual, || format!("Kane's equation {}", at + 1))?;
         }
         Ok(())
     }
 
     /// Checks that each constant equals its stated function of the state, and that mass centres move with their
     /// momenta.
-    fn constants(&mut self, ground: &mut Ground, level: &Level, flow: &mut Flow) -> Result<(), String> {
-        let mut back = ground.back();
+    fn constants(&mut self, basis: &mut ReductionBasis, level: &Level, flow: &mut Flow) -> Result<(), String> {
+        let mut back = basis.back();
         for held in &level.held {
-            let of_start = back.apply(&mut ground.arena, held.of_state);
-            let value = self.written.apply(&mut ground.arena, of_start);
-            let about = held.about.text(&ground.arena);
-            self.equal(ground, value, held.symbol, || format!("that {about} is constant"))?;
+            let of_start = back.apply(&mut basis.arena, held.of_state);
+            let value = self.written.apply(&mut basis.arena, of_start);
+            let about = held.about.text(&basis.arena);
+            self.equal(basis, value, held.symbol, || format!("that {about} is constant"))?;
         }
         for carried in &flow.carried {
-            let change = self.change.apply(&mut ground.arena, carried.position);
-            let change = flow.dependence.whole(&mut ground.arena, change);
-            self.equal(ground, change, level.held[carried.held].symbol, || "the motion of the mass centre".to_owned())?;
+            let change = self.change.apply(&mut basis.arena, carried.position);
+            let change = flow.dependence.whole(&mut basis.arena, change);
+            self.equal(basis, change, level.held[carried.held].symbol, || "the motion of the mass centre".to_owned())?;
         }
         Ok(())
     }
 
     /// Checks the rates with terms left out, and the solved rates, against the equations of the level. Checks also that
     /// the energy is constant.
-    fn rates(&mut self, ground: &mut Ground, flow: &mut Flow) -> Result<(), String> {
+    fn rates(&mut self, basis: &mut ReductionBasis, flow: &mut Flow) -> Result<(), String> {
         for variable in flow.core.iter().chain(&flow.quadratures) {
             let (_, raw) =
                 *flow.raw.iter().find(|(symbol, _)| *symbol == variable.symbol).ok_or("a variable without a rate")?;
-            let shed = flow.dependence.whole(&mut ground.arena, variable.rate);
-            self.equal(ground, shed, raw, || "a rate without what it does not depend on".to_owned())?;
+            let shed = flow.dependence.whole(&mut basis.arena, variable.rate);
+            self.equal(basis, shed, raw, || "a rate without what it does not depend on".to_owned())?;
         }
-        let accelerations: Vec<Expr> = flow.raw[ground.q.len()..].iter().map(|(_, rate)| *rate).collect();
+        let accelerations: Vec<Expr> = flow.raw[basis.q.len()..].iter().map(|(_, rate)| *rate).collect();
         let (matrix, forcing) = flow.system.clone().unwrap_or_default();
         for (row, right) in matrix.iter().zip(forcing) {
-            let products: Vec<Expr> = row.iter().zip(&accelerations).map(|(m, x)| ground.arena.mul(*m, *x)).collect();
-            let left = ground.arena.sum(&products);
-            let difference = ground.arena.sub(left, right);
-            let residual = flow.dependence.whole(&mut ground.arena, difference);
-            self.zero(ground, residual, || "a row of the equations on the level".to_owned())?;
+            let products: Vec<Expr> = row.iter().zip(&accelerations).map(|(m, x)| basis.arena.mul(*m, *x)).collect();
+            let left = basis.arena.sum(&products);
+            let difference = basis.arena.sub(left, right);
+            let residual = flow.dependence.whole(&mut basis.arena, difference);
+            self.zero(basis, residual, || "a row of the equations on the level".to_owned())?;
         }
         if let Some(energy) = flow.energy {
-            let energy = flow.dependence.whole(&mut ground.arena, energy);
-            let change = self.change.apply(&mut ground.arena, energy);
-            self.zero(ground, change, || "that the energy is constant".to_owned())?;
+            let energy = flow.dependence.whole(&mut basis.arena, energy);
+            let change = self.change.apply(&mut basis.arena, energy);
+            self.zero(basis, change, || "that the energy is constant".to_owned())?;
         }
         Ok(())
     }
 
     /// Checks the wanted quantities against those of the whole model. A coordinate that is computed from the time is
     /// compared with itself.
-    fn wanted(&mut self, ground: &mut Ground, whole: &Whole, flow: &mut Flow) -> Result<(), String> {
+    fn wanted(&mut self, basis: &mut ReductionBasis, whole: &Whole, flow: &mut Flow) -> Result<(), String> {
         let mut started = Vec::new();
         for carried in &flow.carried {
             // The symbol for the position at the start equals the position less its motion since the start.
-            let momentum = self.change.apply(&mut ground.arena, carried.position);
-            let moved = ground.arena.mul(momentum, flow.time);
-            started.push((carried.symbol, ground.arena.sub(carried.position, moved)));
+            let momentum = self.change.apply(&mut basis.arena, carried.position);
+            let moved = basis.arena.mul(momentum, flow.time);
+            started.push((carried.symbol, basis.arena.sub(carried.position, moved)));
         }
         let mut started = Substitution::new(&started);
         let stated = whole.wanted.named();
         for ((about, stated), (_, found)) in stated.into_iter().zip(flow.wanted.named()) {
-            let stated = self.written.apply(&mut ground.arena, stated);
-            let found = started.apply(&mut ground.arena, found);
-            let found = flow.dependence.whole(&mut ground.arena, found);
-            self.equal(ground, found, stated, || about)?;
+            let stated = self.written.apply(&mut basis.arena, stated);
+            let found = started.apply(&mut basis.arena, found);
+            let found = flow.dependence.whole(&mut basis.arena, found);
+            self.equal(basis, found, stated, || about)?;
         }
         Ok(())
     }
@@ -270,23 +276,23 @@ impl Check {
 
 /// The model's variables in the variables of the equations. `stated` gives the latter as linear functions of the former
 /// with numbers as coefficients. `None` if the functions cannot be inverted.
-fn inverse(ground: &mut Ground, model: &[Expr], stated: &[Expr], symbols: &[Expr]) -> Option<Vec<Expr>> {
+fn inverse(basis: &mut ReductionBasis, model: &[Expr], stated: &[Expr], symbols: &[Expr]) -> Option<Vec<Expr>> {
     let mut form = LinearForm::new(model);
     let (mut rows, mut right) = (Vec::new(), Vec::new());
     for (value, symbol) in stated.iter().zip(symbols) {
-        let (row, rest) = form.coefficients(&mut ground.arena, *value).ok()?;
+        let (row, rest) = form.coefficients(&mut basis.arena, *value).ok()?;
         rows.push(row);
-        right.push(vec![ground.arena.sub(*symbol, rest)]);
+        right.push(vec![basis.arena.sub(*symbol, rest)]);
     }
     let columns: Vec<usize> = (0..model.len()).collect();
-    let solved = solve_rows(&mut ground.arena, &mut ground.simplifier, rows, right, &[], &columns);
+    let solved = solve_rows(&mut basis.arena, &mut basis.simplifier, rows, right, &[], &columns);
     let mut values = model.to_vec();
     if solved.pivots.len() < model.len() {
         return None;
     }
     for k in (0..solved.pivots.len()).rev() {
-        let value = solved.unknown(&mut ground.arena, k, 0, &values);
-        values[solved.pivots[k].1] = ground.simplifier.simplify(&mut ground.arena, value);
+        let value = solved.unknown(&mut basis.arena, k, 0, &values);
+        values[solved.pivots[k].1] = basis.simplifier.simplify(&mut basis.arena, value);
     }
     Some(values)
 }
@@ -299,25 +305,25 @@ mod tests {
     use std::path::Path;
 
     /// The proof of the spherical pendulum's reduction with something spoilt on the way.
-    fn spoilt(spoil: impl FnOnce(&mut Ground, &mut Level, &mut Flow)) -> Result<Proof, String> {
+    fn spoilt(spoil: impl FnOnce(&mut ReductionBasis, &mut Level, &mut Flow)) -> Result<Proof, String> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/spherical_pendulum");
         let mut model = Model::read(&folder.join("model.toml")).unwrap();
         let source = Source::read(&folder.join("scenes/wide.toml")).unwrap();
         let scene = crate::scene::load(&source, &mut model).unwrap();
-        let mut ground = Ground::new(&model).unwrap();
-        let wanted = ground.wanted(&scene).unwrap();
-        let whole = Whole { kane: ground.kane.clone(), wanted: wanted.clone() };
-        let mut level = ground.level(&[0], None).unwrap();
-        let mut flow = Flow::new(&mut ground, &level, &wanted).unwrap();
-        spoil(&mut ground, &mut level, &mut flow);
-        prove(&mut ground, &whole, &level, &mut flow)
+        let mut basis = ReductionBasis::new(&model).unwrap();
+        let wanted = basis.wanted(&scene).unwrap();
+        let whole = Whole { kane: basis.kane.clone(), wanted: wanted.clone() };
+        let mut level = basis.level(&[0], None).unwrap();
+        let mut flow = Flow::new(&mut basis, &level, &wanted).unwrap();
+        spoil(&mut basis, &mut level, &mut flow);
+        prove(&mut basis, &whole, &level, &mut flow)
     }
 
     /// A small part of a term, so that nothing is grossly wrong.
-    fn slightly(ground: &mut Ground, e: &mut Expr) {
-        let part = ground.arena.ratio(1, 1_000_000);
-        let part = ground.arena.mul(part, ground.q[0]);
-        *e = ground.arena.add(*e, part);
+    fn slightly(basis: &mut ReductionBasis, e: &mut Expr) {
+        let part = basis.arena.ratio(1, 1_000_000);
+        let part = basis.arena.mul(part, basis.q[0]);
+        *e = basis.arena.add(*e, part);
     }
 
     #[test]
@@ -328,31 +334,31 @@ mod tests {
 
     #[test]
     fn a_wrong_acceleration_is_seen_in_kanes_equations() {
-        let error = spoilt(|ground, _, flow| slightly(ground, &mut flow.raw.last_mut().unwrap().1)).unwrap_err();
+        let error = spoilt(|basis, _, flow| slightly(basis, &mut flow.raw.last_mut().unwrap().1)).unwrap_err();
         assert_eq!(error, "Kane's equation 1 does not hold");
     }
 
     #[test]
     fn a_wrong_rate_of_a_coordinate_is_seen_in_the_kinematic_equations() {
-        let error = spoilt(|ground, _, flow| slightly(ground, &mut flow.raw[0].1)).unwrap_err();
+        let error = spoilt(|basis, _, flow| slightly(basis, &mut flow.raw[0].1)).unwrap_err();
         assert_eq!(error, "kinematic equation 1 does not hold");
     }
 
     #[test]
     fn a_constant_that_is_called_something_else_is_seen() {
-        let error = spoilt(|ground, level, _| slightly(ground, &mut level.held[0].of_state)).unwrap_err();
+        let error = spoilt(|basis, level, _| slightly(basis, &mut level.held[0].of_state)).unwrap_err();
         assert_eq!(error, "that momentum p_phi = ∂L/∂phi' is constant does not hold");
     }
 
     #[test]
     fn a_rate_that_lost_what_it_depends_on_is_seen() {
-        let error = spoilt(|ground, _, flow| slightly(ground, &mut flow.core[0].rate)).unwrap_err();
+        let error = spoilt(|basis, _, flow| slightly(basis, &mut flow.core[0].rate)).unwrap_err();
         assert_eq!(error, "a rate without what it does not depend on does not hold");
     }
 
     #[test]
     fn a_wrong_output_is_named() {
-        let error = spoilt(|ground, _, flow| slightly(ground, &mut flow.wanted.outputs[1].1)).unwrap_err();
+        let error = spoilt(|basis, _, flow| slightly(basis, &mut flow.wanted.outputs[1].1)).unwrap_err();
         assert_eq!(error, "the output phi does not hold");
     }
 }

@@ -47,7 +47,7 @@ pub struct Omission {
 /// Moving frame of a reduction. Its symmetries lead from a start of the whole model to a state in which the pins are
 /// zero. The variables of the reduction are those of the model in this state.
 #[derive(Clone, Debug)]
-pub struct Turned {
+pub struct MovingFrame {
     /// Description of the motions of the frame, in words.
     pub about: Vec<String>,
     /// Components of each symmetry, in parameters, coordinates and speeds of the whole model: one for each coordinate,
@@ -80,7 +80,7 @@ pub struct Reduction {
     /// Functions of the scene's events, in the order of the scene.
     pub events: Vec<Expr>,
     /// Moving frame in which the system is written; `None` without a frame.
-    pub frame: Option<Turned>,
+    pub frame: Option<MovingFrame>,
     /// Descriptions of symmetries that leave every shown quantity unchanged, but give no frame because they change a
     /// condition of the domain.
     pub kept_by_domain: Vec<String>,

@@ -7,7 +7,7 @@ use crate::algebra::term::period::turns;
 use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Rational};
-use crate::reduce::basis::ground::Ground;
+use crate::reduce::basis::reduction_basis::ReductionBasis;
 
 /// Divided difference (V(b) − V(a))/(b − a) of the potential energy V, in the only coordinate among the states.
 #[derive(Clone, Debug)]
@@ -34,14 +34,14 @@ impl Slope {
 impl Flow {
     /// Slope of the potential energy for quadrature. `None` unless the system has one degree of freedom with q′ = k(q)
     /// v and T = ½ m(q) v², and the rates of its quadratures are functions of q and v.
-    pub(in crate::reduce) fn slope(&self, ground: &mut Ground, kinetic: Expr, potential: Expr) -> Option<Slope> {
+    pub(in crate::reduce) fn slope(&self, basis: &mut ReductionBasis, kinetic: Expr, potential: Expr) -> Option<Slope> {
         let [q, v] = self.core.as_slice() else { return None };
         if q.is_speed || !v.is_speed || self.quadratures.iter().any(|v| v.is_speed) {
             return None;
         }
         self.energy?;
         let mut dependence = self.dependence.clone();
-        let arena = &mut ground.arena;
+        let arena = &mut basis.arena;
         let of_core = |arena: &Arena, e: Expr| {
             self.quadratures.iter().chain(&self.dropped).all(|other| !arena.mentions(e, other.symbol))
         };

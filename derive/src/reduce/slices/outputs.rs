@@ -3,7 +3,7 @@
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Substitution;
 use crate::mechanics::{DeriveError, rates_to_speeds};
-use crate::reduce::basis::ground::Ground;
+use crate::reduce::basis::reduction_basis::ReductionBasis;
 use crate::scene::Scene;
 
 /// Values that a scene shows or watches: outputs, conditions and events.
@@ -41,14 +41,14 @@ impl Wanted {
     }
 }
 
-impl Ground {
+impl ReductionBasis {
     /// Values that the scene shows or watches, in q and u. The force balance gives reactions among them.
     pub(in crate::reduce) fn wanted(&mut self, scene: &Scene) -> Result<Wanted, DeriveError> {
         let mut rewrite = self.names(scene)?;
-        let mut output = |ground: &mut Self, e: Expr| {
-            let e = rewrite.apply(&mut ground.arena, e);
-            let e = rates_to_speeds(&ground.model).apply(&mut ground.arena, e);
-            ground.simplifier.simplify(&mut ground.arena, e)
+        let mut output = |basis: &mut Self, e: Expr| {
+            let e = rewrite.apply(&mut basis.arena, e);
+            let e = rates_to_speeds(&basis.model).apply(&mut basis.arena, e);
+            basis.simplifier.simplify(&mut basis.arena, e)
         };
         let outputs = scene.outputs.iter().map(|o| (o.name.clone(), output(self, o.value))).collect();
         let conditions: Vec<Expr> = self.model.domain.iter().map(|c| c.positive).collect();

@@ -11,7 +11,7 @@ use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::term::steps::Definition;
 use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
 use crate::algebra::{Arena, Expr};
-use crate::reduce::basis::ground::Ground;
+use crate::reduce::basis::reduction_basis::ReductionBasis;
 use crate::reduce::levels::level::Level;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -71,21 +71,21 @@ pub struct Flow {
 impl Flow {
     /// Finds the variables of a level that the wanted quantities need; `None` if the level does not determine its
     /// accelerations.
-    pub(in crate::reduce) fn new(ground: &mut Ground, level: &Level, wanted: &Wanted) -> Option<Self> {
-        let (mut variables, definitions) = ground.variables(level)?;
+    pub(in crate::reduce) fn new(basis: &mut ReductionBasis, level: &Level, wanted: &Wanted) -> Option<Self> {
+        let (mut variables, definitions) = basis.variables(level)?;
         let symbols: Vec<Expr> = variables.iter().map(|v| v.symbol).collect();
         let solved: Vec<(Expr, Expr)> = level
             .kept
             .iter()
-            .map(|k| ground.kane.unknowns[*k])
-            .zip(variables[ground.q.len()..].iter().map(|v| v.rate))
+            .map(|k| basis.kane.unknowns[*k])
+            .zip(variables[basis.q.len()..].iter().map(|v| v.rate))
             .collect();
         let mut solved = Substitution::new(&solved);
         let accelerations: Vec<(Expr, Expr)> =
-            ground.kane.unknowns.iter().copied().zip(level.accelerations.iter().copied()).collect();
+            basis.kane.unknowns.iter().copied().zip(level.accelerations.iter().copied()).collect();
         let mut accelerations = Substitution::new(&accelerations);
-        let time = ground.time();
-        let (arena, simplifier, energy) = (&mut ground.arena, &mut ground.simplifier, ground.energy);
+        let time = basis.time();
+        let (arena, simplifier, energy) = (&mut basis.arena, &mut basis.simplifier, basis.energy);
         let mut dependence = Dependence::new(arena, definitions);
         let mut put = |e: Expr| {
             let moved = accelerations.apply(arena, e);
@@ -117,12 +117,12 @@ impl Flow {
             raw,
             system: None,
         };
-        flow.close(&ground.arena);
-        flow.carry(ground, level);
+        flow.close(&basis.arena);
+        flow.carry(basis, level);
         let present: Vec<Expr> = flow.core.iter().chain(&flow.quadratures).map(|v| v.symbol).collect();
         let others: Vec<Expr> = symbols.into_iter().filter(|s| !present.contains(s)).collect();
         flow.energy = flow.energy.filter(|e| {
-            let mentioned = flow.dependence.mentioned(&ground.arena, &[*e]);
+            let mentioned = flow.dependence.mentioned(&basis.arena, &[*e]);
             !others.iter().any(|s| mentioned.contains(s))
         });
         Some(flow)
@@ -134,12 +134,12 @@ impl Flow {
     }
 
     /// Numbers of states, of integrated variables and of operations of their rates.
-    pub(in crate::reduce) fn weight(&self, ground: &Ground) -> (usize, usize, usize) {
+    pub(in crate::reduce) fn weight(&self, basis: &ReductionBasis) -> (usize, usize, usize) {
         let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate).collect::<Vec<_>>();
-        let used = self.used(&ground.arena, &rates);
+        let used = self.used(&basis.arena, &rates);
         let rates: Vec<Expr> = rates.into_iter().chain(used.iter().map(|d| d.value)).collect();
         let integrated = self.core.len() + self.quadratures.len();
-        (self.core.len(), integrated, cost_of_all(&ground.arena, &rates))
+        (self.core.len(), integrated, cost_of_all(&basis.arena, &rates))
     }
 
     /// Sorts all variables again into states, quadratures and dropped variables.
@@ -182,24 +182,24 @@ impl Flow {
     }
 
     /// Removes coordinates on which no rate depends and that the uniform motion of a mass centre determines.
-    fn carry(&mut self, ground: &mut Ground, level: &Level) {
+    fn carry(&mut self, basis: &mut ReductionBasis, level: &Level) {
         // A frame may move the mass centre.
-        if ground.frame.is_some() {
+        if basis.frame.is_some() {
             return;
         }
         for (held, h) in level.held.iter().enumerate() {
-            let momentum = &ground.momenta[h.momentum];
+            let momentum = &basis.momenta[h.momentum];
             // On a singular surface the remaining part of a momentum is no rate of a position.
             let Some(position) = momentum.position.filter(|_| h.of_state == momentum.value) else { continue };
             // Events and conditions are functions of the state alone, without the time.
             let watched: Vec<Expr> = self.wanted.conditions.iter().chain(&self.wanted.events).copied().collect();
-            let watched = self.dependence.mentioned(&ground.arena, &watched);
+            let watched = self.dependence.mentioned(&basis.arena, &watched);
             let found = self.quadratures.iter().find_map(|v| {
                 let others = self.core.iter().chain(&self.quadratures);
                 let rates: Vec<Expr> = others.filter(|o| o.symbol != v.symbol).map(|o| o.rate).collect();
-                let free = !self.dependence.mentioned(&ground.arena, &rates).contains(&v.symbol);
+                let free = !self.dependence.mentioned(&basis.arena, &rates).contains(&v.symbol);
                 (free && !v.is_speed && !watched.contains(&v.symbol)).then_some(())?;
-                ground.carried_coordinate(v.symbol, position, h.symbol, self.time).map(|(value, symbol)| Carried {
+                basis.carried_coordinate(v.symbol, position, h.symbol, self.time).map(|(value, symbol)| Carried {
                     coordinate: v.symbol,
                     value,
                     symbol,
@@ -209,18 +209,18 @@ impl Flow {
             });
             let Some(carried) = found else { continue };
             let mut put = Substitution::new(&[(carried.coordinate, carried.value)]);
-            let (arena, simplifier) = (&mut ground.arena, &mut ground.simplifier);
+            let (arena, simplifier) = (&mut basis.arena, &mut basis.simplifier);
             self.wanted = self.wanted.map(|e| {
                 let moved = put.apply(arena, e);
                 simplifier.simplify(arena, moved)
             });
             self.carried.push(carried);
-            self.close(&ground.arena);
+            self.close(&basis.arena);
         }
     }
 }
 
-impl Ground {
+impl ReductionBasis {
     /// Coordinates and kept speeds with their rates, and the definitions that the rates use. `None` if the matrix is
     /// singular.
     fn variables(&mut self, level: &Level) -> Option<(Vec<Variable>, Vec<Definition>)> {

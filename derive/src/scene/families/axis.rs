@@ -7,8 +7,8 @@ use crate::algebra::Rational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest};
 use crate::model::Model;
 use crate::read::{Located, Reader};
-use crate::scene::numbers::values::{Number, Values, Varied};
-use crate::scene::{Scene, Stated};
+use crate::scene::numbers::values::{Number, ValueReader, Varied};
+use crate::scene::{InitialMotion, Scene};
 
 /// Largest number of points of a grid.
 pub const MOST_POINTS: u64 = 1_000_000_000;
@@ -58,7 +58,7 @@ impl Grid {
         let swept: Vec<usize> = swept.collect();
         let parameters = stated_parameters(scene, model).map_err(|error| vec![error])?;
         for source in &sources {
-            let mut values = Values::new(Reader::new(source), model);
+            let mut values = ValueReader::new(Reader::new(source), model);
             let axis = values.axis(&Context { scene, parameters: &parameters, swept: &swept });
             if let Some(axis) = &axis
                 && axes.iter().any(|other| other.place == axis.place)
@@ -97,7 +97,7 @@ impl Grid {
         let (mut axes, mut errors) = (Vec::new(), Vec::new());
         for (name, value) in list {
             let source = Source::from_text(named, name);
-            let mut values = Values::new(Reader::new(&source), model);
+            let mut values = ValueReader::new(Reader::new(&source), model);
             let place = values.place(name, 0..name.len(), scene);
             let decimal = Rational::shortest_decimal(*value);
             if decimal.is_none() {
@@ -167,7 +167,7 @@ impl Grid {
 /// rounded.
 fn stated_parameters(scene: &Scene, model: &mut Model) -> Result<Vec<Number>, Diagnostics> {
     let (reader, table) = Reader::parse(&scene.source)?;
-    let mut values = Values::new(reader, model);
+    let mut values = ValueReader::new(reader, model);
     let parameters = values.parameters(table.get_ref());
     values.reader.finish()?;
     Ok(parameters.expect("reported if missing"))
@@ -215,7 +215,7 @@ fn between(from: f64, to: f64, at: u64, last: u64) -> f64 {
     from * (1.0 - part) + to * part
 }
 
-impl Values<'_, '_> {
+impl ValueReader<'_, '_> {
     /// Reads the axis that the text of the source describes.
     fn axis(&mut self, context: &Context<'_>) -> Option<Axis> {
         let text = self.reader.source.text.as_str();
@@ -265,7 +265,7 @@ impl Values<'_, '_> {
         scene: &Scene,
     ) -> Option<Varied> {
         let model = &self.model;
-        let by_rates = matches!(scene.exact.motion, Stated::Rates(_));
+        let by_rates = matches!(scene.exact.motion, InitialMotion::Rates(_));
         let rates: Vec<String> = model.coordinates.iter().map(|c| format!("{}'", c.name)).collect();
         let speed = model.speeds.iter().position(|s| s.name == name);
         let rate = rates.iter().position(|rate| rate == name);

@@ -7,7 +7,7 @@ use super::axis::Grid;
 use crate::diagnostic::Diagnostics;
 use crate::model::Model;
 use crate::read::Reader;
-use crate::scene::numbers::values::{Number, Terms, Values, Varied, doubles};
+use crate::scene::numbers::values::{Number, Terms, ValueReader, Varied, doubles};
 use crate::scene::starts::state::Start;
 use crate::scene::{Numbers, Scene};
 use toml::Spanned;
@@ -41,7 +41,7 @@ impl<'a> Family<'a> {
     }
 
     fn scene(&mut self, given: &[(Varied, Number)]) -> Result<Scene, Diagnostics> {
-        let mut values = Values {
+        let mut values = ValueReader {
             reader: Reader::new(&self.scene.source),
             model: &mut self.model,
             terms: std::mem::take(&mut self.terms),

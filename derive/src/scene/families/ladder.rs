@@ -1,8 +1,8 @@
 //! A ladder: one scene from several starts that differ in one number, to find where runs fail.
 
 use crate::diagnostic::nearest;
-use crate::scene::numbers::values::{Number, Values};
-use crate::scene::starts::start::{Exact, Stated};
+use crate::scene::numbers::values::{Number, ValueReader};
+use crate::scene::starts::start::{Exact, InitialMotion};
 use toml::de::{DeTable, DeValue};
 use tripos_traits::DoubleDouble;
 
@@ -17,7 +17,7 @@ pub struct Ladder {
     pub values: Vec<DoubleDouble>,
 }
 
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     /// Reads `[ladder]`: one coordinate or speed with a list of values.
     pub fn ladder(&mut self, table: &'a DeTable<'a>, p: &[Number], start: &Exact) -> Option<Ladder> {
         const HOW: &str = "write one coordinate or speed with its values, as u2 = [1.6, 0.8]";
@@ -31,7 +31,7 @@ impl<'a> Values<'a, '_> {
         };
         let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
         let speeds = self.model.speeds.iter().map(|s| s.name.clone());
-        let stated = if matches!(start.motion, Stated::Speeds(_)) { speeds.collect() } else { Vec::new() };
+        let stated = if matches!(start.motion, InitialMotion::Speeds(_)) { speeds.collect() } else { Vec::new() };
         let names: Vec<String> = coordinates.chain(stated).collect();
         let Some(at) = names.iter().position(|known| *known == name.text) else {
             let help = nearest(&name.text, names.iter().map(String::as_str));

@@ -6,9 +6,9 @@
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Model, Unit};
 use crate::read::Reader;
-use crate::scene::numbers::values::{Number, Terms, Values, Varied, doubles};
+use crate::scene::numbers::values::{Number, Terms, ValueReader, Varied, doubles};
 use crate::scene::starts::state::Start;
-use crate::scene::{Exact, Numbers, Scene, Stated};
+use crate::scene::{Exact, InitialMotion, Numbers, Scene};
 use toml::Spanned;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
@@ -33,7 +33,7 @@ impl<'a> Nearby<'a> {
     pub fn new(scene: &'a Scene, model: &Model, set: &[(String, f64)], name: &str) -> Result<Self, Diagnostics> {
         let mut model = model.clone();
         let source = Source::from_text("what is differentiated by", name);
-        let mut values = Values::new(Reader::new(&source), &mut model);
+        let mut values = ValueReader::new(Reader::new(&source), &mut model);
         let place = values.place(name, 0..name.len(), scene);
         let others: Vec<_> =
             set.iter().filter_map(|(name, value)| Some((values.place(name, 0..0, scene)?, *value))).collect();
@@ -74,7 +74,7 @@ impl<'a> Nearby<'a> {
     /// [`Diagnostics`] if no such scene exists, for example because a mass is negative.
     pub fn at(&mut self, value: DoubleDouble) -> Result<Scene, Diagnostics> {
         let given: Vec<_> = self.set.iter().cloned().chain([(self.place, Number::wide(value))]).collect();
-        let mut values = Values {
+        let mut values = ValueReader {
             reader: Reader::new(&self.scene.source),
             model: &mut self.model,
             terms: std::mem::take(&mut self.terms),
@@ -99,6 +99,6 @@ fn of(exact: &Exact, place: Varied) -> DoubleDouble {
     match (place, &exact.motion) {
         (Varied::Parameter(at), _) => exact.parameters[at],
         (Varied::Coordinate(at), _) => exact.q[at],
-        (Varied::Rate(at) | Varied::Speed(at), Stated::Rates(list) | Stated::Speeds(list)) => list[at],
+        (Varied::Rate(at) | Varied::Speed(at), InitialMotion::Rates(list) | InitialMotion::Speeds(list)) => list[at],
     }
 }

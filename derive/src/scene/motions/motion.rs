@@ -7,7 +7,7 @@ use crate::algebra::{Expr, Rational};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest};
 use crate::model::{Model, StatedUnit, TIME};
 use crate::read::{Located, Reader};
-use crate::scene::numbers::values::{Number, Values, extended};
+use crate::scene::numbers::values::{Number, ValueReader, extended};
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
 
@@ -20,21 +20,21 @@ pub struct Motion {
     /// Values of the parameters, in the order of the model.
     pub parameters: Vec<DoubleDouble>,
     /// Form in which the motion is given.
-    pub given: Given,
+    pub given: MotionForm,
 }
 
 /// Form of a given motion.
 #[derive(Clone, Debug)]
-pub enum Given {
+pub enum MotionForm {
     /// Coordinates, speeds and accelerations at successive instants.
-    Samples(Vec<Moving>),
+    Samples(Vec<MotionSample>),
     /// Coordinates as formulas of t.
     Formulas(Formulas),
 }
 
 /// State and accelerations at one instant of a motion.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Moving {
+pub struct MotionSample {
     /// Instant of the state, s; `None` if it is not known.
     pub t: Option<f64>,
     /// Coordinates, in the order of the model, time included if the model names it.
@@ -67,7 +67,7 @@ pub struct Formulas {
 pub fn load_motion(source: &Source, model: &mut Model) -> Result<Motion, Diagnostics> {
     let (mut reader, table) = Reader::parse(source)?;
     reader.schema(table.get_ref());
-    let mut values = Values::new(reader, model);
+    let mut values = ValueReader::new(reader, model);
     let inputs = values.inputs(table.get_ref());
     values.reader.finish()?;
     if inputs.bindings != values.model.bindings {
@@ -75,7 +75,7 @@ pub fn load_motion(source: &Source, model: &mut Model) -> Result<Motion, Diagnos
     }
     let (reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
-    let mut values = Values::new(reader, model);
+    let mut values = ValueReader::new(reader, model);
     let keys =
         ["schema", "title", "about", "parameters", "inputs", "state", "accelerations", "motion", "times", "guess"];
     values.reader.allow(table, "a motion", &keys);
@@ -83,9 +83,9 @@ pub fn load_motion(source: &Source, model: &mut Model) -> Result<Motion, Diagnos
     let given = match (&parameters, table.contains_key("state"), table.contains_key("motion")) {
         (None, ..) => None,
         (Some(parameters), true, false) => {
-            values.at_instant(table, parameters).map(|moving| Given::Samples(vec![moving]))
+            values.at_instant(table, parameters).map(|moving| MotionForm::Samples(vec![moving]))
         }
-        (Some(parameters), false, true) => values.formulas(table, parameters).map(Given::Formulas),
+        (Some(parameters), false, true) => values.formulas(table, parameters).map(MotionForm::Formulas),
         _ => {
             let help = "give [state] with [accelerations] for one instant, or [motion] with [times]";
             values.reader.errors.push(Diagnostic::of_file("the file is no motion", help));
@@ -97,9 +97,9 @@ pub fn load_motion(source: &Source, model: &mut Model) -> Result<Motion, Diagnos
     Ok(Motion { parameters, given: given.expect("reported if missing") })
 }
 
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     /// Reads `[state]` and `[accelerations]` of a motion file.
-    fn at_instant(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Moving> {
+    fn at_instant(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<MotionSample> {
         let state = self.section(table, "state")?;
         let start = self.state(table, state, parameters);
         let mut rates: Vec<Option<DoubleDouble>> = vec![None; self.model.speeds.len()];
@@ -123,8 +123,8 @@ impl<'a> Values<'a, '_> {
         let t = self.model.time().map(|at| start.q[at]);
         // Speeds that follow from stated rates are known in doubles.
         let by_rates = || start.u.iter().map(|x| DoubleDouble::from(*x)).collect();
-        let u = if let crate::scene::Stated::Speeds(u) = start.exact.motion { u } else { by_rates() };
-        Some(Moving { t, q: start.exact.q, u, rates: rates.into_iter().collect::<Option<_>>()? })
+        let u = if let crate::scene::InitialMotion::Speeds(u) = start.exact.motion { u } else { by_rates() };
+        Some(MotionSample { t, q: start.exact.q, u, rates: rates.into_iter().collect::<Option<_>>()? })
     }
 
     /// Reads `[motion]`, `[times]` and `[guess]` of a motion file.

@@ -1,6 +1,6 @@
 //! Tables of measured or planned motions: a row for each instant, a column for each coordinate, speed and acceleration.
 
-use super::motion::Moving;
+use super::motion::MotionSample;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
 use crate::model::{Model, TIME};
 use tripos_traits::DoubleDouble;
@@ -10,7 +10,7 @@ use tripos_traits::DoubleDouble;
 ///
 /// # Errors
 /// [`Diagnostics`] with the first error of the CSV file.
-pub fn load_samples(source: &Source, model: &Model) -> Result<Vec<Moving>, Diagnostics> {
+pub fn load_samples(source: &Source, model: &Model) -> Result<Vec<MotionSample>, Diagnostics> {
     let wrong =
         |message: String, help: String| Diagnostics::new(source.clone(), vec![Diagnostic::of_file(message, help)]);
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(source.text.as_bytes());
@@ -46,7 +46,7 @@ pub fn load_samples(source: &Source, model: &Model) -> Result<Vec<Moving>, Diagn
         let (q, rest) = values.split_at(model.coordinates.len());
         let (u, rates) = rest.split_at(model.speeds.len());
         let t = instant.map(number).transpose()?;
-        list.push(Moving { t, q: q.to_vec(), u: u.to_vec(), rates: rates.to_vec() });
+        list.push(MotionSample { t, q: q.to_vec(), u: u.to_vec(), rates: rates.to_vec() });
     }
     if list.is_empty() {
         return Err(wrong("the table has no rows".to_owned(), "give at least one".to_owned()));

@@ -31,7 +31,7 @@ impl Places {
             VelocityOf::Material((name, _), (at, _)) => {
                 let (body, at) = (&model.bodies[body(name)?], point(at)?);
                 match &body.rigid {
-                    Some((frame, _)) => motion.of_material(arena, frames, (*frame, body.centre), at),
+                    Some((frame, _)) => motion.of_material(arena, frames, *frame, body.centre, at),
                     None if at != body.centre => {
                         let message =
                             format!("the particle `{}` is not at the point `{}`", body.name, model.points[at].name);

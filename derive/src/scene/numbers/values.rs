@@ -11,7 +11,7 @@ use crate::algebra::value::exact::exact_value;
 use crate::algebra::value::interval::{lost_constant, without_lost_zeros};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::model::{Model, StatedInteraction, StatedUnit, Unit, is_redundant};
+use crate::model::{ImpossibleBody, Model, StatedInteraction, StatedUnit, Unit, is_redundant};
 use crate::read::{Located, Reader};
 use rustc_hash::FxHashMap;
 use toml::de::DeTable;
@@ -100,8 +100,28 @@ pub fn extended(numbers: &[Number]) -> Vec<DoubleDouble> {
     numbers.iter().map(Number::extended).collect()
 }
 
+/// Number that a state file names for itself.
+#[derive(Clone, Debug)]
+pub struct NamedNumber<N> {
+    /// Name of the number in the file.
+    pub name: String,
+    /// Symbol of the number in formulas.
+    pub symbol: Expr,
+    /// Value of the number.
+    pub value: N,
+}
+
+/// Number that a scene gives to an input.
+pub struct InputNumber {
+    /// Index of the input among the parameters.
+    pub parameter: usize,
+    pub number: Number,
+    /// Byte range of the number in the scene file.
+    pub span: std::ops::Range<usize>,
+}
+
 /// Reader of a file whose values belong to a model.
-pub struct Values<'a, 'm> {
+pub struct ValueReader<'a, 'm> {
     pub reader: Reader<'a>,
     pub model: &'m mut Model,
     /// Parsed formulas of this file.
@@ -110,20 +130,20 @@ pub struct Values<'a, 'm> {
     pub given: &'m [(Varied, Number)],
     /// Instant of the state, s, if the file states it outside of the state, as by a scene's span.
     pub instant: Option<Number>,
-    /// Numbers that the file names for itself: name, symbol, value.
-    pub names: Vec<(String, Expr, Number)>,
+    /// Numbers that the file names for itself.
+    pub names: Vec<NamedNumber<Number>>,
     /// True if formulas that are not rational are evaluated to 32 digits, as derivatives of a start require.
     pub is_wide: bool,
 }
 
-impl<'a, 'm> Values<'a, 'm> {
+impl<'a, 'm> ValueReader<'a, 'm> {
     /// A reader of a file that is read once, without replaced numbers.
     pub fn new(reader: Reader<'a>, model: &'m mut Model) -> Self {
         Self { reader, model, terms: Terms::default(), given: &[], instant: None, names: Vec::new(), is_wide: false }
     }
 }
 
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     /// The table under a key; `None` if it is absent or no table.
     pub fn section(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<&'a DeTable<'a>> {
         let value = self.reader.get(table, key)?;
@@ -153,8 +173,8 @@ impl<'a> Values<'a, '_> {
             }
             (values[at], places[at]) = (Some(number), Some(formula.span));
         }
-        for (at, number, span) in self.numbers_of_inputs(table) {
-            (values[at], places[at]) = (Some(number), Some(span));
+        for InputNumber { parameter, number, span } in self.numbers_of_inputs(table) {
+            (values[parameter], places[parameter]) = (Some(number), Some(span));
         }
         for (place, number) in self.given {
             let Varied::Parameter(at) = *place else { continue };
@@ -181,7 +201,7 @@ impl<'a> Values<'a, '_> {
     /// Reports values at which a body cannot exist, at the first stated value on which the body's mass or inertia
     /// depends.
     fn check_bodies(&mut self, values: &[Number], places: &[Option<std::ops::Range<usize>>]) {
-        for (message, help, parameters) in self.model.impossible(&doubles(values)) {
+        for ImpossibleBody { message, help, parameters } in self.model.impossible(&doubles(values)) {
             match parameters.into_iter().find_map(|at| places[at].clone()) {
                 Some(span) => self.reader.error(span, message, help),
                 None => self.reader.errors.push(Diagnostic::of_file(message, help)),
@@ -224,7 +244,7 @@ impl<'a> Values<'a, '_> {
         if let Some(number) = &term.constant {
             return Some(number.clone());
         }
-        let own = self.names.iter().map(|(_, _, number)| number.double);
+        let own = self.names.iter().map(|named| named.value.double);
         let value = term.tape.evaluate(&doubles(parameters).into_iter().chain(own).collect::<Vec<_>>())[0];
         if !value.is_finite() {
             self.reader.error(
@@ -235,13 +255,13 @@ impl<'a> Values<'a, '_> {
             return None;
         }
         let symbols = self.model.parameters.iter().map(|p| p.symbol);
-        let own = self.names.iter().map(|(_, symbol, number)| (*symbol, number));
+        let own = self.names.iter().map(|named| (named.symbol, &named.value));
         let pairs = symbols.zip(parameters).chain(own).filter_map(|(s, p)| Some((s, p.exact.clone()?)));
         let exact = exact_value(&self.model.arena, term.expression, &pairs.collect::<Vec<_>>());
         let number = match exact {
             Some(exact) => Number::exact(exact),
             None if self.is_wide => {
-                let own = self.names.iter().map(|(_, _, number)| number.extended());
+                let own = self.names.iter().map(|named| named.value.extended());
                 let known: Vec<DoubleDouble> = extended(parameters).into_iter().chain(own).collect();
                 Number::wide(term.tape.to::<DoubleDouble>().evaluate(&known)[0])
             }
@@ -269,7 +289,7 @@ impl<'a> Values<'a, '_> {
         let model = &mut *self.model;
         let known: Vec<(String, Expr)> =
             model.parameters.iter().take(known).map(|p| (p.name.clone(), p.symbol)).collect();
-        let own = self.names.iter().map(|(name, symbol, _)| (name.clone(), *symbol));
+        let own = self.names.iter().map(|named| (named.name.clone(), named.symbol));
         let known: Vec<(String, Expr)> = known.into_iter().chain(own).collect();
         let stated = StatedUnit::of(&formula.text);
         let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number(formula));
@@ -324,7 +344,7 @@ impl<'a> Values<'a, '_> {
         if !others.is_empty() {
             known.extend(model.speeds.iter().map(|s| (format!("{}'", s.name), s.rate)));
         }
-        let redundant: Vec<&str> = model.redundant.iter().map(|(_, r)| r.name.as_str()).collect();
+        let redundant: Vec<&str> = model.redundant.iter().map(|r| r.reaction.name.as_str()).collect();
         let mut resolve = |arena: &mut Arena, name: &str| {
             if let Some((_, e)) = known.iter().find(|(n, _)| n == name) {
                 return Ok(*e);

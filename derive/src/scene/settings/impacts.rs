@@ -10,10 +10,28 @@ use crate::diagnostic::nearest;
 use crate::model::TIME;
 use crate::read::Located;
 use crate::scene::numbers::places::Places;
-use crate::scene::numbers::values::{Number, Values};
+use crate::scene::numbers::values::{Number, ValueReader};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::DoubleDouble;
+
+/// Kind of a formula of a contact.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum ContactFormula {
+    /// Distance between the bodies.
+    Gap,
+    /// Velocity along the contact.
+    Slip,
+}
+
+/// Values that a coefficient may have, and words for an error about others.
+struct Permitted<'p> {
+    may_be: &'p dyn Fn(f64) -> bool,
+    /// Fault of a value that is not permitted, such as "below 0".
+    wrong: &'p str,
+    /// Advice for such a value.
+    help: &'p str,
+}
 
 /// Law of restitution: it gives the part of the closing velocity, or of the impulse of compression, that returns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -93,7 +111,7 @@ const MOST_ROUGH: usize = 4;
 /// Key of the section that states contacts.
 const IMPACTS: &str = "impacts";
 
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     /// Reads the coefficients of contacts, in the order of the scene file, at these values of the parameters.
     pub(in crate::scene) fn coefficients(
         &mut self,
@@ -108,33 +126,36 @@ impl<'a> Values<'a, '_> {
             let restitution = stated.and_then(|value| {
                 let may_be = |e: f64| (0.0..=1.0).contains(&e);
                 let help = "0 takes all of the closing velocity away, 1 gives all of it back";
-                self.coefficient(value, ("restitution", &name.text), parameters, (&may_be, "not from 0 to 1", help))
+                let permitted = Permitted { may_be: &may_be, wrong: "not from 0 to 1", help };
+                self.coefficient(value, "restitution", &name.text, parameters, &permitted)
             });
             let friction = self.reader.get(entry, "friction").and_then(|value| {
                 let may_be = |mu: f64| mu >= 0.0 && mu.is_finite();
                 let help = "friction takes energy: its coefficient is 0 or more";
-                self.coefficient(value, ("friction", &name.text), parameters, (&may_be, "below 0", help))
+                let permitted = Permitted { may_be: &may_be, wrong: "below 0", help };
+                self.coefficient(value, "friction", &name.text, parameters, &permitted)
             });
             list.push(Coefficients { restitution: restitution.unwrap_or_else(|| Number::rounded(0.0)), friction });
         }
         list
     }
 
-    /// Reads a coefficient of a contact, given its key, the contact's name, its permitted values, and words for an
-    /// error.
+    /// Reads a coefficient of a contact, given its key, the contact's name and its permitted values.
     fn coefficient(
         &mut self,
         value: &'a Spanned<DeValue<'a>>,
-        (key, contact): (&str, &str),
+        key: &str,
+        contact: &str,
         parameters: &[Number],
-        (may_be, wrong, help): (&dyn Fn(f64) -> bool, &str, &str),
+        permitted: &Permitted<'_>,
     ) -> Option<Number> {
+        let Permitted { may_be, wrong, help } = permitted;
         let quoted = format!("`{key}`");
         let formula = self.reader.formula(value, &quoted)?;
         let number = self.number(&formula, parameters, &quoted)?;
         if !may_be(number.double) {
             let message = format!("the {key} of `{contact}` is {}, {wrong}", number.double);
-            self.reader.error(formula.span.clone(), message, help);
+            self.reader.error(formula.span.clone(), message, *help);
         }
         Some(number)
     }
@@ -177,7 +198,7 @@ impl<'a> Values<'a, '_> {
                     help,
                 );
             }
-            let friction = self.friction(&mut places, (&name, entry), own.friction.as_ref());
+            let friction = self.friction(&mut places, &name, entry, own.friction.as_ref());
             if friction.is_some() && list.iter().filter(|impact| impact.friction.is_some()).count() == MOST_ROUGH {
                 let help = "give friction to those that matter most, or `no_slip` to those that do not slip";
                 self.reader.error(name.span.clone(), format!("more than {MOST_ROUGH} contacts have friction"), help);
@@ -203,7 +224,8 @@ impl<'a> Values<'a, '_> {
     fn friction(
         &mut self,
         places: &mut Places,
-        (name, entry): (&Located, &'a DeTable<'a>),
+        name: &Located,
+        entry: &'a DeTable<'a>,
         coefficient: Option<&Number>,
     ) -> Option<ContactFriction> {
         let (friction, along) = (self.reader.get(entry, "friction"), self.reader.get(entry, "along"));
@@ -234,7 +256,7 @@ impl<'a> Values<'a, '_> {
 
     /// Reads a velocity along a contact; reports one that is not linear in rates and speeds.
     fn slip(&mut self, places: &mut Places, formula: &Located) -> Option<Expr> {
-        let slip = self.contact_formula(places, formula, true)?;
+        let slip = self.contact_formula(places, formula, ContactFormula::Slip)?;
         let model = &mut *self.model;
         let moving: Vec<Expr> = model.coordinates.iter().map(|c| c.rate).chain(model.u()).collect();
         let arena = &mut model.arena;
@@ -254,7 +276,7 @@ impl<'a> Values<'a, '_> {
 
     /// Reads the gap of a contact. Returns the gap and its time derivative.
     fn gap(&mut self, places: &mut Places, formula: &Located) -> Option<(Expr, Expr)> {
-        let gap = self.contact_formula(places, formula, false)?;
+        let gap = self.contact_formula(places, formula, ContactFormula::Gap)?;
         let model = &mut *self.model;
         if !model.coordinates.iter().any(|c| c.name != TIME && model.arena.mentions(gap, c.symbol)) {
             let help = "a gap is a formula of coordinates or positions, such as \"p(P) @ N [3] - R\"";
@@ -282,8 +304,10 @@ impl<'a> Values<'a, '_> {
         list
     }
 
-    /// Reads a formula in parameters, coordinates and positions. If `with_rates`, also in rates, speeds and velocities.
-    fn contact_formula(&mut self, places: &mut Places, formula: &Located, with_rates: bool) -> Option<Expr> {
+    /// Reads a formula in parameters, coordinates and positions. The formula of a slip may contain rates, speeds and
+    /// velocities too.
+    fn contact_formula(&mut self, places: &mut Places, formula: &Located, kind: ContactFormula) -> Option<Expr> {
+        let with_rates = kind == ContactFormula::Slip;
         let model = &mut *self.model;
         let mut arena = std::mem::take(&mut model.arena);
         let mut known: Vec<(String, Expr)> = model.parameters.iter().map(|p| (p.name.clone(), p.symbol)).collect();

@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostics, Source, nearest};
 use crate::model::{Binding, Input, Model, StatedUnit, TIME};
 use crate::read::{Located, Reader};
 use crate::scene::numbers::table::{Interpolation, interpolated};
-use crate::scene::numbers::values::{Number, Values};
+use crate::scene::numbers::values::{InputNumber, ValueReader};
 use crate::scene::{Scene, load};
 use std::ops::Range;
 use toml::Spanned;
@@ -17,7 +17,7 @@ const INPUTS: &str = "inputs";
 
 /// Formulas that a scene gives to inputs, and their place in the file.
 #[derive(Default)]
-pub struct Given {
+pub struct InputBindings {
     /// Formulas for inputs, in the order of the scene.
     pub bindings: Vec<Binding>,
     /// Byte range of the section `[inputs]` in the scene file.
@@ -37,7 +37,7 @@ pub fn load_bound(source: &Source, model: &mut Model) -> Result<Scene, Diagnosti
 /// Puts the formulas that a file gives to the inputs of a model into the model.
 pub(in crate::scene) fn bind(source: &Source, model: &mut Model) -> Result<(), Diagnostics> {
     let (reader, table) = Reader::parse(source)?;
-    let mut values = Values::new(reader, model);
+    let mut values = ValueReader::new(reader, model);
     let given = values.inputs(table.get_ref());
     values.reader.finish()?;
     if given.bindings != model.bindings {
@@ -46,10 +46,10 @@ pub(in crate::scene) fn bind(source: &Source, model: &mut Model) -> Result<(), D
     Ok(())
 }
 
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     /// Reads the formulas of the section `[inputs]`; numbers for inputs that are parameters are left out.
-    pub(in crate::scene) fn inputs(&mut self, table: &'a DeTable<'a>) -> Given {
-        let mut given = Given::default();
+    pub(in crate::scene) fn inputs(&mut self, table: &'a DeTable<'a>) -> InputBindings {
+        let mut given = InputBindings::default();
         let Some(section) = self.section(table, INPUTS) else { return given };
         given.place = self.reader.get(table, INPUTS).map_or(0..0, Spanned::span);
         for (name, value) in self.reader.entries(section) {
@@ -76,8 +76,8 @@ impl<'a> Values<'a, '_> {
         input.is_parameter && self.model.bindings.iter().all(|binding| binding.input != input.name)
     }
 
-    /// Numbers that the scene gives to inputs: index of the parameter, number, and byte range in the file.
-    pub(in crate::scene) fn numbers_of_inputs(&mut self, table: &'a DeTable<'a>) -> Vec<(usize, Number, Range<usize>)> {
+    /// Numbers that the scene gives to inputs.
+    pub(in crate::scene) fn numbers_of_inputs(&mut self, table: &'a DeTable<'a>) -> Vec<InputNumber> {
         let mut numbers = Vec::new();
         // Errors of the section are reported where its formulas are read.
         let Some(section) = table.get(INPUTS).and_then(|value| value.get_ref().as_table()) else { return numbers };
@@ -91,8 +91,8 @@ impl<'a> Values<'a, '_> {
             let Some(formula) = formula else { continue };
             self.check_unit(&formula, &input.unit, &name.text);
             let at = self.model.parameters.iter().position(|p| p.name == name.text);
-            if let (Some(at), Some(number)) = (at, self.constant(&formula)) {
-                numbers.push((at, number, formula.span));
+            if let (Some(parameter), Some(number)) = (at, self.constant(&formula)) {
+                numbers.push(InputNumber { parameter, number, span: formula.span });
             }
         }
         numbers

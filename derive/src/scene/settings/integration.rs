@@ -4,7 +4,7 @@ use crate::algebra::Rational;
 use crate::algebra::value::exact::pi;
 use crate::diagnostic::{Diagnostic, UnknownName, nearest};
 use crate::mechanics::Distance;
-use crate::scene::numbers::values::{Number, Values};
+use crate::scene::numbers::values::{Number, ValueReader};
 use std::fmt;
 use std::str::FromStr;
 use toml::de::{DeTable, DeValue};
@@ -178,7 +178,7 @@ pub struct Integration {
 const KEYS: [&str; 11] =
     ["method", "solve", "rtol", "atol", "step", "max_step", "step_limit", "samples", "domain", "project", "distance"];
 
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     /// Reads the section `[integration]`; settings that are not stated have their defaults.
     pub fn integration(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Integration {
         let section = self.section(table, "integration");

@@ -5,7 +5,7 @@ use crate::model::Model;
 use crate::plain::one_line;
 use crate::read::Located;
 use crate::scene::SceneOutput;
-use crate::scene::numbers::values::Values;
+use crate::scene::numbers::values::ValueReader;
 use toml::de::{DeTable, DeValue};
 
 /// Names of energies in outputs. If the model has such a name, the model's quantity is meant.
@@ -33,7 +33,7 @@ const NOT_THERE: [(&[&str], &str); 4] = [
     ),
 ];
 
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     /// Reads `outputs = ["q2", "u1"]`: each is a name, a formula, or `{ name = "lean", value = "q2" }`. Without it,
     /// every coordinate and speed is an output. The second value is true if the scene file states outputs.
     pub fn outputs(&mut self, table: &'a DeTable<'a>) -> (Vec<SceneOutput>, bool) {

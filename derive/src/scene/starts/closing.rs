@@ -1,9 +1,9 @@
 //! Starts of mechanisms with loops: coordinates that close the loops are solved for, from guesses.
 
-use super::loops::{Found, Loops};
-use super::start::Closed;
+use super::loops::{FoundPose, Loops};
+use super::start::SolvedVariable;
 use crate::model::TIME;
-use crate::scene::numbers::values::{Number, Values, doubles};
+use crate::scene::numbers::values::{Number, ValueReader, doubles};
 use std::ops::Range;
 use toml::de::DeTable;
 use tripos_traits::{DoubleDouble, Scalar};
@@ -11,7 +11,7 @@ use tripos_traits::{DoubleDouble, Scalar};
 /// Residual up to which a loop counts as closed if every coordinate is stated, relative to the size of its terms.
 /// People state few digits.
 const STATED: f64 = 1e-9;
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     /// Guesses of a scene for the coordinates that its start leaves open, one for each coordinate.
     pub(in crate::scene) fn guesses(
         &mut self,
@@ -51,10 +51,11 @@ impl<'a> Values<'a, '_> {
     pub(in crate::scene) fn close(
         &mut self,
         q: &mut [Option<Number>],
-        (held, guesses): (&[(usize, Number)], &[Option<Number>]),
+        held: &[(usize, Number)],
+        guesses: &[Option<Number>],
         parameters: &[Number],
         place: Range<usize>,
-    ) -> Option<Vec<Closed>> {
+    ) -> Option<Vec<SolvedVariable>> {
         let free: Vec<usize> = (0..q.len()).filter(|at| q[*at].is_none()).collect();
         // If nothing is free, held variables are checked when all values are known.
         let held = if free.is_empty() { &[] } else { held };
@@ -70,7 +71,7 @@ impl<'a> Values<'a, '_> {
         let open_at_start = loops.open(&p, &start);
         let is_stated = free.is_empty() && loops.is_closed(&p, &start, &open_at_start, STATED);
         if !found.is_closed || free.is_empty() && !is_stated {
-            self.report_open((&loops, &found), &open_at_start, &free, place);
+            self.report_open(&loops, &found, &open_at_start, &free, place);
             return None;
         }
         if loops.is_singular(&p, &found.q) {
@@ -107,7 +108,7 @@ impl<'a> Values<'a, '_> {
         for at in moving {
             q[*at] = Some(Number::wide(precise[*at]));
         }
-        let name = |at: &usize| Closed {
+        let name = |at: &usize| SolvedVariable {
             name: self.model.coordinates[*at].name.clone(),
             value: precise[*at].hi(),
             is_rate: false,
@@ -117,7 +118,8 @@ impl<'a> Values<'a, '_> {
 
     fn report_open(
         &mut self,
-        (loops, found): (&Loops, &Found),
+        loops: &Loops,
+        found: &FoundPose,
         open_at_start: &[f64],
         free: &[usize],
         place: Range<usize>,

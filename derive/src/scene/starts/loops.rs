@@ -34,8 +34,19 @@ pub struct Loops {
     held: Vec<DoubleDouble>,
 }
 
+/// Residual of a loop that should follow from independent ones.
+#[derive(Clone, Copy, Debug)]
+pub struct DependentLoop<'l> {
+    /// Name of the loop.
+    pub name: &'l str,
+    /// Residual of the loop, in the loop's unit.
+    pub residual: f64,
+    /// Size of the residual over the sum of the sizes of its terms.
+    pub part: f64,
+}
+
 /// Result of a search for a closed pose.
-pub(in crate::scene) struct Found {
+pub(in crate::scene) struct FoundPose {
     pub q: Vec<f64>,
     /// Residual of each loop, in the loop's unit.
     pub open: Vec<f64>,
@@ -88,13 +99,15 @@ impl Loops {
         self.names.iter().map(String::as_str)
     }
 
-    /// Loops that should follow from independent ones: name, residual in the loop's unit, and residual over the sum of
-    /// the sizes of its terms.
+    /// Residuals of the loops that should follow from independent ones.
     #[must_use]
-    pub fn following(&self, p: &[f64], q: &[f64]) -> Vec<(&str, f64, f64)> {
+    pub fn following(&self, p: &[f64], q: &[f64]) -> Vec<DependentLoop<'_>> {
         let (open, slopes) = (self.open(p, q), self.slopes(p, q));
-        let following = (self.independent..self.count)
-            .map(|row| (self.names[row].as_str(), open[row], open[row].abs() / size(&slopes, row, q)));
+        let following = (self.independent..self.count).map(|row| DependentLoop {
+            name: &self.names[row],
+            residual: open[row],
+            part: open[row].abs() / size(&slopes, row, q),
+        });
         following.collect()
     }
 
@@ -192,7 +205,7 @@ impl Loops {
 
     /// Runs Newton's method with halved steps, along the `free` coordinates alone. If the loops leave some of these
     /// open, it takes the smallest change.
-    pub(in crate::scene) fn newton(&self, p: &[f64], start: &[f64], free: &[usize]) -> Found {
+    pub(in crate::scene) fn newton(&self, p: &[f64], start: &[f64], free: &[usize]) -> FoundPose {
         let mut q = start.to_vec();
         let mut open = DVector::from_vec(self.open(p, &q));
         let inverse_at = |q: &[f64]| {
@@ -227,7 +240,7 @@ impl Loops {
         }
         let open: Vec<f64> = open.iter().copied().collect();
         let is_closed = self.is_closed(p, &q, &open, OPEN);
-        Found { q, open, is_closed, inverse }
+        FoundPose { q, open, is_closed, inverse }
     }
 }
 

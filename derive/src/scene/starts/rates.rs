@@ -5,12 +5,12 @@
 //! rate is left open, the file has to state more. A speed does not determine the motion at a dead point, nor does the
 //! rate of a coordinate that cannot move.
 
-use super::start::Closed;
+use super::start::SolvedVariable;
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::value::evaluate::Tape;
 use crate::model::Model;
-use crate::scene::numbers::values::{Number, Values, doubles, extended};
+use crate::scene::numbers::values::{Number, ValueReader, doubles, extended};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 use tripos_traits::{DoubleDouble, Scalar};
@@ -60,23 +60,24 @@ fn linear_in_rates(model: &Model) -> Tape {
 
 /// A condition on the rates: the quantity `of` must have this `value`. `name` is the quantity's name in messages.
 struct Condition {
-    of: Of,
+    of: ConditionTerm,
     value: DoubleDouble,
     name: String,
 }
 
-enum Of {
+enum ConditionTerm {
     Tape(usize),
     Rate(usize),
 }
 
-impl Values<'_, '_> {
+impl ValueReader<'_, '_> {
     /// Solves for the rates of all coordinates, to 32 digits. Reports rates that are left open, and statements that
     /// contradict one another.
     pub(in crate::scene) fn solve_motion(
         &mut self,
         stated: &StatedMotion,
-        (parameters, q): (&[Number], &[Number]),
+        parameters: &[Number],
+        q: &[Number],
         place: &Range<usize>,
     ) -> Option<Vec<DoubleDouble>> {
         if self.terms.conditions.is_none() {
@@ -157,18 +158,19 @@ impl Values<'_, '_> {
     }
 
     /// Rates that the start does not state, as quantities that were solved for.
-    pub(in crate::scene) fn solved_rates(&self, stated: &StatedMotion, rates: &[DoubleDouble]) -> Vec<Closed> {
+    pub(in crate::scene) fn solved_rates(&self, stated: &StatedMotion, rates: &[DoubleDouble]) -> Vec<SolvedVariable> {
         let is_stated = |at: usize| stated.rates.iter().any(|(other, _)| *other == at);
         let list = self.model.coordinates.iter().zip(rates).enumerate().filter(|(at, _)| !is_stated(*at));
-        list.map(|(_, (c, rate))| Closed { name: format!("{}'", c.name), value: rate.hi(), is_rate: true }).collect()
+        list.map(|(_, (c, rate))| SolvedVariable { name: format!("{}'", c.name), value: rate.hi(), is_rate: true })
+            .collect()
     }
 }
 
 impl Condition {
     fn at(&self, values: &[DoubleDouble], rates: &[DoubleDouble]) -> DoubleDouble {
         match self.of {
-            Of::Tape(at) => values[at],
-            Of::Rate(at) => rates[at],
+            ConditionTerm::Tape(at) => values[at],
+            ConditionTerm::Rate(at) => rates[at],
         }
     }
 }
@@ -178,17 +180,29 @@ fn conditions(model: &Model, stated: &StatedMotion) -> Vec<Condition> {
     let (ties, speeds) = (model.motion_constraints.len(), model.speeds.len());
     let mut list: Vec<Condition> = Vec::new();
     for (at, constraint) in model.motion_constraints.iter().enumerate() {
-        list.push(Condition { of: Of::Tape(at), value: DoubleDouble::int(0), name: constraint.name.clone() });
+        list.push(Condition {
+            of: ConditionTerm::Tape(at),
+            value: DoubleDouble::int(0),
+            name: constraint.name.clone(),
+        });
     }
     for (at, value) in &stated.speeds {
-        list.push(Condition { of: Of::Tape(ties + at), value: *value, name: model.speeds[*at].name.clone() });
+        list.push(Condition {
+            of: ConditionTerm::Tape(ties + at),
+            value: *value,
+            name: model.speeds[*at].name.clone(),
+        });
     }
     for (at, value) in &stated.fixed {
         let name = format!("{}'", model.constraints[*at].fixes);
-        list.push(Condition { of: Of::Tape(ties + speeds + at), value: *value, name });
+        list.push(Condition { of: ConditionTerm::Tape(ties + speeds + at), value: *value, name });
     }
     for (at, value) in &stated.rates {
-        list.push(Condition { of: Of::Rate(*at), value: *value, name: format!("{}'", model.coordinates[*at].name) });
+        list.push(Condition {
+            of: ConditionTerm::Rate(*at),
+            value: *value,
+            name: format!("{}'", model.coordinates[*at].name),
+        });
     }
     list
 }
@@ -205,8 +219,8 @@ fn slopes(list: &[Condition], n: usize, evaluate: impl Fn(&[f64]) -> Vec<f64>) -
         along[column] = 0.0;
         for (row, condition) in list.iter().enumerate() {
             matrix[(row, column)] = match condition.of {
-                Of::Tape(at) => values[at] - still[at],
-                Of::Rate(at) => f64::from(u8::from(at == column)),
+                ConditionTerm::Tape(at) => values[at] - still[at],
+                ConditionTerm::Rate(at) => f64::from(u8::from(at == column)),
             };
         }
     }

@@ -13,19 +13,19 @@ pub struct Exact {
     /// Values of the coordinates at the start, to 32 digits where they are known.
     pub q: Vec<DoubleDouble>,
     /// Speeds or rates at the start, as the file states them.
-    pub motion: Stated,
+    pub motion: InitialMotion,
 }
 
 /// Motion at an instant, as a scene or state file states it.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Stated {
+pub enum InitialMotion {
     /// Values of every generalized speed u, in the order of the model.
     Speeds(Vec<DoubleDouble>),
     /// Values of the rate q′ of every coordinate, in the order of the model.
     Rates(Vec<DoubleDouble>),
 }
 
-impl Default for Stated {
+impl Default for InitialMotion {
     fn default() -> Self {
         Self::Speeds(Vec::new())
     }
@@ -33,7 +33,7 @@ impl Default for Stated {
 
 /// A coordinate, or the rate of one, whose value at the start was solved for.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Closed {
+pub struct SolvedVariable {
     /// Name of the coordinate, or of its rate.
     pub name: String,
     /// Value of the coordinate or rate at the start.

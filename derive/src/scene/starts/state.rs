@@ -2,13 +2,13 @@
 //! constraints.
 
 use super::rates::StatedMotion;
-use super::start::{Closed, Exact, Stated};
+use super::start::{Exact, InitialMotion, SolvedVariable};
 use crate::algebra::value::evaluate::Tape;
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Model, TIME, Unit};
 use crate::read::Located;
-use crate::scene::numbers::values::{Number, Values, Varied, doubles, extended};
+use crate::scene::numbers::values::{Number, ValueReader, Varied, doubles, extended};
 use std::ops::Range;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
@@ -23,7 +23,25 @@ pub struct Start {
     /// Parameters and state to 32 digits, as the file states them.
     pub exact: Exact,
     /// Coordinates and rates whose values were solved for.
-    pub closed: Vec<Closed>,
+    pub closed: Vec<SolvedVariable>,
+}
+
+/// Stated value of a coordinate that a constraint of the model fixes.
+struct ConstrainedValue {
+    /// Index of the constraint.
+    constraint: usize,
+    number: Number,
+    /// Place of the value in the file.
+    span: Range<usize>,
+}
+
+/// Numbers of statements about variables that constraints fix.
+#[derive(Clone, Copy)]
+struct ConstrainedCounts {
+    /// Number of stated values.
+    held: usize,
+    /// Number of stated rates.
+    fixed: usize,
 }
 
 /// Deviation up to which a stated variable satisfies the constraint that fixes it, over one plus the size of its value.
@@ -40,7 +58,7 @@ fn model_rate(model: &Model, at: usize) -> String {
     format!("{}'", model.coordinates[at].name)
 }
 
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     /// Reads a state: every coordinate, and every speed or every q′.
     ///
     /// The file may leave out coordinates that loops determine, or that follow from stated values of variables that
@@ -66,7 +84,7 @@ impl<'a> Values<'a, '_> {
             } else if let Some(at) = model.speeds.iter().position(|s| s.name == name.text) {
                 u[at] = Some((number, name));
             } else if let Some(at) = model.constraints.iter().position(|c| c.fixes == name.text) {
-                constrained.push((at, number, formula.span));
+                constrained.push(ConstrainedValue { constraint: at, number, span: formula.span });
             } else if let Some(at) = rate.and_then(|r| model.constraints.iter().position(|c| c.fixes == r)) {
                 fixed.push((at, number, name));
             } else {
@@ -101,9 +119,9 @@ impl<'a> Values<'a, '_> {
             return None;
         }
         self.now(&mut q, &mut rates, &place)?;
-        let held: Vec<(usize, Number)> = constrained.iter().map(|(at, number, _)| (*at, number.clone())).collect();
-        self.complete(table, (&q, held.len()), (&rates, fixed.len()), &u)?;
-        let mut closed = self.close(&mut q, (&held, &guesses), parameters, place.clone())?;
+        let held: Vec<(usize, Number)> = constrained.iter().map(|c| (c.constraint, c.number.clone())).collect();
+        self.complete(table, &q, &rates, &u, ConstrainedCounts { held: held.len(), fixed: fixed.len() })?;
+        let mut closed = self.close(&mut q, &held, &guesses, parameters, place.clone())?;
         let exact_q: Vec<Number> = q.into_iter().flatten().collect();
         let (p, q) = (doubles(parameters), doubles(&exact_q));
         self.check_constrained(&constrained, &p, &q);
@@ -120,7 +138,7 @@ impl<'a> Values<'a, '_> {
         if by_rates && is_whole {
             self.check_motion(table, &p, &q, &doubles(&rates));
         } else if self.model.ties_rates() || !fixed.is_empty() {
-            let solved = self.solve_motion(&stated, (parameters, &exact_q), &place)?;
+            let solved = self.solve_motion(&stated, parameters, &exact_q, &place)?;
             if by_rates {
                 closed.extend(self.solved_rates(&stated, &solved));
                 rates = solved.into_iter().map(Number::wide).collect();
@@ -132,7 +150,8 @@ impl<'a> Values<'a, '_> {
             self.reader.errors.push(Diagnostic::of_file(message, "choose another state"));
             return None;
         }
-        let motion = if by_rates { Stated::Rates(extended(&rates)) } else { Stated::Speeds(extended(&exact_u)) };
+        let motion =
+            if by_rates { InitialMotion::Rates(extended(&rates)) } else { InitialMotion::Speeds(extended(&exact_u)) };
         let rational = parameters.iter().map(|p| p.exact.clone()).collect();
         let exact = Exact { parameters: extended(parameters), rational, q: extended(&exact_q), motion };
         Some(Start { q, u, exact, closed })
@@ -160,15 +179,16 @@ impl<'a> Values<'a, '_> {
         Some(())
     }
 
-    /// Reports coordinates, speeds and rates that have no value. `held` and `fixed` are the numbers of stated variables
-    /// that constraints fix and of their stated rates. Speeds and rates must not be mixed.
+    /// Reports coordinates, speeds and rates that have no value. Speeds and rates must not be mixed.
     fn complete(
         &mut self,
         table: &'a DeTable<'a>,
-        (q, held): (&[Option<Number>], usize),
-        (rates, fixed): (&[Option<(Number, Located)>], usize),
+        q: &[Option<Number>],
+        rates: &[Option<(Number, Located)>],
         u: &[Option<(Number, Located)>],
+        constrained: ConstrainedCounts,
     ) -> Option<()> {
+        let ConstrainedCounts { held, fixed } = constrained;
         let model = &self.model;
         let place = self.reader.entries(table).first().map_or(0..0, |(key, _)| key.span.clone());
         let open = model.coordinates.iter().zip(q).filter(|(_, x)| x.is_none());
@@ -200,9 +220,9 @@ impl<'a> Values<'a, '_> {
         None
     }
 
-    fn check_constrained(&mut self, stated: &[(usize, Number, std::ops::Range<usize>)], parameters: &[f64], q: &[f64]) {
-        for (at, number, span) in stated {
-            let constraint = self.model.constraints[*at].clone();
+    fn check_constrained(&mut self, stated: &[ConstrainedValue], parameters: &[f64], q: &[f64]) {
+        for ConstrainedValue { constraint, number, span } in stated {
+            let constraint = self.model.constraints[*constraint].clone();
             let inputs = [parameters, q].concat();
             let symbols = [self.model.p(), self.model.q()].concat();
             let Ok(tape) = Tape::new(&self.model.arena, &symbols, &[constraint.value]) else { continue };

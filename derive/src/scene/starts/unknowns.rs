@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Model, TIME, not_a_name};
 use crate::read::{Located, Reader};
 use crate::scene::SceneOutput;
-use crate::scene::numbers::values::{Number, Values, Varied, doubles, extended};
+use crate::scene::numbers::values::{NamedNumber, Number, ValueReader, Varied, doubles, extended};
 use crate::scene::settings::inputs::bind;
 use crate::scene::settings::outputs::ENERGIES;
 use toml::de::DeTable;
@@ -24,8 +24,8 @@ pub struct Asked {
     pub formulas: Vec<Expr>,
     /// Indices in `x` of the numbers that are sought: those under `[guess]`.
     pub sought: Vec<usize>,
-    /// Numbers that the state file names for itself: name, symbol, value.
-    pub names: Vec<(String, Expr, DoubleDouble)>,
+    /// Numbers that the state file names for itself.
+    pub names: Vec<NamedNumber<DoubleDouble>>,
     /// Outputs to show; empty if the state file states none.
     pub outputs: Vec<SceneOutput>,
 }
@@ -65,7 +65,7 @@ pub fn load_asked(source: &Source, model: &mut Model, given: &[(String, f64)]) -
     let place = |name: &str| model.parameters.iter().position(|p| p.name == *name);
     let varied = given.iter().filter_map(|(name, x)| Some((Varied::Parameter(place(name)?), Number::rounded(*x))));
     let varied: Vec<(Varied, Number)> = varied.collect();
-    let mut values = Values { given: &varied, ..Values::new(reader, model) };
+    let mut values = ValueReader { given: &varied, ..ValueReader::new(reader, model) };
     let mut asked = Asked::default();
     if let Some(impacts) = values.reader.get(table, "impacts") {
         let message = "what is near a contact is not told: it holds on one side alone";
@@ -79,9 +79,11 @@ pub fn load_asked(source: &Source, model: &mut Model, given: &[(String, f64)]) -
     let parameters = values.parameters(table).unwrap_or_default();
     let stated = values.states(table, &parameters);
     let (outputs, are_stated) = values.outputs(table);
-    asked.names = values.names.iter().map(|(name, symbol, value)| (name.clone(), *symbol, value.extended())).collect();
+    let wide = |NamedNumber { name, symbol, value }| NamedNumber { name, symbol, value: Number::extended(&value) };
+    asked.names = values.names.iter().cloned().map(wide).collect();
     values.reader.finish()?;
-    for (at, (number, formula, is_guess)) in stated.expect("reported if missing").into_iter().enumerate() {
+    for (at, StatedValue { number, formula, is_guess }) in stated.expect("reported if missing").into_iter().enumerate()
+    {
         let name = state_names(model).nth(at).unwrap_or_default();
         let value = given.iter().find(|(given, _)| *given == name).map(|(_, value)| *value);
         asked.x.push(value.map_or(number.extended(), DoubleDouble::from));
@@ -104,7 +106,7 @@ pub fn load_asked(source: &Source, model: &mut Model, given: &[(String, f64)]) -
 /// [`Diagnostics`] if the text is no formula in the names of the model.
 pub fn load_output(text: &str, model: &mut Model) -> Result<SceneOutput, Diagnostics> {
     let source = Source::from_text("--output", text);
-    let mut values = Values::new(Reader::new(&source), model);
+    let mut values = ValueReader::new(Reader::new(&source), model);
     let formula = Located { text: text.to_owned(), span: 0..text.len(), exact: true };
     let value = values.output_formula(&formula);
     values.reader.finish()?;
@@ -116,10 +118,17 @@ fn state_names(model: &Model) -> impl Iterator<Item = String> {
     model.coordinates.iter().map(|c| c.name.clone()).chain(model.speeds.iter().map(|s| s.name.clone()))
 }
 
-/// Value of a state, its formula, and true if it is a guess.
-type StatedValue = (Number, Expr, bool);
+/// Value of a coordinate or speed.
+#[derive(Clone)]
+struct StatedValue {
+    number: Number,
+    /// Formula of the value.
+    formula: Expr,
+    /// True if the value is a guess.
+    is_guess: bool,
+}
 
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     /// Reads the entries that every state file may have, including its own names.
     pub(in crate::scene) fn state_file(&mut self, table: &'a DeTable<'a>, given: &[(String, f64)]) {
         self.reader.schema(table);
@@ -149,7 +158,7 @@ impl<'a> Values<'a, '_> {
             let value = given.iter().find(|(given, _)| *given == name.text);
             let number = value.map_or(number, |(_, value)| Number::rounded(*value));
             let symbol = self.model.arena.symbol(&name.text);
-            self.names.push((name.text, symbol, number));
+            self.names.push(NamedNumber { name: name.text, symbol, value: number });
         }
     }
 
@@ -174,7 +183,7 @@ impl<'a> Values<'a, '_> {
         let mut rates: Vec<Option<Number>> = vec![None; n];
         // Time as a coordinate is judged elsewhere: a state file does not state it here.
         if let Some(at) = self.model.time() {
-            values[at] = Some((Number::rounded(0.0), Expr::ZERO, false));
+            values[at] = Some(StatedValue { number: Number::rounded(0.0), formula: Expr::ZERO, is_guess: false });
         }
         let held = if table.contains_key("state") { "state" } else { "start" };
         for (key, is_guess) in [(held, false), ("guess", true)] {
@@ -198,8 +207,8 @@ impl<'a> Values<'a, '_> {
                     );
                     continue;
                 }
-                let expression = self.expression(&formula)?;
-                values[at] = Some((number, expression, is_guess));
+                let formula = self.expression(&formula)?;
+                values[at] = Some(StatedValue { number, formula, is_guess });
             }
         }
         let rated = rates.iter().position(Option::is_some);
@@ -225,12 +234,12 @@ impl<'a> Values<'a, '_> {
     fn speeds_of(&mut self, rates: &[Option<Number>], parameters: &[Number], values: &mut [Option<StatedValue>]) {
         let (places, speeds) = values.split_at_mut(rates.len());
         let rates: Option<Vec<f64>> = rates.iter().map(|rate| rate.as_ref().map(|rate| rate.double)).collect();
-        let q: Option<Vec<f64>> = places.iter().map(|value| value.as_ref().map(|(q, ..)| q.double)).collect();
+        let q: Option<Vec<f64>> = places.iter().map(|value| value.as_ref().map(|q| q.number.double)).collect();
         let (Some(rates), Some(q)) = (rates, q) else { return };
         for (speed, u) in speeds.iter_mut().zip(self.speeds_from_rates(&doubles(parameters), &q, &rates)) {
             if speed.is_none() {
                 let term = Rational::from_f64_exact(u).map(|u| self.model.arena.number(u));
-                *speed = term.map(|term| (Number::rounded(u), term, false));
+                *speed = term.map(|formula| StatedValue { number: Number::rounded(u), formula, is_guess: false });
             }
         }
     }

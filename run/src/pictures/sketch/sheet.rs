@@ -60,7 +60,7 @@ impl Subject<'_> {
 
     /// Name of the body that a joint carries, if the frame belongs to that body and was named after it by the program.
     fn named_after(&self, frame: usize) -> Option<&str> {
-        let carried = self.mechanism.hung.iter().map(|hung| &self.mechanism.bodies[hung.body]);
+        let carried = self.mechanism.carried.iter().map(|joint| &self.mechanism.bodies[joint.body]);
         let mut own = carried.filter(|body| body.rigid.as_ref().is_some_and(|rigid| rigid.0 == frame));
         let name = &self.mechanism.frames[frame].name;
         own.find(|body| *name == format!("{}_frame", body.name)).map(|body| body.name.as_str())
@@ -81,7 +81,7 @@ impl Subject<'_> {
     /// loop.
     pub fn is_of_joint(&self, point: usize) -> bool {
         let name = &self.mechanism.points[point].name;
-        let carried = self.mechanism.hung.iter().map(|hung| &self.mechanism.bodies[hung.body]);
+        let carried = self.mechanism.carried.iter().map(|joint| &self.mechanism.bodies[joint.body]);
         let is_centre =
             carried.filter(|body| body.centre == point).any(|body| *name == format!("{}_centre", body.name));
         is_centre || self.mechanism.points.iter().any(|joint| *name == format!("{}_closed", joint.name))

@@ -33,7 +33,7 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
 /// Indices of the points at which the ground holds something: joints, reactions, and ends of rods and springs.
 fn held(subject: &Subject<'_>) -> Vec<usize> {
     let mechanism = subject.mechanism;
-    let hung = mechanism.hung.iter().filter(|hung| hung.on.is_none()).map(|hung| hung.point);
+    let hung = mechanism.carried.iter().filter(|joint| joint.on.is_none()).map(|joint| joint.point);
     let pushed = mechanism.reactions.iter().filter_map(|reaction| match reaction.kind {
         ReactionKind::Force { on, against: None } => Some(on.point),
         _ => None,

@@ -224,7 +224,7 @@ impl<'a> Guess<'a> {
         let heaviest = self.bodies.iter().map(|known| known.mass).fold(0.0, f64::max);
         let share = if heaviest > 0.0 { (known.mass / heaviest).cbrt().clamp(0.5, 1.0) } else { 1.0 };
         let mut forms = vec![Form::Sphere { at: Place::at(0, body.centre), radius: 0.055 * size * share }];
-        let parent = self.mechanism.points[body.centre].position.as_ref().map(|(parent, ..)| *parent);
+        let parent = self.mechanism.points[body.centre].position.map(|placement| placement.parent);
         let is_held = self.bodies.iter().any(|known| known.attached.contains(&body.centre));
         if let Some(parent) = parent.filter(|parent| !is_held && self.is_rigid(*parent, body.centre)) {
             forms.push(Form::Rod { ends: [parent, body.centre], radius: 0.6 * ROD * size });

@@ -60,9 +60,9 @@ impl Links {
         }
         let mut points = Vec::with_capacity(model.points.len());
         for point in &model.points {
-            points.push(point.position.as_ref().map(|(parent, frame, components)| {
-                values.extend(components);
-                (*parent, *frame)
+            points.push(point.position.map(|placement| {
+                values.extend(placement.components);
+                (placement.parent, placement.frame)
             }));
         }
         Self { values, frames, points }

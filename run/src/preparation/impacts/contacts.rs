@@ -10,7 +10,7 @@ use tripos_derive::algebra::term::calculus::{Differential, Substitution};
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::scene::{Impact, ImpactLaw};
-use tripos_sim::{Closed, Failure, Mode, Undecided};
+use tripos_sim::{ClosedContacts, Failure, Mode, Undecided};
 use tripos_traits::{Enclosure, Interval, Lengths, System};
 
 /// Gap up to which a contact counts as closed, relative to the size of the gap's terms.
@@ -274,13 +274,13 @@ impl<'a> Contacts<'a> {
     }
 
     /// System of the given contacts, which are closed at one instant, and the indices of their rows among all rows.
-    pub fn closed(&self, response: &Response, contacts: &[usize]) -> (Closed, Vec<usize>) {
+    pub fn closed(&self, response: &Response, contacts: &[usize]) -> (ClosedContacts, Vec<usize>) {
         let all: Vec<usize> = contacts.iter().flat_map(|at| self.rows[*at].clone()).collect();
         let mut next = 0..;
         let rows = contacts.iter().map(|at| next.by_ref().take(self.rows[*at].len()).collect()).collect();
         let compliance = response.compliance.select_rows(&all).select_columns(&all);
         let friction = contacts.iter().map(|at| self.friction(*at)).collect();
-        (Closed { compliance, rows, friction }, all)
+        (ClosedContacts { compliance, rows, friction }, all)
     }
 
     /// True if the scene has Poisson's law of impact; otherwise it has Newton's.

@@ -6,7 +6,7 @@ use super::contact_change::ContactChange;
 use super::held::{Free, Held};
 use super::meeting::SettledMeeting;
 use nalgebra::DVector;
-use tripos_sim::{Failure, Found, Mode, Undecided};
+use tripos_sim::{ContactSolution, Failure, Mode, Undecided};
 
 /// Time ahead, in durations of the shortest flight, at which modes that are all possible at an instant are compared.
 const AHEAD: f64 = 16384.0;
@@ -56,7 +56,7 @@ impl Bouncing<'_> {
         let what = "no forces keep apart what is closed";
         let mut found = found.map_err(|why| self.undecided(t, rest, what, &why))?;
         // A contact whose force has reached its friction limit no longer sticks.
-        let begins = |found: &Found| {
+        let begins = |found: &ContactSolution| {
             let mut modes = rest.iter().zip(&found.modes);
             !modes.any(|(at, mode)| {
                 met.meeting.contact_change == Some(ContactChange::Slips(*at)) && *mode == Mode::Sticks
@@ -89,7 +89,7 @@ impl Bouncing<'_> {
     /// Index of the first combination of modes that still satisfies the laws of contact shortly after the instant,
     /// under the accelerations `then`. Zero, the firmest combination, if none does. `slips` has a sign for each contact
     /// of `rest` that slips.
-    fn lasting(&self, then: &Free, rest: &[usize], slips: &[Option<f64>], found: &[Found]) -> usize {
+    fn lasting(&self, then: &Free, rest: &[usize], slips: &[Option<f64>], found: &[ContactSolution]) -> usize {
         let (system, rows) = self.contacts.closed(&then.response, rest);
         let accelerations = then.accelerations.select_rows(&rows);
         found.iter().position(|found| system.allows(&accelerations, slips, &found.modes)).unwrap_or(0)

@@ -1,6 +1,6 @@
 //! Parts of a run that are computed in the rates of all coordinates, and the notes on them.
 
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 
 /// Part of a run that is computed in the rates of all coordinates instead of the chosen speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,7 +17,7 @@ pub struct Change {
 
 /// Notes to the user on the parts of a run in all rates, the most important first. `speeds` are the names of the chosen
 /// speeds, `by` the equations in them.
-pub fn notes_on_changes(changes: &[Change], speeds: &[String], by: &By) -> Vec<String> {
+pub fn notes_on_changes(changes: &[Change], speeds: &[String], by: &EquationsOrigin) -> Vec<String> {
     /// Greatest number of changes that are listed one by one.
     const MOST: usize = 3;
     let list = speeds.join(", ");

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::preparation::impacts::{Bouncing, Carrier, Contacts, Doubles, Held, HeldContacts, LEAST};
 use crate::preparation::initial::InitialState;
 use tripos_derive::Formulation;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::{Event, Failure, Options, RightHandSide, SimError, Solution};
 use tripos_traits::Real;
@@ -75,7 +75,7 @@ impl Problem<'_> {
 ///
 /// # Errors
 /// [`Error::Request`] with advice on what to change.
-pub(super) fn check(scene: &Scene, by: &By) -> Result<(), Error> {
+pub(super) fn check(scene: &Scene, by: &EquationsOrigin) -> Result<(), Error> {
     let how = &scene.integration;
     let (what, help) = if scene.impacts.is_empty() {
         return Ok(());

@@ -4,7 +4,7 @@ use super::{ExtendedStart, Origin, Problem};
 use crate::error::Error;
 use crate::preparation::start::speeds;
 use tripos_derive::Formulation;
-use tripos_derive::scene::Stated;
+use tripos_derive::scene::InitialMotion;
 use tripos_traits::{DoubleDouble, Scalar};
 
 impl Problem<'_> {
@@ -20,7 +20,9 @@ impl Problem<'_> {
         }
         let mut v = vec![DoubleDouble::int(0); system.lengths().variables];
         match &exact.motion {
-            Stated::Rates(rates) if self.by.formulation().is_some_and(Formulation::is_in_rates) => v.clone_from(rates),
+            InitialMotion::Rates(rates) if self.by.formulation().is_some_and(Formulation::is_in_rates) => {
+                v.clone_from(rates);
+            }
             _ => system.motion_variables(&p, &q, &speeds(self.model, exact)?, &mut v),
         }
         Ok((p, [q, v].concat()))

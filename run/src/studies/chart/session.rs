@@ -12,7 +12,7 @@ use crate::trust::comparison::Compared;
 use crate::trust::events::{Balance, events};
 use crate::trust::invariants::Watch;
 use crate::trust::reference::Reference;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::Scene;
 use tripos_sim::{Method, Options, Output, Stop};
 use tripos_traits::Real;
@@ -88,7 +88,7 @@ pub fn chart(
 
 /// Finds the instant, s, at which the motion leaves the domain of its equations or meets a terminal event. `None` if
 /// neither happens before the end of the span.
-fn leaves(model: &Mechanism, scene: &Scene, by: &By) -> Result<Option<f64>, Error> {
+fn leaves(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) -> Result<Option<f64>, Error> {
     let code = code(model, by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(model, scene, by, &code, None)?;
     let balance = Balance::new(model, model, scene, by)?;

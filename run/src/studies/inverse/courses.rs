@@ -10,7 +10,7 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::term::calculus::Gradient;
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::mechanics::motion_rates;
-use tripos_derive::scene::{Formulas, Given, Loops, Motion, Moving};
+use tripos_derive::scene::{Formulas, Loops, Motion, MotionForm, MotionSample};
 use tripos_traits::DoubleDouble;
 
 /// Residual of the constraints up to which a given motion is accepted, relative to the largest given rate or 1.
@@ -29,10 +29,10 @@ struct Instantaneous<'a> {
 /// # Errors
 /// [`Error::Stopped`] if formulas have no value at an instant, do not determine the motion, break a constraint, or
 /// loops cannot be closed.
-pub fn moments(model: &Mechanism, motion: &Motion) -> Result<Vec<Moving>, Error> {
+pub fn moments(model: &Mechanism, motion: &Motion) -> Result<Vec<MotionSample>, Error> {
     let formulas = match &motion.given {
-        Given::Samples(list) => return Ok(list.clone()),
-        Given::Formulas(formulas) => formulas,
+        MotionForm::Samples(list) => return Ok(list.clone()),
+        MotionForm::Formulas(formulas) => formulas,
     };
     let course = Course::new(model, formulas)?;
     let mut q: Vec<DoubleDouble> = formulas.guesses.iter().map(|x| DoubleDouble::from(*x)).collect();
@@ -95,7 +95,7 @@ impl Course {
     }
 
     /// Computes the motion at an instant. The search for the pose begins at `near`, a pose close to it.
-    fn at(&self, p: &[DoubleDouble], t: f64, near: &[DoubleDouble]) -> Result<Moving, Error> {
+    fn at(&self, p: &[DoubleDouble], t: f64, near: &[DoubleDouble]) -> Result<MotionSample, Error> {
         let stopped = |why: String| Error::Stopped(format!("no motion at t = {t} s: {why}"));
         let values = self.formulas.evaluate(&[p, &[DoubleDouble::from(t)]].concat());
         let mut q = near.to_vec();
@@ -111,7 +111,7 @@ impl Course {
         let still = vec![DoubleDouble::from(0.0); self.speeds];
         let u = self.match_rates(&stopped, 0, Instantaneous { p, q: &q, u: &still }, |place| values[3 * place + 1])?;
         let rates = self.match_rates(&stopped, 1, Instantaneous { p, q: &q, u: &u }, |place| values[3 * place + 2])?;
-        Ok(Moving { t: Some(t), q, u, rates })
+        Ok(MotionSample { t: Some(t), q, u, rates })
     }
 
     /// Explains why the loops are not closed in a pose.

@@ -19,7 +19,7 @@ use tripos_derive::algebra::term::calculus::Gradient;
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::mechanics::Unsolved;
-use tripos_derive::scene::{Loops, Moving};
+use tripos_derive::scene::{Loops, MotionSample};
 use tripos_traits::DoubleDouble;
 
 /// Residual of the forces up to which inputs count as producing them, relative to the largest term of the forces.
@@ -100,7 +100,7 @@ impl Inverse {
     ///
     /// # Errors
     /// [`Error::Stopped`] where a force has no value.
-    pub fn at(&self, parameters: &[DoubleDouble], moving: &Moving) -> Result<Forces, Error> {
+    pub fn at(&self, parameters: &[DoubleDouble], moving: &MotionSample) -> Result<Forces, Error> {
         let mut p = parameters.to_vec();
         for at in &self.places {
             p[*at] = 0.0.into();

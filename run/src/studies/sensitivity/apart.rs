@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::simulation::run::Run;
 use crate::simulation::simulate::run_whole;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::model::Unit;
 use tripos_derive::scene::{ENERGIES, Nearby, Scene};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble, Real, Scalar, larger};
@@ -44,7 +44,7 @@ pub struct Apart<'a> {
     pub scene: &'a Scene,
     /// Names and values of numbers that were set and differ from the scene file.
     pub set: &'a [(String, f64)],
-    pub by: &'a By,
+    pub by: &'a EquationsOrigin,
     /// Names of the differentiated quantities: states, outputs and energies at the end.
     pub names: &'a [String],
 }

@@ -9,7 +9,7 @@ use crate::preparation::impacts::HeldContacts;
 use crate::trust::digits::other_side;
 use crate::trust::events::{Balance, events};
 use tripos_derive::scene::Scene;
-use tripos_sim::{EventRecord, Kind, Options, Output, Stop, seconds};
+use tripos_sim::{EventRecord, Kind, Options, Output, Stop, TaylorSeries, seconds};
 use tripos_traits::{Scalar, Tangent, larger};
 
 /// Derivatives at the end of a run, by each seed.
@@ -143,14 +143,15 @@ pub fn second(parts: &Parts<'_>, carried: &Carried, own: &End, starts: &[Vec<f64
         return Ok((None, None));
     }
     let how = options(problem.scene);
-    let has_series = problem.has_short_series() && parts.equations.has_series();
+    let is_cheap = problem.has_short_series() && parts.equations.has_series();
+    let series = if is_cheap { TaylorSeries::Cheap } else { TaylorSeries::Costly };
     let scene = Scene { parameters: other_side(problem.scene), ..problem.scene.clone() };
     let beside = problem.with_scene(&scene);
     let balance = Balance::new(problem.mechanism, problem.model, &scene, problem.by)?;
     let y: Vec<f64> = problem.start()?.iter().map(|y| y * (1.0 + f64::EPSILON)).collect();
     let before = before(parts, carried);
     let times: Vec<f64> = before.iter().map(|at| first.t[*at]).collect();
-    for second in seconds(&how, first, problem.scene.span, has_series) {
+    for second in seconds(&how, first, problem.scene.span, series) {
         let how = Options { output: Output::At(times.clone()), ..second.options.clone() };
         let from = SeededStart { span: problem.scene.span, y: &y, seeds: parts.seeds, slopes: starts };
         let mut watched = events(&beside, &balance);

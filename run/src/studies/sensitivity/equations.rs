@@ -15,7 +15,7 @@ use crate::preparation::initial::InitialState;
 use crate::preparation::problem::Problem;
 use crate::trust::power::accounted;
 use std::cell::OnceCell;
-use tripos_derive::mechanics::{By, in_distance};
+use tripos_derive::mechanics::{EquationsOrigin, in_distance};
 use tripos_derive::scene::Scene;
 use tripos_sim::{Accompanied, Event, Lent, Options, Output, RightHandSide, Solution, Tangents, integrate};
 use tripos_traits::{CompiledSystem, Derivative, InTangents, Method, Tangent};
@@ -36,7 +36,7 @@ impl Equations {
     ///
     /// # Errors
     /// Errors of [`code`].
-    pub fn new(mechanism: &Mechanism, scene: &Scene, by: &By, method: Method) -> Result<Self, Error> {
+    pub fn new(mechanism: &Mechanism, scene: &Scene, by: &EquationsOrigin, method: Method) -> Result<Self, Error> {
         let distance = scene.integration.distance;
         let mut code = code(mechanism, by, distance, Ready::Solved)?;
         let has_all = compiled(&code).is_some() && !method.needs_series();

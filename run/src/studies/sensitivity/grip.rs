@@ -3,7 +3,7 @@
 
 use crate::preparation::impacts::{Contacts, HeldContacts};
 use nalgebra::{DMatrix, DVector};
-use tripos_sim::{Found, Mode};
+use tripos_sim::{ContactSolution, Mode};
 
 /// Ratio to the largest singular value below which a singular value is rounding.
 const DEPENDENT: f64 = 1e-11;
@@ -52,7 +52,7 @@ impl Grip {
     }
 
     /// Rows and friction of contacts in an impact, in modes that were found.
-    pub fn found(contacts: &Contacts<'_>, which: &[usize], found: &Found) -> Self {
+    pub fn found(contacts: &Contacts<'_>, which: &[usize], found: &ContactSolution) -> Self {
         let mut grip = Self::default();
         let each = which.iter().zip(&found.modes).zip(&found.pushes);
         each.for_each(|((at, mode), pushes)| {

@@ -97,7 +97,7 @@ fn places(study: &Study<'_>) -> Result<Vec<Waypoint>, Error> {
     }
     let Some((least, _, mut scene)) = narrow else { return Ok(Vec::new()) };
     scene.integration.distance = None;
-    let by = tripos_derive::mechanics::By::from(Formulation::Kane);
+    let by = tripos_derive::mechanics::EquationsOrigin::from(Formulation::Kane);
     let code = code(model, &by, None, Ready::Solved)?;
     let problem = Problem::new(model, &scene, &by, &code, None)?;
     let options = Options {

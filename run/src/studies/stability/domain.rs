@@ -8,7 +8,7 @@ use crate::options::options;
 use crate::preparation::problem::Problem;
 use crate::trust::events::{Balance, events};
 use tripos_derive::Formulation;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_sim::{Method, Options, Output, Stop};
 
 /// Runs a scene with and without the conditions of the domain, if the model has any and the motion leaves it.
@@ -22,7 +22,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     }
     let mut said = false;
     for formulation in Formulation::ALL {
-        let by = By::from(formulation);
+        let by = EquationsOrigin::from(formulation);
         let code = match code(model, &by, study.scene.integration.distance, Ready::Solved) {
             Ok(code) => code,
             Err(Error::Unsupported(_)) => continue,

@@ -10,7 +10,7 @@ use crate::preparation::problem::Problem;
 use crate::studies::figure::{Figure, Panel, Scale, Series};
 use crate::trust::invariants::Watch;
 use tripos_derive::Formulation;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_sim::stability::{Trend, trend};
 use tripos_sim::{Method, Options, Output};
 use tripos_traits::larger;
@@ -28,7 +28,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let (model, scene) = (study.model, study.scene);
     let watch = Watch::of_model(model)?;
     let Some(energy) = watch.integrals.iter().position(|integral| integral.kind.is_energy()) else { return Ok(()) };
-    let by = By::from(Formulation::Kane);
+    let by = EquationsOrigin::from(Formulation::Kane);
     let code = code(model, &by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(model, scene, &by, &code, None)?;
     let y0 = problem.start()?;

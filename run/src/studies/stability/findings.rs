@@ -3,7 +3,7 @@
 use crate::follow::Progress;
 use crate::mechanism::Mechanism;
 use crate::studies::figure::Figure;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::{Scene, Solve};
 
 /// Row of the table of a study: one number, with the run that it belongs to.
@@ -33,7 +33,7 @@ pub struct Row {
 #[derive(Clone, Debug)]
 pub struct Passed {
     /// Equations that were integrated.
-    pub by: By,
+    pub by: EquationsOrigin,
     /// Name of the solve for accelerations.
     pub solve: &'static str,
     /// Name of the integration method.
@@ -85,7 +85,7 @@ impl Topic {
 #[derive(Clone, Debug)]
 pub struct Looked {
     /// Equations that give the accelerations.
-    pub by: By,
+    pub by: EquationsOrigin,
     /// Way in which the accelerations are found.
     pub solve: Solve,
     /// Size of the divisor of the kinematic equations at the state.

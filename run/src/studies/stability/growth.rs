@@ -9,7 +9,7 @@ use crate::preparation::problem::Problem;
 use crate::studies::figure::{Figure, Panel, Scale, Series};
 use crate::trust::reference::Reference;
 use tripos_derive::Formulation;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_sim::stability::growth;
 use tripos_sim::work_precision::error;
 use tripos_sim::{Eliminated, Method, Options, Output};
@@ -26,7 +26,7 @@ const TOLERANCES: [f64; 3] = [1e-4, 1e-7, 1e-10];
 /// [`Error`] if the scene cannot be run at all.
 pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let (model, scene) = (study.model, study.scene);
-    let by = By::from(Formulation::Kane);
+    let by = EquationsOrigin::from(Formulation::Kane);
     let code = code(model, &by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(model, scene, &by, &code, None)?;
     let Some(mut rhs) = Eliminated::new(problem.system(), &scene.parameters) else { return Ok(()) };

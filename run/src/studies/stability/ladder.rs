@@ -13,7 +13,7 @@ use crate::trust::comparison::Compared;
 use crate::trust::reference::Reference;
 use tripos_derive::Formulation;
 use tripos_derive::algebra::text::print::text;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::mechanics::{Distance, distances};
 use tripos_derive::scene::Scene;
 use tripos_sim::work_precision::{error, options};
@@ -49,7 +49,7 @@ pub struct Passage {
 /// [`Error`] if the scene cannot be run at all.
 pub fn passage(model: &Mechanism, scene: &Scene) -> Result<Option<Passage>, Error> {
     let Some(divisor) = model.kinematic_equations.divisors.first() else { return Ok(None) };
-    let by = By::from(Formulation::Kane);
+    let by = EquationsOrigin::from(Formulation::Kane);
     let mut scene = scene.clone();
     scene.integration.distance = distances(model).first().copied();
     let code = code(model, &by, scene.integration.distance, Ready::Solved)?;

@@ -7,6 +7,7 @@ use tripos_derive::algebra::solve::closed::{Branch, Kind, Need, Relation, in_fac
 use tripos_derive::algebra::text::print::{latex, text};
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::flow::Steadiness;
 use tripos_traits::DoubleDouble;
 
 /// Distance of a number from the value of a formula up to which it lies on the formula's branch, relative to the
@@ -99,9 +100,9 @@ pub struct ClosedForm {
 /// [`Error`] if the model cannot be derived, depends on time, or has no quantity of a given name.
 pub fn conditions(model: &Mechanism, asked: &[String]) -> Result<ClosedForm, Error> {
     let mut flow = super::steady_flow(model)?;
-    let mut balances = vec![flow.balance(model, false)];
+    let mut balances = vec![flow.balance(model, Steadiness::Rest)];
     if flow.symmetries.len() > usize::from(flow.by_time(model).is_some()) {
-        balances.push(flow.balance(model, true));
+        balances.push(flow.balance(model, Steadiness::SteadyMotion));
     }
     let velocities: Vec<Expr> = balances.iter().flat_map(|balance| &balance.along).map(|along| along.symbol).collect();
     let known: Vec<Expr> = velocities.into_iter().chain(model.q()).chain(model.p()).collect();

@@ -8,7 +8,7 @@ use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::text::print::{text_of, view_of};
 use tripos_derive::algebra::text::view::View;
-use tripos_derive::flow::{Chosen, InLetters, NotInLetters, Stated};
+use tripos_derive::flow::{Chosen, InLetters, NotInLetters, OperatingPoint};
 use tripos_derive::scene::Asked;
 use tripos_traits::DoubleDouble;
 
@@ -65,12 +65,10 @@ pub fn in_letters(model: &Mechanism, asked: &Asked, found: &About, letters: &[St
             known.push((parameter.symbol, *value));
         }
     }
-    known.extend(
-        asked.names.iter().filter(|(_, symbol, _)| !symbols.contains(symbol)).map(|(_, symbol, x)| (*symbol, *x)),
-    );
+    known.extend(asked.names.iter().filter(|own| !symbols.contains(&own.symbol)).map(|own| (own.symbol, own.value)));
     let inputs = model.parameters.iter().filter(|p| found.inputs.contains(&p.name)).map(|p| p.symbol).collect();
     let outputs = question.output_terms.clone();
-    let stated = Stated { numbers, states: asked.formulas.clone(), inputs, outputs };
+    let stated = OperatingPoint { numbers, states: asked.formulas.clone(), inputs, outputs };
     let chosen = question.chosen(found);
     let mut system = question.flow.in_letters(&stated, &chosen).map_err(|why| refused(&why, letters))?;
     let matrices = system.matrices.clone();
@@ -96,7 +94,7 @@ fn refused(why: &NotInLetters, letters: &[String]) -> Error {
 
 /// Symbol of the letter with the given name.
 fn letter(model: &Mechanism, asked: &Asked, name: &String) -> Result<Expr, Error> {
-    let own = asked.names.iter().map(|(own, symbol, _)| (own.as_str(), *symbol));
+    let own = asked.names.iter().map(|own| (own.name.as_str(), own.symbol));
     let all: Vec<(&str, Expr)> = own.chain(model.parameters.iter().map(|p| (p.name.as_str(), p.symbol))).collect();
     all.iter().find(|(known, _)| known == name).map(|(_, symbol)| *symbol).ok_or_else(|| {
         let help = tripos_derive::diagnostic::nearest(name, all.iter().map(|(known, _)| *known));

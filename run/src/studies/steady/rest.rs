@@ -2,14 +2,14 @@
 //!
 //! Chosen speeds do not move a mechanism in their dead points, so that their balance holds there by itself, and
 //! Newton's method is drawn to these points. The balance with multipliers has no dead points
-//! ([`tripos_derive::flow::Rest`]).
+//! ([`tripos_derive::flow::RestBalance`]).
 
 use super::Question;
 use super::newton::{Steady, Unknowns, is_same};
 use super::poles::Poles;
 use crate::Mechanism;
 use std::cell::OnceCell;
-use tripos_derive::flow::Rest;
+use tripos_derive::flow::RestBalance;
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// Balance of forces at rest, derived when it is first needed.
@@ -60,7 +60,7 @@ impl Rests {
 
 impl Forces {
     fn new(model: &Mechanism, question: &Question) -> Option<Self> {
-        let Rest { residuals: flow, multipliers, speeds } = Rest::new(model).ok()?;
+        let RestBalance { residuals: flow, multipliers, speeds } = RestBalance::new(model).ok()?;
         let program = flow.program(&[], &speeds).ok()?;
         let n = question.coordinates;
         let of_forces = (0..multipliers).map(|at| format!("multiplier {}", at + 1));

@@ -16,7 +16,7 @@ use crate::trust::events::{Balance, events};
 use crate::trust::invariants::Watch;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
-use tripos_derive::mechanics::{By, InertiaCheck};
+use tripos_derive::mechanics::{EquationsOrigin, InertiaCheck};
 use tripos_derive::scene::{Family, Grid, Integrator, Scene, Solve};
 use tripos_sim::{Event, Options, SimError, Solution, Warning};
 use tripos_traits::InLanes;
@@ -30,7 +30,7 @@ pub struct Sweep<'a> {
     /// Grid of the values that vary.
     pub grid: &'a Grid,
     /// Equations of motion of all runs.
-    pub by: &'a By,
+    pub by: &'a EquationsOrigin,
     /// Overrides of each point's scene.
     pub how: &'a Overrides,
     /// First integrals that each run is checked against; `None` if they are not known.
@@ -65,7 +65,7 @@ impl<'a> Sweep<'a> {
         model: &'a Mechanism,
         scene: &'a Scene,
         grid: &'a Grid,
-        by: &'a By,
+        by: &'a EquationsOrigin,
         how: &'a Overrides,
     ) -> Result<Self, Error> {
         let how_own = scene.integration.method == Integrator::Quadrature || scene.integration.project.is_some();

@@ -65,7 +65,7 @@ impl fmt::Display for Mode {
 
 /// Modes that contacts can have together, with their forces, or impulses, along all rows.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found {
+pub struct ContactSolution {
     /// Mode of each contact.
     pub modes: Vec<Mode>,
     /// True for each contact that has a force along its gap in addition to the given force.
@@ -87,13 +87,16 @@ pub enum Undecided {
 ///
 /// # Errors
 /// [`Undecided`] if no modes were found, or if they move differently.
-pub(crate) fn one_motion(found: Vec<(Found, DVector<f64>)>, size: f64) -> Result<Vec<Found>, Undecided> {
+pub(crate) fn one_motion(
+    found: Vec<(ContactSolution, DVector<f64>)>,
+    size: f64,
+) -> Result<Vec<ContactSolution>, Undecided> {
     let Some((first, motion)) = found.first() else { return Err(Undecided::Nothing) };
-    let differs = |(_, other): &&(Found, DVector<f64>)| (other - motion).amax() > ALIKE * size;
+    let differs = |(_, other): &&(ContactSolution, DVector<f64>)| (other - motion).amax() > ALIKE * size;
     if let Some((other, _)) = found.iter().find(differs) {
         return Err(Undecided::Several([first.modes.clone(), other.modes.clone()]));
     }
-    let mut list: Vec<Found> = found.into_iter().map(|(found, _)| found).collect();
+    let mut list: Vec<ContactSolution> = found.into_iter().map(|(found, _)| found).collect();
     list.sort_by_key(|found| found.modes.iter().map(|mode| mode.freedom()).sum::<usize>());
     Ok(list)
 }

@@ -1,6 +1,6 @@
 //! Trial of one set of contact modes after the other: its forces, and whether these agree with the modes.
 
-use super::{Found, Mode};
+use super::{ContactSolution, Mode};
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
 /// Fraction of the largest singular value below which a singular value counts as rounding.
@@ -70,7 +70,7 @@ impl Touch<'_> {
 impl Trial<'_> {
     /// Finds all sets of modes that agree with the laws of contact, within `nothing`, with their forces and the motion
     /// of the rows. If no contact has friction, only the first set is found, since all sets move alike.
-    pub(crate) fn found(&self, c: &DVector<f64>, nothing: f64) -> Vec<(Found, DVector<f64>)> {
+    pub(crate) fn found(&self, c: &DVector<f64>, nothing: f64) -> Vec<(ContactSolution, DVector<f64>)> {
         let choices: Vec<Vec<Choice>> = self.touches.iter().map(Touch::choices).collect();
         let is_smooth = self.touches.iter().all(|touch| touch.friction.is_none());
         let mut list = Vec::new();
@@ -86,9 +86,9 @@ impl Trial<'_> {
                 .collect();
             let Some(forces) = self.forces(c, &chosen) else { continue };
             let after = self.g * &forces + c;
-            if self.agrees(&chosen, (&forces, &after), nothing) {
+            if self.agrees(&chosen, &forces, &after, nothing) {
                 let (modes, pushes) = chosen.iter().map(|choice| (choice.mode, choice.pushes)).unzip();
-                list.push((Found { modes, pushes, forces }, after));
+                list.push((ContactSolution { modes, pushes, forces }, after));
                 if is_smooth {
                     break;
                 }
@@ -108,7 +108,7 @@ impl Trial<'_> {
         let forces = self.forces(c, &chosen);
         forces.is_some_and(|forces| {
             let after = self.g * &forces + c;
-            self.agrees(&chosen, (&forces, &after), nothing)
+            self.agrees(&chosen, &forces, &after, nothing)
         })
     }
 
@@ -118,7 +118,7 @@ impl Trial<'_> {
     }
 
     /// True if the forces, and the motion of the rows under them, agree with the choices, within `nothing`.
-    fn agrees(&self, chosen: &[Choice], (forces, after): (&DVector<f64>, &DVector<f64>), nothing: f64) -> bool {
+    fn agrees(&self, chosen: &[Choice], forces: &DVector<f64>, after: &DVector<f64>, nothing: f64) -> bool {
         self.touches.iter().zip(chosen).all(|(touch, choice)| {
             let stays = |row: usize| after[row].abs() <= nothing;
             let normal = touch.rows[0];
@@ -153,10 +153,10 @@ impl Trial<'_> {
         let rounding = DEPENDENT * svd.singular_values.max();
         let mut values = refined(&svd, &part, &sides, rounding)?;
         if svd.singular_values.min() <= rounding
-            && let Some(weights) = self.weights(chosen, (&unknown, &values))
+            && let Some(weights) = self.weights(chosen, &unknown, &values)
         {
             values = shared(&part, &sides, &weights)?;
-            if !self.bear(chosen, (&unknown, &values)) {
+            if !self.bear(chosen, &unknown, &values) {
                 // A force along a gap alone may hold a motion that a force along a slip can hold too.
                 let mut faint = weights;
                 let along = faint.iter_mut().zip(&unknown).filter(|(_, (row, _))| !self.is_gap(*row));
@@ -216,7 +216,7 @@ impl Trial<'_> {
     }
 
     /// True if friction can bear all forces along slips of contacts that stick.
-    fn bear(&self, chosen: &[Choice], (unknown, values): (&[Sought], &DVector<f64>)) -> bool {
+    fn bear(&self, chosen: &[Choice], unknown: &[Sought], values: &DVector<f64>) -> bool {
         let force = |row: usize| unknown.iter().position(|(other, _)| *other == row).map_or(0.0, |at| values[at]);
         let bears = |touch: &Touch<'_>| touch.friction.unwrap_or(0.0) * (force(touch.rows[0]) + touch.given);
         let sticking = self.touches.iter().zip(chosen).filter(|(_, own)| own.mode == Mode::Sticks);
@@ -225,7 +225,7 @@ impl Trial<'_> {
 
     /// Weights of wanted forces that depend on one another. Forces along slips have weights by the force that friction
     /// can bear, so that no contact slips while others could bear more. `None` if friction bears no force.
-    fn weights(&self, chosen: &[Choice], (unknown, values): (&[Sought], &DVector<f64>)) -> Option<DVector<f64>> {
+    fn weights(&self, chosen: &[Choice], unknown: &[Sought], values: &DVector<f64>) -> Option<DVector<f64>> {
         let force = |row: usize| unknown.iter().position(|(other, _)| *other == row).map_or(0.0, |at| values[at]);
         let mut weights = DVector::from_element(unknown.len(), 1.0);
         let bears = |touch: &Touch<'_>| touch.friction.unwrap_or(0.0) * (force(touch.rows[0]) + touch.given);

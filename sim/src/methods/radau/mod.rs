@@ -20,7 +20,7 @@ use super::options::Options;
 use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
 use crate::tolerance::ErrorTest;
-use newton::{Aim, Newton};
+use newton::{Aim, Newton, StageVectors};
 use scheme::{Scheme, dot};
 
 /// Number of iterations of Newton's method after which an adaptive step is given up, as in RADAU5.
@@ -109,12 +109,12 @@ impl<S: Real> Radau5<S> {
     /// Solves the equations of the step, from the predicted values of Z.
     fn solve<R: RightHandSide<S>>(&mut self, rhs: &mut R, trial: Trial, h: S, aim: &Aim) -> Result<(), Trouble> {
         let n = self.y.len();
-        self.newton.prepare(rhs, (self.t, &self.y), &self.scheme, h)?;
+        self.newton.prepare(rhs, self.t, &self.y, &self.scheme, h)?;
         self.predict(h);
         let Self { newton, scheme, y, z, w, f, point, evaluations, t, .. } = self;
         let t = *t;
         let c = scheme.c;
-        newton.solve((scheme, h), (z, w, f), aim, |z, f| {
+        newton.solve(scheme, h, StageVectors { z, w, f }, aim, |z, f| {
             for (stage, c) in c.iter().enumerate() {
                 for ((point, y), z) in point.iter_mut().zip(&*y).zip(&z[stage * n..]) {
                     *point = *y + *z;

@@ -64,6 +64,16 @@ pub(super) struct Newton<S> {
     pub(super) jacobians: u64,
 }
 
+/// Vectors of the three stages, one stage after the other: 3 n entries each.
+pub(super) struct StageVectors<'a, S> {
+    /// Differences Z between the stages and the state at the start of the step.
+    pub(super) z: &'a mut [S],
+    /// Transformed differences W = (T⁻¹ ⊗ I) Z.
+    pub(super) w: &'a mut [S],
+    /// Derivatives f at the stages.
+    pub(super) f: &'a mut [S],
+}
+
 /// Function that writes f at the stages y + Z.
 type Stages<'a, S> = &'a mut dyn FnMut(&[S], &mut [S]) -> Result<(), Trouble>;
 
@@ -104,13 +114,7 @@ impl<S: Real> Newton<S> {
     }
 
     /// Evaluates the Jacobian, if needed, and factors the matrices for a step `h` from (t, y).
-    pub(super) fn prepare<R>(
-        &mut self,
-        rhs: &mut R,
-        (t, y): (f64, &[S]),
-        scheme: &Scheme<S>,
-        h: S,
-    ) -> Result<(), Trouble>
+    pub(super) fn prepare<R>(&mut self, rhs: &mut R, t: f64, y: &[S], scheme: &Scheme<S>, h: S) -> Result<(), Trouble>
     where
         R: RightHandSide<S>,
     {
@@ -160,19 +164,21 @@ impl<S: Real> Newton<S> {
     /// Solves Z = h (A ⊗ I) f(y + Z) for Z, from given first values; `stages` writes f at the stages.
     pub(super) fn solve(
         &mut self,
-        (scheme, h): (&Scheme<S>, S),
-        (z, w, f): (&mut [S], &mut [S], &mut [S]),
+        scheme: &Scheme<S>,
+        h: S,
+        vectors: StageVectors<'_, S>,
         aim: &Aim,
         mut stages: impl FnMut(&[S], &mut [S]) -> Result<(), Trouble>,
     ) -> Result<(), Trouble> {
-        self.converge((scheme, h), (z, w, f), aim, &mut stages)?;
+        let StageVectors { z, w, f } = vectors;
+        self.converge(scheme, h, StageVectors { z, w, f }, aim, &mut stages)?;
         if S::SLOPES == 0 {
             return Ok(());
         }
         // Slopes have converged only as far as the values before the last iteration: slopes take one more.
         let known = w.to_vec();
         stages(z, f)?;
-        self.correct((scheme, h), w, f);
+        self.correct(scheme, h, w, f);
         for (now, known) in w.iter_mut().zip(known) {
             *now = (0..S::SLOPES).fold(known, |w, along| w.turned(along, now.slope(along) - known.slope(along)));
         }
@@ -182,11 +188,13 @@ impl<S: Real> Newton<S> {
 
     fn converge(
         &mut self,
-        (scheme, h): (&Scheme<S>, S),
-        (z, w, f): (&mut [S], &mut [S], &mut [S]),
+        scheme: &Scheme<S>,
+        h: S,
+        vectors: StageVectors<'_, S>,
         aim: &Aim,
         stages: Stages<'_, S>,
     ) -> Result<(), Trouble> {
+        let StageVectors { z, w, f } = vectors;
         transform(&scheme.t_inverse, self.n, z, w);
         // The rate of convergence in earlier steps may let a first change be enough.
         self.left = self.left.max(f64::EPSILON).powf(0.8);
@@ -196,7 +204,7 @@ impl<S: Real> Newton<S> {
             self.taken = iteration;
             let failed = Err(Trouble::NotConverged { iterations: iteration });
             stages(z, f)?;
-            let change = self.correct((scheme, h), w, f);
+            let change = self.correct(scheme, h, w, f);
             if change.is_nan() {
                 return failed;
             }
@@ -229,7 +237,7 @@ impl<S: Real> Newton<S> {
     /// Changes W by one iteration, and returns the size of the change: the root of the mean square over the weights.
     ///
     /// (h⁻¹ Λ ⊗ I − I ⊗ J) ΔW = (T⁻¹ ⊗ I) F − (h⁻¹ Λ ⊗ I) W
-    fn correct(&mut self, (scheme, h): (&Scheme<S>, S), w: &mut [S], f: &[S]) -> f64 {
+    fn correct(&mut self, scheme: &Scheme<S>, h: S, w: &mut [S], f: &[S]) -> f64 {
         let n = self.n;
         let real = scheme.real / h;
         let pair = Complex { re: scheme.pair.re / h, im: scheme.pair.im / h };

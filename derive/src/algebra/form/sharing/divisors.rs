@@ -33,9 +33,14 @@ impl std::hash::Hash for Term {
     }
 }
 
-/// Place at which a divisor may be taken out: a sum, and the positions of two of its terms, equal if only one term is
-/// meant.
-type Place = (Atom, usize, usize);
+/// Place at which a divisor may be taken out.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Place {
+    sum: Atom,
+    /// Positions of two terms in the sum; equal if only one term is meant.
+    i: usize,
+    j: usize,
+}
 
 #[derive(Default)]
 struct Candidate {
@@ -111,12 +116,12 @@ impl Extraction {
     /// which is not entered.
     fn register(&mut self, sum: Atom, at: usize, others: &[usize], own: Option<usize>) {
         let term = self.term(sum, at).clone();
-        self.register_products(&term, (sum, at, at), own);
+        self.register_products(&term, Place { sum, i: at, j: at }, own);
         if others.len() <= LONGEST && self.pairs < MOST_PLACES {
             self.pairs += others.len();
             for other in others {
                 let (divisor, _) = split(self.term(sum, *other), &term);
-                self.enter(divisor, (sum, *other, at), own);
+                self.enter(divisor, Place { sum, i: *other, j: at }, own);
             }
         }
     }
@@ -183,7 +188,8 @@ impl Extraction {
         }
     }
 
-    fn is_there(&self, (sum, i, j): Place) -> bool {
+    fn is_there(&self, place: Place) -> bool {
+        let Place { sum, i, j } = place;
         match &self.network.atoms[sum as usize].value {
             Value::Sum(terms) => terms[i].is_some() && terms[j].is_some(),
             Value::Leaf(_) | Value::Inverse(_) => false,
@@ -195,7 +201,7 @@ impl Extraction {
         let mut list: Vec<Place> = Vec::new();
         let mut taken: FxHashSet<(Atom, usize)> = FxHashSet::default();
         for place in &self.candidates[id].places {
-            let (sum, i, j) = *place;
+            let Place { sum, i, j } = *place;
             if self.is_there(*place) && !taken.contains(&(sum, i)) && !taken.contains(&(sum, j)) {
                 taken.extend([(sum, i), (sum, j)]);
                 list.push(*place);
@@ -206,16 +212,17 @@ impl Extraction {
 
     /// Place where the divisor is a whole sum, which can then serve as its definition; `None` if there is none.
     fn whole(&self, id: usize, places: &[Place]) -> Option<Place> {
-        places.iter().copied().find(|(sum, i, j)| {
-            let terms = self.network.terms(*sum).count();
-            let rest = self.without(id, (*sum, *i, *j));
-            let once = self.times(id, (*sum, *i, *j)) == 1;
-            once && rest.factors.is_empty() && rest.k.is_one() && terms == if i == j { 1 } else { 2 }
+        places.iter().copied().find(|place| {
+            let terms = self.network.terms(place.sum).count();
+            let rest = self.without(id, *place);
+            let once = self.times(id, *place) == 1;
+            once && rest.factors.is_empty() && rest.k.is_one() && terms == if place.i == place.j { 1 } else { 2 }
         })
     }
 
     /// Cofactor that remains at a place when the divisor is taken out.
-    fn without(&self, id: usize, (sum, i, j): Place) -> Term {
+    fn without(&self, id: usize, place: Place) -> Term {
+        let Place { sum, i, j } = place;
         let first = self.term(sum, i);
         match &self.divisors[id] {
             Divisor::Sum(_) => split(first, self.term(sum, j)).1,
@@ -236,9 +243,9 @@ impl Extraction {
     }
 
     /// Number of times that a divisor divides the terms at a place.
-    fn times(&self, id: usize, (sum, i, _): Place) -> u32 {
+    fn times(&self, id: usize, place: Place) -> u32 {
         match &self.divisors[id] {
-            Divisor::Product(a, b) => fits(&self.term(sum, i).factors, *a, *b),
+            Divisor::Product(a, b) => fits(&self.term(place.sum, place.i).factors, *a, *b),
             Divisor::Sum(_) | Divisor::Scaled(..) => 1,
         }
     }
@@ -246,7 +253,7 @@ impl Extraction {
     /// Number of operations saved at one place when the divisor is taken out there, without the cost of the divisor
     /// itself.
     fn gain(&self, id: usize, place: Place) -> usize {
-        let (sum, i, j) = place;
+        let Place { sum, i, j } = place;
         let mut before = self.term(sum, i).multiplications();
         if i != j {
             before += self.term(sum, j).multiplications() + 1;
@@ -272,7 +279,7 @@ impl Extraction {
             if Some(place) == kept {
                 continue;
             }
-            let (sum, i, j) = place;
+            let Place { sum, i, j } = place;
             let mut rest = self.without(id, place);
             let times = self.times(id, place);
             insert(&mut rest.factors, atom, times);
@@ -295,9 +302,9 @@ impl Extraction {
             return (atom, None);
         }
         if let Some(place) = self.whole(id, places) {
-            self.candidates[id].defined = Some(place.0);
-            self.definition_of.insert(place.0, id);
-            return (place.0, Some(place));
+            self.candidates[id].defined = Some(place.sum);
+            self.definition_of.insert(place.sum, id);
+            return (place.sum, Some(place));
         }
         let terms: Vec<Option<Term>> = match &self.divisors[id] {
             Divisor::Sum(terms) => terms.iter().cloned().map(Some).collect(),

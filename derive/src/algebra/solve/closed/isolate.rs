@@ -32,10 +32,10 @@ impl Work<'_> {
             .collect();
         match (roles.as_slice(), generators.as_slice()) {
             ([Role::Plain], [at]) => self.plain(&p, *at, x),
-            ([Role::Cosine(angle)], [at]) => self.circular(&p, *at, (x, *angle), Kind::Cosine),
-            ([Role::Sine(angle)], [at]) => self.circular(&p, *at, (x, *angle), Kind::Sine),
-            ([Role::Sine(a), Role::Cosine(b)], [sine, cosine]) if a == b => self.both(&p, [*sine, *cosine], (x, *a)),
-            ([Role::Cosine(b), Role::Sine(a)], [cosine, sine]) if a == b => self.both(&p, [*sine, *cosine], (x, *a)),
+            ([Role::Cosine(angle)], [at]) => self.circular(&p, *at, x, *angle, Kind::Cosine),
+            ([Role::Sine(angle)], [at]) => self.circular(&p, *at, x, *angle, Kind::Sine),
+            ([Role::Sine(a), Role::Cosine(b)], [sine, cosine]) if a == b => self.both(&p, [*sine, *cosine], x, *a),
+            ([Role::Cosine(b), Role::Sine(a)], [cosine, sine]) if a == b => self.both(&p, [*sine, *cosine], x, *a),
             _ => None,
         }
     }
@@ -112,16 +112,16 @@ impl Work<'_> {
     }
 
     /// Solves a polynomial in the sine alone, or in the cosine alone, for the angle.
-    fn circular(&mut self, p: &Poly, at: usize, (x, angle): (Expr, Expr), kind: Kind) -> Option<Isolated> {
+    fn circular(&mut self, p: &Poly, at: usize, x: Expr, angle: Expr, kind: Kind) -> Option<Isolated> {
         let list = Self::coefficients(p, &[at]);
         let mut coefficients = vec![Expr::ZERO; 3];
         for (powers, c) in &list {
             *coefficients.get_mut(usize::from(powers.of(at)))? = self.term(c);
         }
-        self.of_function(&coefficients, (x, angle), kind)
+        self.of_function(&coefficients, x, angle, kind)
     }
 
-    fn of_function(&mut self, coefficients: &[Expr], (x, angle): (Expr, Expr), kind: Kind) -> Option<Isolated> {
+    fn of_function(&mut self, coefficients: &[Expr], x: Expr, angle: Expr, kind: Kind) -> Option<Isolated> {
         let Roots { values, mut divisor, root, degree } = self.roots(coefficients)?;
         // angle = k x.
         let factor = self.arena.div(angle, x)?;
@@ -161,7 +161,7 @@ impl Work<'_> {
     }
 
     /// Solves b sin + a cos + d = 0, or b sin + A₂ cos² + A₀ = 0, for the angle of both functions.
-    fn both(&mut self, p: &Poly, [sine, cosine]: [usize; 2], of: (Expr, Expr)) -> Option<Isolated> {
+    fn both(&mut self, p: &Poly, [sine, cosine]: [usize; 2], x: Expr, angle: Expr) -> Option<Isolated> {
         let [mut a, mut b, mut d, mut square] = [Expr::ZERO; 4];
         for (powers, c) in Self::coefficients(p, &[sine, cosine]) {
             let place = match (powers.of(sine), powers.of(cosine)) {
@@ -176,9 +176,9 @@ impl Work<'_> {
         if square != Expr::ZERO {
             // cos² = 1 − sin².
             let (sum, minus) = (self.arena.add(d, square), self.arena.neg(square));
-            return if a == Expr::ZERO { self.of_function(&[sum, b, minus], of, Kind::Sine) } else { None };
+            return if a == Expr::ZERO { self.of_function(&[sum, b, minus], x, angle, Kind::Sine) } else { None };
         }
-        let relation = |kind: Kind, value: Expr| Relation { unknown: of.0, kind, angle: of.1, value };
+        let relation = |kind: Kind, value: Expr| Relation { unknown: x, kind, angle, value };
         if d == Expr::ZERO {
             let minus = self.arena.neg(a);
             let value = self.quotient(minus, b)?;

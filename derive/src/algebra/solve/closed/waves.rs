@@ -10,11 +10,28 @@ use std::collections::BTreeMap;
 /// Largest number of terms of a polynomial, and of waves, that are examined.
 const MOST_TERMS: usize = 12;
 
-/// Sine or cosine wave: true for a sine, false for a cosine; and the angle Σ n · unknown, with the first n above 0.
-type Wave = (bool, BTreeMap<Expr, i64>);
+/// Function of a wave.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    Cosine,
+    Sine,
+}
 
-/// Linear equation angle = half turns · π, with the angle Σ n · unknown.
-type Line = (BTreeMap<Expr, i64>, Rational);
+/// Angle Σ n · unknown: the number n of each unknown.
+type Angle = BTreeMap<Expr, i64>;
+
+/// Sine or cosine of an angle whose first n is above 0.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
+struct Wave {
+    kind: Kind,
+    angle: Angle,
+}
+
+/// Linear equation angle = half turns · π.
+struct Line {
+    angle: Angle,
+    half_turns: Rational,
+}
 
 impl Work<'_> {
     /// Solves a factor that depends on angles alone for the unknown `x`. `x` must be the last unknown that has the
@@ -23,7 +40,7 @@ impl Work<'_> {
         let waves = self.waves(p)?;
         let lines = lines(&waves)?;
         let mut solutions = Vec::new();
-        for (angle, turns) in lines {
+        for Line { angle, half_turns } in lines {
             let last = self.unknowns.iter().rev().find(|y| angle.get(y).is_some_and(|n| n.abs() == 1))?;
             if *last != x {
                 return None;
@@ -31,7 +48,7 @@ impl Work<'_> {
             let sign = Rational::integer(angle[&x]);
             let pi = self.arena.pi();
             let others = angle.iter().filter(|(y, _)| **y != x).map(|(y, n)| (*y, Rational::integer(-*n).mul(&sign)));
-            let terms: Vec<(Expr, Rational)> = others.chain([(pi, turns.mul(&sign))]).collect();
+            let terms: Vec<(Expr, Rational)> = others.chain([(pi, half_turns.mul(&sign))]).collect();
             let value = self.arena.linear_combination(&terms);
             solutions.push(Solution { relations: vec![Relation::value(x, value)], needs: Vec::new() });
         }
@@ -47,7 +64,8 @@ impl Work<'_> {
         let half = Rational::fraction(1, 2)?;
         let mut sum: BTreeMap<Wave, Rational> = BTreeMap::new();
         for (powers, k) in &p.terms {
-            let mut waves: Vec<(Wave, Rational)> = vec![((false, BTreeMap::new()), k.clone())];
+            let mut waves: Vec<(Wave, Rational)> =
+                vec![(Wave { kind: Kind::Cosine, angle: BTreeMap::new() }, k.clone())];
             for at in 0..self.normalizer.ring().size() {
                 let n = powers.of(at);
                 if n == 0 {
@@ -58,8 +76,9 @@ impl Work<'_> {
                 if !self.unknowns.contains(&angle) {
                     return None;
                 }
+                let kind = if f == Function::Sin { Kind::Sine } else { Kind::Cosine };
                 for _ in 0..n {
-                    waves = waves.into_iter().flat_map(|wave| times(wave, f == Function::Sin, angle, &half)).collect();
+                    waves = waves.into_iter().flat_map(|(wave, k)| times(&wave, &k.mul(&half), kind, angle)).collect();
                     if waves.len() > MOST_TERMS {
                         return None;
                     }
@@ -70,61 +89,67 @@ impl Work<'_> {
                 *known = known.add(&k);
             }
         }
-        Some(sum.into_iter().filter(|(wave, k)| !(k.is_zero() || wave.0 && wave.1.is_empty())).collect())
+        Some(
+            sum.into_iter()
+                .filter(|(wave, k)| !(k.is_zero() || wave.kind == Kind::Sine && wave.angle.is_empty()))
+                .collect(),
+        )
     }
 }
 
-/// Product of a wave and the sine or cosine of an angle, as two waves of half the amplitude.
-fn times(((is_sine, angle), k): (Wave, Rational), by_sine: bool, x: Expr, half: &Rational) -> [(Wave, Rational); 2] {
+/// Product of a wave of amplitude 2 k and the sine or cosine of the unknown `x`, as two waves with their amplitudes.
+fn times(wave: &Wave, k: &Rational, by: Kind, x: Expr) -> [(Wave, Rational); 2] {
     let turned = |by: i64| {
-        let mut angle = angle.clone();
+        let mut angle = wave.angle.clone();
         *angle.entry(x).or_insert(0) += by;
         angle.retain(|_, n| *n != 0);
         angle
     };
-    let k = k.mul(half);
     // sin A cos x = (sin(A + x) + sin(A − x))/2, cos A sin x = (sin(A + x) − sin(A − x))/2 and so on.
-    let (kind, [plus, minus]) = match (is_sine, by_sine) {
-        (true, false) => (true, [k.clone(), k]),
-        (false, true) => (true, [k.clone(), k.neg()]),
-        (false, false) => (false, [k.clone(), k]),
-        (true, true) => (false, [k.neg(), k]),
+    let (kind, [plus, minus]) = match (wave.kind, by) {
+        (Kind::Sine, Kind::Cosine) => (Kind::Sine, [k.clone(), k.clone()]),
+        (Kind::Cosine, Kind::Sine) => (Kind::Sine, [k.clone(), k.neg()]),
+        (Kind::Cosine, Kind::Cosine) => (Kind::Cosine, [k.clone(), k.clone()]),
+        (Kind::Sine, Kind::Sine) => (Kind::Cosine, [k.neg(), k.clone()]),
     };
     [(turned(1), plus), (turned(-1), minus)].map(|(angle, k)| {
         let is_negative = angle.values().next().is_some_and(|n| *n < 0);
         let angle = if is_negative { angle.into_iter().map(|(x, n)| (x, -n)).collect() } else { angle };
-        let k = if is_negative && kind { k.neg() } else { k };
-        ((kind, angle), k)
+        let k = if is_negative && kind == Kind::Sine { k.neg() } else { k };
+        (Wave { kind, angle }, k)
     })
 }
 
 /// Equations for the angles where one wave, or the sum of two waves of equal amplitude, is 0. `None` for other sums.
 fn lines(waves: &[(Wave, Rational)]) -> Option<Vec<Line>> {
     let [zero, half, one] = [Rational::ZERO, Rational::fraction(1, 2)?, Rational::ONE];
+    let line = |angle: Angle, half_turns: Rational| Line { angle, half_turns };
     let combined = |a: &Wave, b: &Wave, sign: i64| {
-        let mut angle = a.1.clone();
-        for (x, n) in &b.1 {
+        let mut angle = a.angle.clone();
+        for (x, n) in &b.angle {
             *angle.entry(*x).or_insert(0) += sign * n;
         }
         angle.retain(|_, n| *n != 0);
         angle
     };
     let lines = match waves {
-        [((true, angle), _)] => vec![(angle.clone(), zero), (angle.clone(), one)],
-        [((false, angle), _)] if !angle.is_empty() => {
-            vec![(angle.clone(), half.clone()), (angle.clone(), half.neg())]
+        [(Wave { kind: Kind::Sine, angle }, _)] => vec![line(angle.clone(), zero), line(angle.clone(), one)],
+        [(Wave { kind: Kind::Cosine, angle }, _)] if !angle.is_empty() => {
+            vec![line(angle.clone(), half.clone()), line(angle.clone(), half.neg())]
         }
-        [(a, k), (b, l)] if a.0 == b.0 && (k == l || *k == l.neg()) && !a.1.is_empty() && !b.1.is_empty() => {
+        [(a, k), (b, l)]
+            if a.kind == b.kind && (k == l || *k == l.neg()) && !a.angle.is_empty() && !b.angle.is_empty() =>
+        {
             let (sum, difference) = (combined(a, b, 1), combined(a, b, -1));
-            match (a.0, k == l) {
-                (true, true) => vec![(sum, zero), (difference, one)],
-                (true, false) => vec![(difference, zero), (sum, one)],
-                (false, true) => vec![(sum, one.clone()), (difference, one)],
-                (false, false) => vec![(sum, zero.clone()), (difference, zero)],
+            match (a.kind, k == l) {
+                (Kind::Sine, true) => vec![line(sum, zero), line(difference, one)],
+                (Kind::Sine, false) => vec![line(difference, zero), line(sum, one)],
+                (Kind::Cosine, true) => vec![line(sum, one.clone()), line(difference, one)],
+                (Kind::Cosine, false) => vec![line(sum, zero.clone()), line(difference, zero)],
             }
         }
         _ => return None,
     };
     // If the angles of a pair are equal, one equation is empty: then it is no pair.
-    lines.iter().all(|(angle, _)| !angle.is_empty()).then_some(lines)
+    lines.iter().all(|line| !line.angle.is_empty()).then_some(lines)
 }

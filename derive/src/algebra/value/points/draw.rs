@@ -13,6 +13,14 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// Largest number of nodes that are evaluated for one point.
 const MOST_WORK: usize = 4_000_000;
 
+/// Values that must have residues at a point.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Scope {
+    Terms,
+    /// Terms, and their slopes along all symbols.
+    TermsAndSlopes,
+}
+
 /// A square root that must exist at a point.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Root {
@@ -24,10 +32,12 @@ enum Root {
 
 impl Root {
     /// Root that a term needs to have a residue; `None` if it needs none.
-    fn new(arena: &Arena, term: Expr, with_slopes: bool) -> Option<Self> {
+    fn new(arena: &Arena, term: Expr, scope: Scope) -> Option<Self> {
         match arena.node(term) {
             Node::Apply(Function::Sqrt, x) => Some(Self::Of(*x)),
-            Node::Apply(Function::Asin | Function::Acos, x) if with_slopes => Some(Self::Complement(*x)),
+            Node::Apply(Function::Asin | Function::Acos, x) if scope == Scope::TermsAndSlopes => {
+                Some(Self::Complement(*x))
+            }
             _ => None,
         }
     }
@@ -65,19 +75,19 @@ pub(crate) struct Draw<'a> {
 impl<'a> Draw<'a> {
     /// Creates a search for points at which terms have residues.
     pub fn new(arena: &'a Arena, terms: &[Expr]) -> Self {
-        Self::prepared(arena, terms, false)
+        Self::prepared(arena, terms, Scope::Terms)
     }
 
     /// Creates a search for points at which terms and their slopes have residues.
     pub fn with_slopes(arena: &'a Arena, terms: &[Expr]) -> Self {
-        Self::prepared(arena, terms, true)
+        Self::prepared(arena, terms, Scope::TermsAndSlopes)
     }
 
-    fn prepared(arena: &'a Arena, terms: &[Expr], with_slopes: bool) -> Self {
+    fn prepared(arena: &'a Arena, terms: &[Expr], scope: Scope) -> Self {
         let needed = Needed::new(arena, terms);
         let denominators = angle_denominators(arena, needed.nodes());
         let generator = seeded(arena, &needed);
-        let groups = groups(arena, &needed, with_slopes);
+        let groups = groups(arena, &needed, scope);
         Self { arena, needed, denominators, generator, groups }
     }
 
@@ -137,8 +147,8 @@ impl Group {
 }
 
 /// Groups of the roots in all terms, those with few symbols first.
-fn groups(arena: &Arena, needed: &Needed, with_slopes: bool) -> Vec<Group> {
-    let roots: FxHashSet<Root> = needed.nodes().iter().filter_map(|e| Root::new(arena, *e, with_slopes)).collect();
+fn groups(arena: &Arena, needed: &Needed, scope: Scope) -> Vec<Group> {
+    let roots: FxHashSet<Root> = needed.nodes().iter().filter_map(|e| Root::new(arena, *e, scope)).collect();
     if roots.is_empty() {
         return Vec::new();
     }

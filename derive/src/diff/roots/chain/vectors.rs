@@ -61,7 +61,8 @@ impl Chain {
         if self.stated_frame(VectorName::Position, of, frame).is_some() {
             return self.rate(quantities, VectorName::Position, of, frame);
         }
-        let (parent, carrier, arm) = quantities.model.points[of].position?;
+        let placement = quantities.model.points[of].position?;
+        let (parent, carrier, arm) = (placement.parent, placement.frame, placement.components);
         let mut change = None;
         if self.stated_frame(VectorName::Velocity, parent, frame).is_some() {
             change = self.vector_change(quantities, VectorName::Velocity, parent, frame);

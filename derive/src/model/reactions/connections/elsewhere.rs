@@ -6,21 +6,28 @@
 //! as the equations of all bodies need.
 
 use super::held::works_alone;
-use super::search::{Along, Found, Search};
+use super::search::{FoundReaction, ReactionDirection, Search};
 use crate::model::reactions::random_pose::{DrawnModel, Triple};
 use crate::model::reactions::relative_motion::Holder;
 use crate::model::{Place, ReactionKind};
+
+/// Slip of the points at which forces are sought.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Slip {
+    None,
+    Allowed,
+}
 
 impl Search<'_> {
     /// Chooses the reactions that no connection of the model file carries and that are still missing.
     pub fn elsewhere(&mut self) {
         // Points where bodies hold fast come first. A force at a point where they slide is tried last.
-        for holds in [true, false] {
-            self.contacts(holds);
-            if !holds {
+        for slip in [Slip::None, Slip::Allowed] {
+            self.contacts(slip);
+            if slip == Slip::Allowed {
                 self.spins();
             }
-            self.loops(holds);
+            self.loops(slip);
         }
         self.lines();
         self.tree();
@@ -29,15 +36,15 @@ impl Search<'_> {
 
     /// Chooses reactions between each body and its holder, in the motions that all constraints together permit.
     fn tree(&mut self) {
-        for rest in self.rests.clone() {
-            for (kind, velocities) in self.relative.between(rest.body, rest.holder) {
-                self.along_wanted_axes(kind, &velocities, (rest.body, rest.holder));
+        for support in self.supports.clone() {
+            for (kind, velocities) in self.relative.between(support.body, support.holder) {
+                self.along_wanted_axes(kind, &velocities, support.body, support.holder);
             }
         }
     }
 
     /// Keeps the reactions of a kind along axes that do no work at these velocities, one velocity for each speed.
-    fn along_wanted_axes(&mut self, kind: ReactionKind, velocities: &[Triple], (body, holder): (usize, Holder)) {
+    fn along_wanted_axes(&mut self, kind: ReactionKind, velocities: &[Triple], body: usize, holder: Holder) {
         if self.missing == 0 {
             return;
         }
@@ -45,7 +52,7 @@ impl Search<'_> {
             let direction = self.relative.drawn.frames[frame].axes[axis];
             let works = velocities.iter().any(|v| self.relative.drawn.space.dot(*v, direction) != 0);
             if !works && self.is_wanted(kind, direction) {
-                self.choose(self.last_place(), Found::along_axis(kind, (frame, axis)), direction, Vec::new());
+                self.choose(self.last_place(), FoundReaction::along_axis(kind, frame, axis), direction, Vec::new());
             }
         }
     }
@@ -62,26 +69,27 @@ impl Search<'_> {
             let ends: Vec<usize> = (0..count).filter(is_end).collect();
             for point in (0..count).filter(|at| self.relative.has(body, *at)).collect::<Vec<_>>() {
                 for opposite in &ends {
-                    self.line(body, holder, (point, *opposite));
+                    self.line(body, holder, point, *opposite);
                 }
             }
         }
     }
 
-    fn line(&mut self, body: usize, holder: Holder, (point, opposite): (usize, usize)) {
+    fn line(&mut self, body: usize, holder: Holder, point: usize, opposite: usize) {
         let DrawnModel { space, points, .. } = &self.relative.drawn;
         let way = space.sub(points[opposite].place, points[point].place);
         if self.missing == 0 || way == [0; 3] {
             return;
         }
-        let slips = self.relative.slips(body, holder, (point, opposite));
+        let slips = self.relative.slips(body, holder, point, opposite);
         if slips.iter().any(|slip| space.dot(*slip, way) != 0) {
             return;
         }
         let against = holder.map(|body| Place { body, point: opposite });
         let kind = ReactionKind::Force { on: Place { body, point }, against };
         if self.is_wanted(kind, way) {
-            let found = Found { kind, along: Along::Line(point, opposite), is_shared: false, law: None };
+            let found =
+                FoundReaction { kind, along: ReactionDirection::Line(point, opposite), is_shared: false, law: None };
             self.choose(self.last_place(), found, way, Vec::new());
         }
     }
@@ -89,7 +97,8 @@ impl Search<'_> {
     /// Chooses forces and torques where bodies rest that each do work, and together hold directions that no axis holds.
     /// Each of them adds an unknown. They add as many equations as their powers along the speeds are independent.
     fn shared(&mut self) {
-        let all: Vec<_> = self.rests.iter().flat_map(|rest| self.relative.working(rest.body, rest.holder)).collect();
+        let all: Vec<_> =
+            self.supports.iter().flat_map(|support| self.relative.working(support.body, support.holder)).collect();
         let powers: Vec<Vec<u64>> = all.iter().map(|(_, power)| power.clone()).collect();
         let field = self.relative.drawn.space.0;
         for (at, (found, power)) in all.into_iter().enumerate() {
@@ -100,14 +109,14 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses forces where bodies touch at a point: without slip if `holds`, otherwise with slip too.
-    fn contacts(&mut self, holds: bool) {
+    /// Chooses forces where bodies touch at a point.
+    fn contacts(&mut self, slip: Slip) {
         for (body, holder) in self.relative.pairs() {
             for point in 0..self.relative.model.points.len() {
                 let is_there =
                     |b: usize| self.relative.is_rigid(Some(b)) || self.relative.model.bodies[b].centre == point;
                 if is_there(body) && holder.is_none_or(is_there) {
-                    self.meeting(body, holder, (point, point), holds);
+                    self.meeting(body, holder, point, point, slip);
                 }
             }
         }
@@ -118,36 +127,35 @@ impl Search<'_> {
         for (body, holder) in self.relative.pairs() {
             if self.missing > 0 && self.relative.is_rigid(Some(body)) && self.relative.is_rigid(holder) {
                 let turns = self.relative.turns(body, holder);
-                self.along_wanted_axes(ReactionKind::Torque { on: body, against: holder }, &turns, (body, holder));
+                self.along_wanted_axes(ReactionKind::Torque { on: body, against: holder }, &turns, body, holder);
             }
         }
     }
 
-    /// Chooses forces between points of two bodies that loops hold together: without slip if `holds`, otherwise with
-    /// slip too.
-    fn loops(&mut self, holds: bool) {
+    /// Chooses forces between points of two bodies that loops hold together.
+    fn loops(&mut self, slip: Slip) {
         for (body, holder) in self.relative.pairs() {
             let Some(other) = holder else { continue };
             for point in 0..self.relative.model.points.len() {
                 for opposite in 0..self.relative.model.points.len() {
                     if point != opposite && self.relative.has(body, point) && self.relative.has(other, opposite) {
-                        self.meeting(body, holder, (point, opposite), holds);
+                        self.meeting(body, holder, point, opposite, slip);
                     }
                 }
             }
         }
     }
 
-    /// Chooses forces where two bodies meet, at a point of each: without slip if `holds`, otherwise with slip too.
-    fn meeting(&mut self, body: usize, holder: Holder, (point, opposite): (usize, usize), holds: bool) {
+    /// Chooses forces where two bodies meet, at a point of each.
+    fn meeting(&mut self, body: usize, holder: Holder, point: usize, opposite: usize, slip: Slip) {
         if self.missing == 0 {
             return;
         }
-        let slips = self.relative.slips(body, holder, (point, opposite));
-        if !holds || slips.iter().all(|slip| *slip == [0; 3]) {
+        let slips = self.relative.slips(body, holder, point, opposite);
+        if slip == Slip::Allowed || slips.iter().all(|velocity| *velocity == [0; 3]) {
             let against = holder.map(|body| Place { body, point: opposite });
             let kind = ReactionKind::Force { on: Place { body, point }, against };
-            self.along_wanted_axes(kind, &slips, (body, holder));
+            self.along_wanted_axes(kind, &slips, body, holder);
         }
     }
 }

@@ -8,14 +8,14 @@
 //! 5. The ground, under bodies that rest on nothing else; last under bodies that touch another body.
 //! 6. Bodies that the file states to touch: all reactions between them, in addition to those of the contact.
 
-use super::search::{Along, Found, Search};
+use super::search::{FoundReaction, ReactionDirection, Search};
 use crate::algebra::text::parse::VelocityOf;
 use crate::algebra::value::field::Field;
 use crate::algebra::value::rank::Basis;
 use crate::model::reactions::random_pose::Triple;
 use crate::model::reactions::relative_motion::{Holder, Relative, sides};
-use crate::model::reactions::supports::{Reason, Rest};
-use crate::model::{MotionConstraint, Place, ReactionKind, Rolled, Tie};
+use crate::model::reactions::supports::{Reason, Support};
+use crate::model::{MotionConstraint, MotionConstraintKind, Place, ReactionKind, Rolled, StatedVelocity};
 
 /// Bases of the motions that a mechanism would have if loops were open and nothing rolled; `None` for its own motions.
 struct Ways {
@@ -27,6 +27,25 @@ struct Ways {
     placed: Vec<String>,
 }
 
+/// Treatment of the model file's other equations between velocities.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum OtherEquations {
+    Hold,
+    Ignored,
+}
+
+/// Constraint that states one velocity of one body alone.
+struct Edge {
+    /// Name of the constraint.
+    name: String,
+    /// Force or torque that holds the body against the ground.
+    kind: ReactionKind,
+    /// Frame that has the axis of the force or torque.
+    frame: usize,
+    /// Index of the axis: 0, 1 or 2.
+    axis: usize,
+}
+
 impl Search<'_> {
     /// Chooses the reactions that the connections of the model file carry.
     pub fn held(&mut self) {
@@ -34,29 +53,30 @@ impl Search<'_> {
         let touches = self.relative.touches(&self.relative.freedoms());
         let on_body = |body: usize| touches.iter().any(|(one, other)| *one == body && other.is_some());
         let (mut placed, mut ground, mut touching) = (Vec::new(), Vec::new(), Vec::new());
-        for rest in &self.rests {
-            match (rest.reason, rest.holder) {
-                (Reason::Joint | Reason::Placed | Reason::Least, _) => placed.push(*rest),
-                (_, None) => ground.push(*rest),
-                (_, Some(_)) => touching.push(*rest),
+        for support in &self.supports {
+            match (support.reason, support.holder) {
+                (Reason::Joint | Reason::Placed | Reason::Least, _) => placed.push(*support),
+                (_, None) => ground.push(*support),
+                (_, Some(_)) => touching.push(*support),
             }
         }
-        ground.sort_by_key(|rest| on_body(rest.body));
-        let tied = model.motion_constraints.iter().filter_map(|constraint| match constraint.tie {
-            Tie::Rolling(rolled) => Some(rolled),
+        ground.sort_by_key(|support| on_body(support.body));
+        let tied = model.motion_constraints.iter().filter_map(|constraint| match constraint.kind {
+            MotionConstraintKind::Rolling(rolled) => Some(rolled),
             _ => None,
         });
         let tied: Vec<Rolled> = tied.collect();
         // A body that rests on another presses along the axes of that connection.
-        let rests_there =
-            |rolled: &Rolled| self.rests.iter().any(|rest| (rest.body, rest.holder) == (rolled.body, rolled.against));
+        let rests_there = |rolled: &Rolled| {
+            self.supports.iter().any(|support| (support.body, support.holder) == (rolled.body, rolled.against))
+        };
         let built_in = model.repeated.iter().filter_map(|repeated| repeated.rolled);
         let built_in: Vec<Rolled> = built_in.filter(|rolled| !rests_there(rolled)).collect();
         let edges = self.relative.edges();
-        let elsewhere: Vec<&str> = edges.iter().map(|(name, ..)| name.as_str()).collect();
+        let elsewhere: Vec<&str> = edges.iter().map(|edge| edge.name.as_str()).collect();
         let ways = Ways {
-            open: self.relative.open(true, &elsewhere),
-            free: self.relative.open(false, &elsewhere),
+            open: self.relative.open(OtherEquations::Hold, &elsewhere),
+            free: self.relative.open(OtherEquations::Ignored, &elsewhere),
             placed: elsewhere.iter().map(|name| (*name).to_owned()).collect(),
         };
         self.rolled(&tied, 0);
@@ -74,53 +94,53 @@ impl Search<'_> {
         for &Rolled { body, against, point, frame, axis, .. } in components {
             let on = Place { body, point };
             let kind = ReactionKind::Force { on, against: against.map(|body| Place { body, point }) };
-            let slips = self.relative.slips(body, against, (point, point));
+            let slips = self.relative.slips(body, against, point, point);
             let direction = self.relative.drawn.frames[frame].axes[axis];
             if slips.iter().all(|slip| self.relative.drawn.space.dot(*slip, direction) == 0) {
-                self.choose(place, Found::along_axis(kind, (frame, axis)), direction, Vec::new());
+                self.choose(place, FoundReaction::along_axis(kind, frame, axis), direction, Vec::new());
             }
         }
     }
 
     /// Chooses the forces and torques of edges, unless the model file names a reaction that holds the edge's body
     /// against the ground.
-    fn edges(&mut self, edges: &[(String, ReactionKind, (usize, usize))]) {
-        for (name, kind, (frame, axis)) in edges {
+    fn edges(&mut self, edges: &[Edge]) {
+        for Edge { name, kind, frame, axis } in edges {
             let model = self.relative.model;
             let is_enforced = model.motion_constraints.iter().any(|c| c.name == *name && c.enforced_by.is_some());
             let is_held = model.stated_reactions().iter().any(|reaction| sides(reaction.kind) == sides(*kind));
             let velocities = match *kind {
-                ReactionKind::Force { on, .. } => self.relative.slips(on.body, None, (on.point, on.point)),
+                ReactionKind::Force { on, .. } => self.relative.slips(on.body, None, on.point, on.point),
                 ReactionKind::Torque { on, .. } => self.relative.turns(on, None),
             };
             let direction = self.relative.drawn.frames[*frame].axes[*axis];
             let works = velocities.iter().any(|v| self.relative.drawn.space.dot(*v, direction) != 0);
             if !is_enforced && !is_held && !works {
-                self.choose(0, Found::along_axis(*kind, (*frame, *axis)), direction, Vec::new());
+                self.choose(0, FoundReaction::along_axis(*kind, *frame, *axis), direction, Vec::new());
             }
         }
     }
 
     /// Chooses the reactions between bodies and their holders where they are joined, regardless of other connections.
-    fn connections(&mut self, rests: &[Rest], ways: &Ways) {
+    fn connections(&mut self, supports: &[Support], ways: &Ways) {
         self.relative.ways_if_open.clone_from(&ways.open);
-        for rest in rests {
-            for (kind, velocities) in self.relative.between(rest.body, rest.holder) {
-                self.along_axes(kind, &velocities, rest);
+        for support in supports {
+            for (kind, velocities) in self.relative.between(support.body, support.holder) {
+                self.along_axes(kind, &velocities, support);
             }
         }
-        for rest in rests {
-            self.together(rest.body, rest.holder, ways);
+        for support in supports {
+            self.together(support.body, support.holder, ways);
         }
         self.relative.ways_if_open = None;
     }
 
     /// Chooses independent reactions along axes of frames that each do no work.
-    fn along_axes(&mut self, kind: ReactionKind, velocities: &[Triple], rest: &Rest) {
+    fn along_axes(&mut self, kind: ReactionKind, velocities: &[Triple], support: &Support) {
         let field = self.relative.drawn.space.0;
         let mut open = 3 - rank(field, velocities.iter().map(|velocity| velocity.to_vec()));
         let mut own = Basis::new(field);
-        for (frame, axis) in self.relative.axes_between(rest.body, rest.holder) {
+        for (frame, axis) in self.relative.axes_between(support.body, support.holder) {
             if open == 0 {
                 return;
             }
@@ -130,8 +150,8 @@ impl Search<'_> {
                 continue;
             }
             open -= 1;
-            let found = Found::along_axis(kind, (frame, axis));
-            self.choose(self.place_of(rest.body), found, direction, Vec::new());
+            let found = FoundReaction::along_axis(kind, frame, axis);
+            self.choose(self.place_of(support.body), found, direction, Vec::new());
         }
     }
 
@@ -172,7 +192,7 @@ impl Search<'_> {
     /// Reactions of a connection that do work if loops are open and nothing rolls, each with its power along the rate
     /// of each coordinate. `None` if an equation of the model file between velocities ties these rates: the connection
     /// may hold what the equation prevents.
-    fn law(&mut self, body: usize, holder: Holder, placed: &[String]) -> Option<Vec<(Found, Vec<u64>)>> {
+    fn law(&mut self, body: usize, holder: Holder, placed: &[String]) -> Option<Vec<(FoundReaction, Vec<u64>)>> {
         let model = self.relative.model;
         let (n, open) = (model.coordinates.len(), model.undriven());
         let unit = |along: usize| (0..n).map(|at| u64::from(at == along && open.contains(&at))).collect();
@@ -181,7 +201,7 @@ impl Search<'_> {
         self.relative.ways_if_open = before;
         let moves = |at: usize| list.iter().any(|(_, power)| power[at] != 0);
         let ties = |at: usize, constraint: &MotionConstraint| {
-            constraint.tie == Tie::Stated
+            constraint.kind == MotionConstraintKind::Stated
                 && !placed.contains(&constraint.name)
                 && model.arena.mentions(constraint.equation, model.coordinates[at].rate)
         };
@@ -191,9 +211,8 @@ impl Search<'_> {
 }
 
 impl Relative<'_> {
-    /// Constraints that each state one velocity of one body alone, by name, with the force or the torque that holds the
-    /// body against the ground, and the frame and the axis of its direction.
-    fn edges(&self) -> Vec<(String, ReactionKind, (usize, usize))> {
+    /// Constraints that each state one velocity of one body alone.
+    fn edges(&self) -> Vec<Edge> {
         let model = self.model;
         let holds = |of: &VelocityOf<usize>| {
             let (body, point) = match *of {
@@ -210,25 +229,27 @@ impl Relative<'_> {
             };
             Some(ReactionKind::Force { on: Place { body, point }, against: None })
         };
-        let stated = model.motion_constraints.iter().filter(|c| c.tie == Tie::Stated);
+        let stated = model.motion_constraints.iter().filter(|c| c.kind == MotionConstraintKind::Stated);
         let edge = |constraint: &MotionConstraint| {
             let compared = model.contacts.compared.iter().find(|compared| compared.name == constraint.name)?;
-            let (of, frame, axis) = compared.alone.as_ref()?;
-            Some((constraint.name.clone(), holds(of)?, (*frame, *axis)))
+            let StatedVelocity { of, frame, axis } = compared.alone.as_ref()?;
+            Some(Edge { name: constraint.name.clone(), kind: holds(of)?, frame: *frame, axis: *axis })
         };
         stated.filter_map(edge).collect()
     }
 
     /// Motions that the mechanism would have if loops were open and nothing rolled, without the constraints whose names
-    /// are `placed`. Other equations of the model file between velocities hold if `are_held`. `None` if these are the
+    /// are `placed`. `others` are the other equations of the model file between velocities. `None` if these are the
     /// mechanism's own motions.
-    fn open(&self, are_held: bool, placed: &[&str]) -> Option<Vec<Vec<u64>>> {
+    fn open(&self, others: OtherEquations, placed: &[&str]) -> Option<Vec<Vec<u64>>> {
         let model = self.model;
-        let holds = |constraint: &MotionConstraint| match constraint.tie {
-            Tie::Loop(at) => model.loops[at].prescribes,
-            Tie::Clock => true,
-            Tie::Rolling(_) => false,
-            Tie::Stated => are_held && !placed.contains(&constraint.name.as_str()),
+        let holds = |constraint: &MotionConstraint| match constraint.kind {
+            MotionConstraintKind::Loop(at) => model.loops[at].prescribes,
+            MotionConstraintKind::Clock => true,
+            MotionConstraintKind::Rolling(_) => false,
+            MotionConstraintKind::Stated => {
+                others == OtherEquations::Hold && !placed.contains(&constraint.name.as_str())
+            }
         };
         let is_open = !model.openings.is_empty() || !model.motion_constraints.iter().all(holds);
         is_open.then(|| self.open_ways(&mut model.arena.clone(), &holds)).flatten()
@@ -250,7 +271,7 @@ impl Relative<'_> {
         let point = self.least_moving_point(body, holder);
         let against = holder.map(|body| Place { body, point });
         let force = ReactionKind::Force { on: Place { body, point }, against };
-        let mut kinds = vec![(force, self.slips(body, holder, (point, point)))];
+        let mut kinds = vec![(force, self.slips(body, holder, point, point))];
         if self.is_rigid(Some(body)) && self.is_rigid(holder) {
             kinds.push((ReactionKind::Torque { on: body, against: holder }, self.turns(body, holder)));
         }
@@ -259,7 +280,7 @@ impl Relative<'_> {
 
     /// Forces and torques between a body and its holder that do work, along axes of one frame. Each has its power along
     /// every way to move.
-    pub fn working(&self, body: usize, holder: Holder) -> Vec<(Found, Vec<u64>)> {
+    pub fn working(&self, body: usize, holder: Holder) -> Vec<(FoundReaction, Vec<u64>)> {
         let frame = self.frames(body, holder)[0];
         let mut list = Vec::new();
         for (kind, velocities) in self.between(body, holder) {
@@ -267,7 +288,10 @@ impl Relative<'_> {
                 let direction = self.drawn.frames[frame].axes[axis];
                 let power: Vec<u64> = velocities.iter().map(|v| self.drawn.space.dot(*v, direction)).collect();
                 if power.iter().any(|x| *x != 0) {
-                    list.push((Found { is_shared: true, ..Found::along_axis(kind, (frame, axis)) }, power));
+                    list.push((
+                        FoundReaction { is_shared: true, ..FoundReaction::along_axis(kind, frame, axis) },
+                        power,
+                    ));
                 }
             }
         }
@@ -275,10 +299,10 @@ impl Relative<'_> {
     }
 
     /// Direction of a reaction along an axis of a frame, as a vector of residues; `None` for a reaction along a line.
-    pub fn direction(&self, found: &Found) -> Option<Triple> {
+    pub fn direction(&self, found: &FoundReaction) -> Option<Triple> {
         match found.along {
-            Along::Axis(frame, axis) => Some(self.drawn.frames[frame].axes[axis]),
-            Along::Line(..) => None,
+            ReactionDirection::Axis(frame, axis) => Some(self.drawn.frames[frame].axes[axis]),
+            ReactionDirection::Line(..) => None,
         }
     }
 

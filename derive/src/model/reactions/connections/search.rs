@@ -5,12 +5,12 @@ use crate::algebra::value::rank::Basis;
 use crate::algebra::{Arena, Expr};
 use crate::model::reactions::random_pose::{DrawnModel, Triple};
 use crate::model::reactions::relative_motion::{Relative, sides};
-use crate::model::reactions::supports::{Reason, Rest};
+use crate::model::reactions::supports::{Reason, Support};
 use crate::model::{Model, ReactionKind};
 
 /// Direction along which a reaction acts.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Along {
+pub enum ReactionDirection {
     /// Direction along an axis, 0, 1 or 2, of a frame: frame, axis.
     Axis(usize, usize),
     /// Direction from one point to another: indices of the points.
@@ -19,18 +19,18 @@ pub enum Along {
 
 /// A reaction that was found, before it has a name.
 #[derive(Clone, Copy)]
-pub struct Found {
+pub struct FoundReaction {
     pub kind: ReactionKind,
-    pub along: Along,
+    pub along: ReactionDirection,
     pub is_shared: bool,
     /// Body whose connection to its holder has a law of its own, as in [`crate::model::Reaction::law`].
     pub law: Option<usize>,
 }
 
-impl Found {
+impl FoundReaction {
     /// A reaction along an axis of a frame that does no work by itself.
-    pub fn along_axis(kind: ReactionKind, (frame, axis): (usize, usize)) -> Self {
-        Self { kind, along: Along::Axis(frame, axis), is_shared: false, law: None }
+    pub fn along_axis(kind: ReactionKind, frame: usize, axis: usize) -> Self {
+        Self { kind, along: ReactionDirection::Axis(frame, axis), is_shared: false, law: None }
     }
 
     /// True if both reactions are the same component between the same bodies.
@@ -47,7 +47,7 @@ struct Chosen {
     /// connection has a law that the reaction obeys. Empty if the reaction does no work by itself.
     power: Vec<u64>,
     /// Reaction that was found, after its place in the list of reactions; `None` for one that the model file names.
-    found: Option<(usize, Found)>,
+    found: Option<(usize, FoundReaction)>,
     /// True if bodies feel the reaction: it acts in a balance that is not 0 = 0.
     is_felt: bool,
 }
@@ -56,7 +56,7 @@ struct Chosen {
 pub struct Search<'m> {
     pub relative: Relative<'m>,
     /// Each body with its holder, outermost bodies first.
-    pub rests: Vec<Rest>,
+    pub supports: Vec<Support>,
     /// Number of reactions that are still missing.
     pub missing: usize,
     /// True for each balance that is not 0 = 0 without reactions: six for each body. `felt` is true for each balance
@@ -77,8 +77,8 @@ impl<'m> Search<'m> {
         let (basis, chosen) = (Basis::new(drawn.space.0), Vec::new());
         let moved: Vec<bool> = drawn.balances(model, arena)?.iter().map(|x| *x != 0).collect();
         let relative = Relative { model, drawn, ways_if_open: None };
-        let rests = relative.rests();
-        let mut search = Self { felt: moved.clone(), moved, relative, rests, basis, chosen, missing: 0 };
+        let supports = relative.supports();
+        let mut search = Self { felt: moved.clone(), moved, relative, supports, basis, chosen, missing: 0 };
         let stated = search.stated(arena)?;
         for action in stated {
             search.basis.take(search.column(&action, &[]))?;
@@ -107,12 +107,12 @@ impl<'m> Search<'m> {
 
     /// Place of a body's reactions in the list of reactions: outermost bodies come first.
     pub fn place_of(&self, body: usize) -> usize {
-        1 + self.rests.iter().position(|rest| rest.body == body).unwrap_or(self.rests.len())
+        1 + self.supports.iter().position(|support| support.body == body).unwrap_or(self.supports.len())
     }
 
     /// Place in the list of reactions after those of all bodies.
     pub fn last_place(&self) -> usize {
-        2 + self.rests.len()
+        2 + self.supports.len()
     }
 
     /// True if reactions are missing, and a reaction in this direction acts in a balance that bodies feel.
@@ -122,7 +122,7 @@ impl<'m> Search<'m> {
 
     /// Chooses a reaction in this direction, at this place of the list, unless the reactions already chosen carry the
     /// same load. Returns true if it is chosen.
-    pub fn choose(&mut self, place: usize, found: Found, direction: Triple, mut power: Vec<u64>) -> bool {
+    pub fn choose(&mut self, place: usize, found: FoundReaction, direction: Triple, mut power: Vec<u64>) -> bool {
         if !power.is_empty() {
             let model = self.relative.model;
             power.resize(model.speeds.len() + model.bodies.len() * model.coordinates.len(), 0);
@@ -177,15 +177,16 @@ impl<'m> Search<'m> {
 
     /// Reactions that were found and that bodies feel, in the order of their places. Also the bodies on which the
     /// ground, or the body they touch, exerts only the forces that the model file names.
-    pub fn results(mut self) -> (Vec<Found>, Vec<usize>) {
+    pub fn results(mut self) -> (Vec<FoundReaction>, Vec<usize>) {
         self.chosen.retain(|chosen| chosen.is_felt);
         self.leave_out_zeros();
-        let mut found: Vec<(usize, Found)> = self.chosen.iter().filter_map(|chosen| chosen.found).collect();
+        let mut found: Vec<(usize, FoundReaction)> = self.chosen.iter().filter_map(|chosen| chosen.found).collect();
         found.sort_by_key(|(place, _)| *place);
-        let found: Vec<Found> = found.into_iter().map(|(_, found)| found).collect();
-        let carries = |rest: &Rest| found.iter().any(|found| sides(found.kind) == (rest.body, rest.holder));
-        let is_open = |rest: &&Rest| matches!(rest.reason, Reason::Ground | Reason::Touch) && !carries(rest);
-        let idle = self.rests.iter().filter(is_open).map(|rest| rest.body).collect();
+        let found: Vec<FoundReaction> = found.into_iter().map(|(_, found)| found).collect();
+        let carries = |support: &Support| found.iter().any(|found| sides(found.kind) == (support.body, support.holder));
+        let is_open =
+            |support: &&Support| matches!(support.reason, Reason::Ground | Reason::Touch) && !carries(support);
+        let idle = self.supports.iter().filter(is_open).map(|support| support.body).collect();
         (found, idle)
     }
 

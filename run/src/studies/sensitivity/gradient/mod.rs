@@ -43,7 +43,7 @@ use sweep::{Swept, Target, Through, sweep};
 use tripos_derive::model::{TIME, Unit};
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::adjoint::has_adjoint;
-use tripos_sim::{Method, Options, Second, Stop, seconds};
+use tripos_sim::{Method, Options, Second, Stop, TaylorSeries, seconds};
 use tripos_traits::larger;
 
 /// A run of a scene with the gradient of one quantity at its end.
@@ -339,7 +339,9 @@ impl Parts<'_> {
         let beside = problem.with_scene(&scene);
         let balance = Balance::new(problem.mechanism, problem.model, &scene, problem.by)?;
         let y: Vec<f64> = y0.iter().map(|y| y * (1.0 + f64::EPSILON)).collect();
-        for Second { options, part, words, .. } in seconds(&how, &first.solution, problem.scene.span, false) {
+        for Second { options, part, words, .. } in
+            seconds(&how, &first.solution, problem.scene.span, TaylorSeries::Costly)
+        {
             let mut watched = events(&beside, &balance);
             let run = Stepped::new(&beside, &y, &options, &mut watched)?;
             if run.solution.stop.code() == first.solution.stop.code() {

@@ -6,7 +6,7 @@ use crate::studies::sensitivity::corners;
 use crate::studies::sensitivity::start::Seed;
 use tripos_derive::Model;
 use tripos_derive::model::TIME;
-use tripos_derive::scene::{Scene, Stated};
+use tripos_derive::scene::{InitialMotion, Scene};
 use tripos_sim::Options;
 use tripos_sim::adjoint::Moved;
 use tripos_traits::Tangent;
@@ -35,8 +35,8 @@ pub fn numbers(problem: &Problem<'_>, set: &[(String, f64)], options: &Options) 
 pub fn names(model: &Model, scene: &Scene) -> Vec<String> {
     let coordinates = || model.coordinates.iter().map(|c| c.name.clone()).filter(|name| name != TIME);
     let motion: Vec<String> = match &scene.exact.motion {
-        Stated::Rates(_) => coordinates().map(|name| format!("{name}'")).collect(),
-        Stated::Speeds(_) => model.speeds.iter().map(|s| s.name.clone()).collect(),
+        InitialMotion::Rates(_) => coordinates().map(|name| format!("{name}'")).collect(),
+        InitialMotion::Speeds(_) => model.speeds.iter().map(|s| s.name.clone()).collect(),
     };
     let follows = |name: &String| {
         scene.closed.iter().any(|closed| closed.name == *name) || model.constraints.iter().any(|c| c.fixes == *name)

@@ -8,7 +8,7 @@ use crate::preparation::problem::Problem;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::term::steps::needed;
 use tripos_derive::algebra::value::evaluate::{Backwards, Tape};
-use tripos_derive::mechanics::{By, Derivation, Distance, Solved, in_distance};
+use tripos_derive::mechanics::{Derivation, Distance, EquationsOrigin, Solved, in_distance};
 use tripos_sim::{Eliminated, Failure, Pulled, RightHandSide, Transposed};
 
 /// Tapes that a gradient runs backwards: rates, constraints, kinetic energy and motion variables.
@@ -32,7 +32,12 @@ impl Tapes {
     ///
     /// # Errors
     /// [`Error`] if the equations cannot be solved for their accelerations.
-    pub fn new(mechanism: &Mechanism, by: &By, distance: Option<Distance>, code: &Code) -> Result<Self, Error> {
+    pub fn new(
+        mechanism: &Mechanism,
+        by: &EquationsOrigin,
+        distance: Option<Distance>,
+        code: &Code,
+    ) -> Result<Self, Error> {
         if let Code::Interpreted(system) = code
             && let (Some(rates), constraints) = system.double.rates_and_constraints()
             && let (Some(energy), Some(motions)) = system.double.energy_and_motions()

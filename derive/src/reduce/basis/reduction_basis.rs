@@ -63,7 +63,7 @@ pub struct Relative {
 
 /// A model's equations by Kane's method with its first integrals, from which reductions start.
 #[derive(Clone)]
-pub struct Ground {
+pub struct ReductionBasis {
     /// Model of the equations, with the terms of this store.
     pub model: Model,
     /// Store of the terms of all fields.
@@ -114,7 +114,7 @@ struct Search {
     units: Vec<Unit>,
 }
 
-impl Ground {
+impl ReductionBasis {
     /// Derives the equations of a model and finds its first integrals.
     ///
     /// # Errors
@@ -135,7 +135,7 @@ impl Ground {
         let (q, q_start, u_start) = (model.q(), model.q(), model.u());
         let (relatives, folded, integrals, momenta, energy, turns, frame, kept_by_domain) = Default::default();
         let model = model.clone();
-        let mut ground = Self {
+        let mut basis = Self {
             model,
             arena,
             simplifier,
@@ -155,18 +155,17 @@ impl Ground {
             frame,
             search,
         };
-        ground.find_integrals();
-        Ok(ground)
+        basis.find_integrals();
+        Ok(basis)
     }
 
     /// Finds the first integrals of the model, and the momenta and the energy among them.
     fn find_integrals(&mut self) {
         let Some(search) = &self.search else { return };
-        let terms = (&mut self.arena, &mut self.simplifier);
-        let (integrals, _) = search.basis.search(&self.model, terms, &mut Comparer::default());
+        let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
+        let (integrals, _) = search.basis.search(&self.model, arena, simplifier, &mut Comparer::default());
         self.energy = integrals.iter().find(|i| i.is_energy()).map(|i| i.expression);
-        let terms = &mut (&mut self.arena, &mut self.simplifier);
-        self.momenta = integrals.iter().filter_map(|i| search.momentum(&self.model, terms, i)).collect();
+        self.momenta = integrals.iter().filter_map(|i| search.momentum(&self.model, arena, simplifier, i)).collect();
         self.integrals = integrals;
     }
 
@@ -211,7 +210,7 @@ impl Ground {
         self.search = None;
     }
 
-    /// Rewrites every term of the ground in place.
+    /// Rewrites every term of the reduction basis in place.
     pub(in crate::reduce) fn change(&mut self, rewrite: &mut dyn FnMut(&mut Arena, &mut Simplifier, Expr) -> Expr) {
         let Self { arena, simplifier, model, kane, balance, momenta, energy, fields, turns, .. } = self;
         kane.visit(&mut |e, arena| *e = rewrite(arena, simplifier, *e), arena);
@@ -314,7 +313,8 @@ impl Search {
     fn momentum(
         &self,
         model: &Model,
-        (arena, simplifier): &mut (&mut Arena, &mut Simplifier),
+        arena: &mut Arena,
+        simplifier: &mut Simplifier,
         integral: &Integral,
     ) -> Option<Momentum> {
         let field = integral.field.clone()?;
