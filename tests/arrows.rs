@@ -177,7 +177,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/algebra/text/parse/velocity.rs",
             "derive/src/algebra/term/rational.rs",
             "derive/src/diagnostic.rs",
-            "derive/src/diff/equations/row_text.rs",
+            "derive/src/publication/row_text.rs",
             "derive/src/diff/printed/systems.rs",
             "derive/src/mechanics/origin.rs",
             "derive/src/mechanics/solutions/quantities/parse.rs",

@@ -4,7 +4,7 @@ mod notations;
 mod requests;
 
 pub use notations::{Form, Format, Notation};
-pub use requests::{Page, Plot, Set, Simulate, Sweep, View};
+pub use requests::{Grade, MarksFormat, Page, Plot, Set, Simulate, Sweep, View};
 
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
@@ -168,7 +168,7 @@ pub enum Command {
         json: bool,
     },
     /// Give marks to submissions by their root mistakes; exit status 1 if any has one
-    Grade(Box<crate::commands::grade::Request>),
+    Grade(Grade),
     /// Write generated/ anew from models/
     Regenerate {
         /// Models of the workspace, by the names of their folders; all of them if none is given
@@ -370,7 +370,7 @@ impl Command {
             | Self::Diff { json, .. }
             | Self::Evaluate { json, .. }
             | Self::Scene { json, .. } => *json,
-            Self::Grade(request) => request.json || request.format == crate::commands::grade::MarksFormat::Json,
+            Self::Grade(request) => request.json || request.format == MarksFormat::Json,
             Self::Page(request) => request.json,
             Self::Plot(request) => request.json,
             Self::View(request) => request.json,

@@ -1,7 +1,7 @@
 //! Single slips in printed formulas: every one is convicted, and the slip is named.
 //!
-//! The slips are made in the text, by rules of this file: a sign, a number, a power, a symbol, sine for cosine, a term or
-//! a factor left out. Numbers at random states, evaluated here, tell which slips change the value.
+//! The slips are made in the text, by rules of this file: a sign, a number, a power, a symbol, sine for cosine, a
+//! factor or a dot left out. Numbers at random states, evaluated here, tell which slips change the value.
 
 use crate::random::Random;
 use std::fmt::Write;

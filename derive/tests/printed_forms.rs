@@ -1,8 +1,8 @@
 //! Forms in which papers and programs print equations: implicit equations, time derivatives, whole matrices, states in
 //! any order, coordinates of the author's own, numbers in the place of parameters.
 //!
-//! The equations of the cart with a rod are written by hand. They are right where a test says `equal`, and have one slip
-//! where it says `different`.
+//! The equations of the cart with a rod are written by hand. They are right where a test says `equal`, and have one
+//! slip where it says `different`.
 
 use expect_test::{Expect, expect};
 use tripos_derive::diagnostic::Source;

@@ -78,7 +78,7 @@ fn a_folder_of_submissions_tells_who_made_which_mistake() {
     let folder = folder();
     let (status, out, _) = tripos_in(folder.path(), &["grade", "model.toml", "hand-ins", "--out", "marks.html"]);
     assert_eq!(status, 1);
-    assert!(out.contains("spoilt: not read\nerror: unknown name `y`"), "{out}");
+    assert!(out.contains("spoilt: not read\nerror: unknown name `y'`"), "{out}");
     assert!(out.contains("Who made which mistake\n  T: it is off by the factor 2\n    ben\n"), "{out}");
     let page = std::fs::read_to_string(folder.path().join("marks.html")).unwrap();
     assert!(page.contains("<td>ben</td><td class=\"n\">1 of 3</td>") && !page.contains("<script"), "{page}");

@@ -204,3 +204,39 @@ impl RunOptions {
         })
     }
 }
+
+/// Form in which marks are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum MarksFormat {
+    /// Lines for people.
+    Text,
+    /// JSON for programs.
+    Json,
+    /// The `results.json` of Gradescope, for one submission.
+    Gradescope,
+}
+
+/// Marks for submissions.
+#[derive(clap::Args)]
+pub struct Grade {
+    /// A model file, or a folder with model.toml
+    pub model: PathBuf,
+    /// Submissions: publication files (docs/publication.md), or folders of them
+    #[arg(required = true)]
+    pub submissions: Vec<PathBuf>,
+    /// Points of entries, and the entries that a submission must have (docs/grading.md)
+    #[arg(long)]
+    pub rubric: Option<PathBuf>,
+    /// Amount that feedback tells: hint, place or term; the rubric's if nothing is said, else hint
+    #[arg(long)]
+    pub level: Option<String>,
+    /// Form of the marks
+    #[arg(long, value_enum, default_value_t = MarksFormat::Text)]
+    pub format: MarksFormat,
+    /// Also write a page about all submissions to this file: who made which mistake
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long, conflicts_with = "format")]
+    pub json: bool,
+}

@@ -1,10 +1,10 @@
 //! `tripos grade`: marks and feedback for submissions, by root mistakes.
 
+use crate::arguments::{Grade as Request, MarksFormat};
 use crate::failure::{Failure, print, print_json, status};
 use crate::output;
 use crate::page::markup::html::escape;
 use crate::workspace::{read_model, short_name};
-use clap::ValueEnum;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -19,42 +19,6 @@ use tripos_derive::prove::prove;
 
 /// Largest submission that is read, in bytes.
 const LARGEST: u64 = 1_000_000;
-
-/// Form in which marks are printed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum MarksFormat {
-    /// Lines for people.
-    Text,
-    /// JSON for programs.
-    Json,
-    /// The `results.json` of Gradescope, for one submission.
-    Gradescope,
-}
-
-/// Request for marks, as the command line states it.
-#[derive(Debug, clap::Args)]
-pub struct Request {
-    /// A model file, or a folder with model.toml
-    pub model: PathBuf,
-    /// Submissions: publication files (docs/publication.md), or folders of them
-    #[arg(required = true)]
-    pub submissions: Vec<PathBuf>,
-    /// Points of entries, and the entries that a submission must have (docs/grading.md)
-    #[arg(long)]
-    pub rubric: Option<PathBuf>,
-    /// How much feedback tells: hint, place or term; the rubric's if nothing is said, else hint
-    #[arg(long)]
-    pub level: Option<String>,
-    /// Form of the marks
-    #[arg(long, value_enum, default_value_t = MarksFormat::Text)]
-    pub format: MarksFormat,
-    /// Also write a page about all submissions to this file: who made which mistake
-    #[arg(long)]
-    pub out: Option<PathBuf>,
-    /// Print JSON
-    #[arg(long, conflicts_with = "format")]
-    pub json: bool,
-}
 
 /// A submission with its marks, or the reason why it has none.
 struct Graded {

@@ -1,8 +1,8 @@
 //! Symmetries of the flow of a mechanism: fields ζ(x) with [ζ, f] = 0. Displacement along ζ takes solutions to
 //! solutions.
 //!
-//! A field ξ(q) on coordinates changes speeds too: u = J q̇ + d becomes u + ε η with η = ∂u/∂q ξ + J ξ̇. No momentum need
-//! be conserved for that: a rolling wheel may be moved on its plane, although the momenta along the plane change.
+//! A field ξ(q) on coordinates changes speeds too: u = J q̇ + d becomes u + ε η with η = ∂u/∂q ξ + J ξ̇. No momentum
+//! need be conserved for that: a rolling wheel may be moved on its plane, although the momenta along the plane change.
 
 use super::Flow;
 use crate::algebra::term::calculus::Differential;

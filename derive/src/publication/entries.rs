@@ -264,8 +264,8 @@ impl<'a> Loading<'a, '_> {
         self.ids.insert(id.to_owned(), span.clone());
     }
 
-    /// Reads an entry `[[equation]]`: the printed value of a quantity, or an equation of motion if no quantity, or 0, is
-    /// stated.
+    /// Reads an entry `[[equation]]`: the printed value of a quantity, or an equation of motion if no quantity, or 0,
+    /// is stated.
     fn equation(&mut self, item: &Item<'a>) -> Option<EntryKind> {
         let printed = self.required_formula(item, "printed");
         let is_zero = |value: &toml::Spanned<DeValue<'a>>| match value.get_ref() {

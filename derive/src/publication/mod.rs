@@ -178,8 +178,8 @@ pub struct System {
     pub right_ids: Option<String>,
 }
 
-/// A printed program that computes the derivative of a state: coordinates q and motion variables v in any order, where v
-/// is u, or q̇ for Lagrange.
+/// A printed program that computes the derivative of a state: coordinates q and motion variables v in any order, where
+/// v is u, or q̇ for Lagrange.
 #[derive(Clone, Debug)]
 pub struct Listing {
     /// Formulation that the listing is compared with.

@@ -94,7 +94,7 @@ fn the_errors_of_the_course_report_come_of_few_mistakes() {
         4.3-q2': it contradicts other printed numbers (3)
           4.4-u1 contradicts 4.3-q2'
           listing-5.7-qd20 contradicts 4.3-q2'
-        listing-5.4-dz10: the term -R*u2^2*cos(q1)*tan(q2)/cos(q2) is missing; the term -2*R*u2*cos(q1)*sin(q2)*(1 + tan(q2)^2) should not be there (1)
+        listing-5.4-dz10: the term -2*R*u2*cos(q1)*sin(q2)*(1 + tan(q2)^2) should be -R*u2^2*cos(q1)*tan(q2)/cos(q2) (1)
         listing-5.7-I11: it is off by the factor 1/R, in several components (3)
           listing-5.7-I22 repeated listing-5.7-I11
           listing-5.7-I33 repeated listing-5.7-I22

@@ -166,8 +166,8 @@ fn of_inputs<S: Numeric>(tape: &Tape<S>, mut inputs: Vec<S>) -> impl FnMut(&[S])
     }
 }
 
-/// Makes the function of (t, y) for a tape of parameters, q, q̇, u and reactions. `code` is the force balance that gives
-/// the reactions.
+/// Makes the function of (t, y) for a tape of parameters, q, q̇, u and reactions. `code` is the force balance that
+/// gives the reactions.
 fn along_motion<'a>(
     problem: &'a Problem<'_>,
     code: Option<&'a Code>,

@@ -48,8 +48,8 @@ pub trait System<S: Scalar = f64> {
     fn has_accelerations(&self) -> bool {
         false
     }
-    /// Writes the accelerations v̇, which were eliminated exactly from A x = b when the equations were derived; `out` is
-    /// as long as `v`.
+    /// Writes the accelerations v̇, which were eliminated exactly from A x = b when the equations were derived; `out`
+    /// is as long as `v`.
     fn accelerations(&self, _p: &[S], _q: &[S], _v: &[S], out: &mut [S]) {
         out.fill(S::from_f64(f64::NAN));
     }

@@ -1,9 +1,9 @@
 //! Search for the derived row, or the combination of derived rows, that a printed row was meant to be.
 //!
-//! A row that is right with any factor is matched with it. Of other rows the match with fewest wrong entries wins, where
-//! plain factors count less than involved ones: 1, a number, a monomial of parameters, another term of parameters. A
-//! factor that depends on the state makes a whole row right, or is no match: a wrong row would be compared with a
-//! multiple that nobody meant. The search runs modulo random primes and proves nothing.
+//! A row that is right with any factor is matched with it. Of other rows the match with fewest wrong entries wins,
+//! where plain factors count less than involved ones: 1, a number, a monomial of parameters, another term of
+//! parameters. A factor that depends on the state makes a whole row right, or is no match: a wrong row would be
+//! compared with a multiple that nobody meant. The search runs modulo random primes and proves nothing.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::solve::linear::solve;
@@ -39,8 +39,8 @@ struct Candidate {
     right: usize,
 }
 
-/// Best match of a printed row. Row number `index` is preferred where nothing else decides. `parameters` are the symbols
-/// that do not depend on the state.
+/// Best match of a printed row. Row number `index` is preferred where nothing else decides. `parameters` are the
+/// symbols that do not depend on the state.
 pub fn best_match(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

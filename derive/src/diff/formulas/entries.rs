@@ -145,8 +145,8 @@ impl Judge<'_, '_> {
         finding.accepted("up to a constant", remark)
     }
 
-    /// Accepts a Lagrangian that differs by the total time derivative of a function of q and t: Lagrange's equations are
-    /// the same.
+    /// Accepts a Lagrangian that differs by the total time derivative of a function of q and t: Lagrange's equations
+    /// are the same.
     fn up_to_a_rate(&mut self, finding: Finding) -> Finding {
         let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
             return finding;

@@ -381,8 +381,8 @@ impl Judge<'_, '_> {
         judge(&mut terms, &parameters, row, &order.rows, index)
     }
 
-    /// Judgement of a row that is a derived row to the digits printed, the one of equal number first; `None` if there is
-    /// no such row, or if the row is equal without rounding.
+    /// Judgement of a row that is a derived row to the digits printed, the one of equal number first; `None` if there
+    /// is no such row, or if the row is equal without rounding.
     fn rounded(&mut self, row: &Row, order: &Ordered, index: usize) -> Option<RowJudgement> {
         let own = index.min(order.rows.len() - 1);
         for at in std::iter::once(own).chain((0..order.rows.len()).filter(|at| *at != own)) {

@@ -36,6 +36,7 @@ pub enum Slip {
 
 impl Slip {
     /// Kind of the mistake in a value that is wrong by a factor; `None` for a factor of both kinds.
+    #[must_use]
     pub fn of_factor(arena: &Arena, factor: Expr) -> Option<Self> {
         if factor == Expr::MINUS_ONE {
             return Some(Self::Sign);

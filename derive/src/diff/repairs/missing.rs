@@ -13,8 +13,8 @@ const MOST_SUMS: usize = 12;
 /// Longest text of the sum in which a term is missing, in bytes.
 const LONGEST_SUM: usize = 60;
 
-/// Description, in words, of the single term that is missing in one sum within a formula. `None` if there is none, or if
-/// the words are long.
+/// Description, in words, of the single term that is missing in one sum within a formula. `None` if there is none, or
+/// if the words are long.
 pub fn missing_term(
     quantities: &mut Quantities<'_>,
     comparer: &mut Comparer,

@@ -13,7 +13,8 @@ use crate::model::Model;
 pub(in crate::scene) struct Places(Option<(Frames, Motion)>);
 
 impl Places {
-    /// Component of a position or velocity that a formula names, in q and q̇. A message if the model lacks a named part.
+    /// Component of a position or velocity that a formula names, in q and q̇. A message if the model lacks a named
+    /// part.
     pub fn component(&mut self, model: &Model, arena: &mut Arena, name: &VelocityName<'_>) -> Result<Expr, Refused> {
         let (frames, motion) = self.0.get_or_insert_with(|| {
             let mut frames = Frames::new(&model.frames);

@@ -1,8 +1,8 @@
 //! Motions given by formulas of t: poses that close the loops, and the speeds and accelerations that follow from them.
 //!
-//! The rates of the coordinates that have formulas, q̇ = W u + w, give the speeds u. Their second derivatives, q̈ = W u̇ +
-//! (Ẇ u + ẇ), give u̇. If more coordinates have formulas than there are speeds, the motion must satisfy the constraints;
-//! otherwise it is refused.
+//! The rates of the coordinates that have formulas, q̇ = W u + w, give the speeds u. Their second derivatives, q̈ = W
+//! u̇ + (Ẇ u + ẇ), give u̇. If more coordinates have formulas than there are speeds, the motion must satisfy the
+//! constraints; otherwise it is refused.
 
 use super::least::{Least, doubles};
 use crate::{Error, Mechanism};

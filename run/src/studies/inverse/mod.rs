@@ -43,8 +43,8 @@ pub struct Inverse {
 /// Forces and inputs that a motion needs at an instant.
 #[derive(Clone, Debug)]
 pub struct Forces {
-    /// Generalized force M u̇ − f with the inputs at 0, one for each speed. Its unit is that of power divided by that of
-    /// the speed.
+    /// Generalized force M u̇ − f with the inputs at 0, one for each speed. Its unit is that of power divided by that
+    /// of the speed.
     pub along: Vec<DoubleDouble>,
     /// Inputs that produce the forces; of several solutions the one with the least norm. `None` if no inputs produce
     /// them.

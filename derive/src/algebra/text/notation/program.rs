@@ -154,8 +154,8 @@ impl Program<'_, '_> {
         Ok(())
     }
 
-    /// Reads the indices behind a name, `z(6)` in MATLAB, `z[5]`, `x[2][0]` and `p['m']` elsewhere, and returns the name
-    /// with them.
+    /// Reads the indices behind a name, `z(6)` in MATLAB, `z[5]`, `x[2][0]` and `p['m']` elsewhere, and returns the
+    /// name with them.
     fn indexed(&mut self, mut word: String) -> String {
         let (open, close) = if self.notation == Notation::Matlab { ('(', ')') } else { ('[', ']') };
         loop {
