@@ -104,12 +104,15 @@ pub(crate) struct Projector<'p, 'a, S> {
     is_near: bool,
     /// Mass matrix, row by row, if the equations have one.
     inertia: Vec<f64>,
-    /// Gradients in doubles. `open` has the values to remove, `correction` the correction; `in_rates` and `in_weights`
-    /// solve for it in the metric of the mass matrix and in that of the tolerances.
+    /// Gradients by the state of the quantities that must be kept, row by row.
     slopes: Vec<f64>,
+    /// Deviations of these quantities from their targets, which a correction of the state removes.
     open: Vec<f64>,
+    /// Correction of the state.
     correction: Vec<f64>,
+    /// Solver for the correction that is least in the metric of the mass matrix.
     in_rates: Correction,
+    /// Solver for the correction that is least in the metric of the tolerances.
     in_weights: LeastVectorSolver,
     /// Index of the component that is the time, which no correction moves.
     clock: Option<usize>,

@@ -85,14 +85,14 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
     let mut found = Found::default();
     for entry in &publication.entries {
         let first = found.findings.len();
-        let tables = found.tables.len();
+        let earlier = found.tables.as_slice();
         let near = entry.near.as_ref().map(|near| Near::new(&mut quantities, near));
         let words = near.as_ref().map(|near| near.words.clone());
         // A formula that is printed up to an order near a point is compared as printed, not in permitted states.
         let comparer = if near.is_some() { &mut anywhere } else { &mut comparer };
         let numbers = numbers.as_slice();
         let mut judge =
-            formulas::entries::Judge { quantities: &mut quantities, comparer, names: &names, tables, near, numbers };
+            formulas::entries::Judge { quantities: &mut quantities, comparer, names: &names, earlier, near, numbers };
         match &entry.kind {
             EntryKind::Definition { text } => {
                 found.push((Finding::new(&entry.id, &entry.section, Judgement::Stated, text), Claim::Other));

@@ -58,7 +58,7 @@ pub struct Sketch {
     pub title: String,
     /// Description of the drawing, in sentences.
     pub about: String,
-    /// Drawn values of the coordinates, in a sentence.
+    /// Values of the coordinates at which the mechanism is drawn, in a sentence.
     pub drawn: String,
     /// Width and height of the sheet, px. All marks and labels lie within it.
     pub size: SheetPoint,

@@ -318,7 +318,7 @@ impl<'a> Problem<'a> {
         Options { corners, clock: self.model.time(), ..self.mechanism.follow.options(options) }
     }
 
-    /// Right-hand side of the equations, in the way in which accelerations are found.
+    /// Right-hand side of the equations, with eliminated accelerations or with a linear solve, as the problem says.
     /// # Errors [`SimError`] if the parameters do not fit the equations.
     pub(crate) fn right_hand_side(&self) -> Result<Box<dyn RightHandSide<f64> + '_>, SimError> {
         Ok(match Eliminated::new(self.system(), &self.scene.parameters) {

@@ -21,7 +21,7 @@ pub(crate) struct Memory {
     pub(crate) sign: Sign,
     /// Sign of the event function when it was last not zero; 0 if it has been zero since the start of the run.
     pub(crate) side: Sign,
-    /// True if a step has been searched.
+    /// True if a step has been searched for zero crossings.
     pub(crate) begun: bool,
     /// Side assumed for an event function that is zero at the start of the run.
     pub(crate) side_at_zero: Sign,

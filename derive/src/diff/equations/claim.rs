@@ -37,7 +37,14 @@ pub enum Claim {
         /// Ids of the entries that the number contradicts.
         against: Vec<String>,
     },
-    /// A claim that is not traced to others, such as a definition or a formula near a point.
+    /// Row of a printed system near a point that is the expansion of an earlier printed row.
+    Expansion {
+        /// Index of the earlier system or listing.
+        table: usize,
+        /// Index of the row in it.
+        row: usize,
+    },
+    /// A claim that is not traced to others, such as a definition or another formula near a point.
     Other,
 }
 

@@ -6,7 +6,7 @@ use super::near::Near;
 use super::ratio::constant_ratio;
 use super::rounding::agrees_as_rounded;
 use super::terms::{WrongTerm, wrong_terms};
-use crate::diff::equations::claim::Claim;
+use crate::diff::equations::claim::{Claim, Table};
 use crate::diff::repairs::{Repair, Slip, repair};
 
 use crate::algebra::Expr;
@@ -68,8 +68,8 @@ pub struct Judge<'a, 'b> {
     pub comparer: &'a mut Comparer,
     /// Values of the names that the publication gives to derived quantities.
     pub names: &'a Names,
-    /// Number of printed systems before this entry.
-    pub tables: usize,
+    /// Printed systems before this entry.
+    pub earlier: &'a [Table],
     /// Point near which the formula claims to hold; `None` if the formula claims to hold everywhere.
     pub near: Option<Near>,
     /// Parameters with the numbers that the publication, or else the model, gives them.

@@ -155,6 +155,7 @@ impl Judge<'_, '_> {
         };
         let raw = rows_as_printed(system, &order.unknowns);
         let reading = Reading::of(system.formulation);
+        let is_equation = system.row_texts.is_some();
         let multipliers = self.own_multipliers(&mut order, &rows);
         let mut findings: Vec<(Finding, Claim)> = Vec::new();
         let mut matches = Vec::new();
@@ -170,20 +171,23 @@ impl Judge<'_, '_> {
                 None => row_text(entries, &system.unknown_names, right, entry.notation),
             };
             let finding = stated(&id, entry, &shown);
-            let claim = Claim::Row { table: self.tables, row: i };
+            let claim = match self.expanded_from(system.formulation, &order.unknowns, row) {
+                Some((table, row)) => Claim::Expansion { table, row },
+                None => Claim::Row { table: self.earlier.len(), row: i },
+            };
             let row_printed: Vec<Printed> =
                 raw[i].iter().zip(row).map(|(raw, value)| Printed { raw: *raw, value: *value, reading }).collect();
-            findings.push((self.row_finding(finding, &row_printed, &order, &judged, i), claim));
+            findings.push((self.row_finding(finding, &row_printed, &order, &judged, i, is_equation), claim));
             for (j, unknown) in system.unknowns.iter().enumerate() {
                 let Some(id) = system.matrix_id(i, j) else { break };
                 let Some(at) = order.unknowns.iter().position(|u| u == unknown) else { continue };
                 let text = &system.matrix_texts[i][j];
-                let claim = Claim::Entry { table: self.tables, row: i, column: at };
+                let claim = Claim::Entry { table: self.earlier.len(), row: i, column: at };
                 findings.push((self.entry_finding(stated(&id, entry, text), row_printed[at], &judged, at), claim));
             }
             if let Some(id) = system.right_id(i) {
                 let at = row.len() - 1;
-                let claim = Claim::Entry { table: self.tables, row: i, column: at };
+                let claim = Claim::Entry { table: self.earlier.len(), row: i, column: at };
                 let finding = stated(&id, entry, &system.right_texts[i]);
                 findings.push((self.entry_finding(finding, row_printed[at], &judged, at), claim));
             }
@@ -229,13 +233,43 @@ impl Judge<'_, '_> {
         Ok((Ordered { rows: derived, ..order }, rows))
     }
 
-    /// Result of an entry, without table and motion if the entry holds near a point. Such an entry is not traced to
-    /// others, and is no equation of the whole motion.
+    /// Index of the earlier printed system, and of its row, whose expansion near the point of the entry is this row.
+    /// `None` if there is no such row, or if the entry holds everywhere.
+    fn expanded_from(&mut self, formulation: Formulation, unknowns: &[Expr], row: &Row) -> Option<(usize, usize)> {
+        for (table, earlier) in self.earlier.iter().enumerate() {
+            if earlier.formulation != formulation || earlier.unknowns != unknowns {
+                continue;
+            }
+            for (at, printed) in earlier.printed.iter().enumerate() {
+                let near = self.near.as_mut()?;
+                let mut is_same = true;
+                for (column, (whole, own)) in printed.iter().zip(row).enumerate() {
+                    let expanded = match unknowns.get(column) {
+                        Some(unknown) => near.factor(self.quantities, *unknown, *whole),
+                        None => near.formula(self.quantities, *whole),
+                    };
+                    let arena = &mut self.quantities.derivations.kinematics.arena;
+                    is_same = expanded.is_ok_and(|e| self.comparer.compare(arena, e, *own).is_equal());
+                    if !is_same {
+                        break;
+                    }
+                }
+                if is_same {
+                    return Some((table, at));
+                }
+            }
+        }
+        None
+    }
+
+    /// Result of an entry, without table and motion if the entry holds near a point. Such an entry is no equation of the
+    /// whole motion, and is traced to others only if it is the expansion of a row.
     fn kept(&self, judged: Judged) -> Judged {
         if self.near.is_none() {
             return judged;
         }
-        let findings = judged.findings.into_iter().map(|(finding, _)| (finding, Claim::Other)).collect();
+        let traced = |claim: Claim| if matches!(claim, Claim::Expansion { .. }) { claim } else { Claim::Other };
+        let findings = judged.findings.into_iter().map(|(finding, claim)| (finding, traced(claim))).collect();
         Judged { findings, table: None, motion: None }
     }
 
@@ -316,7 +350,7 @@ impl Judge<'_, '_> {
                 // A zero that no line of the program states is listed only if it is wrong.
                 if text != "0" || !judged.entries[j].is_equal() {
                     let id = listing.matrix_id(&entry.id, i, column);
-                    let claim = Claim::Entry { table: self.tables, row: i, column: j };
+                    let claim = Claim::Entry { table: self.earlier.len(), row: i, column: j };
                     let raw = listing.matrix.as_ref().map_or(row[j], |matrix| matrix[i][column]);
                     let own = Printed { raw, value: row[j], reading };
                     findings.push((self.entry_finding(stated(&id, entry, text), own, &judged, j), claim));
@@ -324,7 +358,7 @@ impl Judge<'_, '_> {
             }
             let id = listing.derivative_id(&entry.id, at_right);
             let column = row.len() - 1;
-            let claim = Claim::Entry { table: self.tables, row: i, column };
+            let claim = Claim::Entry { table: self.earlier.len(), row: i, column };
             let own = Printed { raw: listing.derivative[at_right], value: row[column], reading };
             findings.push((self.entry_finding(stated(&id, entry, right), own, &judged, column), claim));
             rows.push(row);
@@ -417,6 +451,7 @@ impl Judge<'_, '_> {
         order: &Ordered,
         judged: &RowJudgement,
         index: usize,
+        is_equation: bool,
     ) -> Finding {
         finding.judgement = Judgement::Equal;
         finding.holds = judged.holds();
@@ -430,7 +465,9 @@ impl Judge<'_, '_> {
         finding.derived = Some(as_term(self, &judged.expected));
         match &judged.by {
             Match::Row { at, factor } => {
-                if *factor != Expr::ONE {
+                // The sides of an equation may be the other way round.
+                let is_turned = is_equation && *factor == Expr::MINUS_ONE;
+                if *factor != Expr::ONE && !is_turned {
                     finding.factor = Some(*factor);
                     finding.judgement = Judgement::Scaled;
                 }

@@ -10,7 +10,7 @@ use crate::mechanics::{Kinematics, Quantities};
 
 /// Most sums of a formula in which a missing term is sought.
 const MOST_SUMS: usize = 12;
-/// Longest text of the sum in which a term is missing, in bytes.
+/// Number of characters that are shown of the sum in which a term is missing.
 const LONGEST_SUM: usize = 60;
 
 /// Description, in words, of the single term that is missing in one sum within a formula. `None` if there is none, or
@@ -41,8 +41,8 @@ pub fn missing_term(
         let difference = arena.sub(derived, whole);
         let Some(term) = arena.div(difference, slope) else { continue };
         let term = simplifier.simplify(arena, term);
-        let (words, of) = (text(arena, term), text(arena, sum));
-        if !is_plain(arena, &parameters, term) || words.len() > LONGEST || of.len() > LONGEST_SUM {
+        let words = text(arena, term);
+        if !is_plain(arena, &parameters, term) || words.len() > LONGEST {
             continue;
         }
         let added = arena.mul(slope, term);
@@ -50,16 +50,25 @@ pub fn missing_term(
         if !comparer.compare(arena, corrected, derived).is_equal() {
             continue;
         }
+        let arena = &quantities.derivations.kinematics.arena;
         let found = if sum == printed {
             format!("the term {words} is missing")
         } else {
-            format!("in {of}, the term {words} is missing")
+            format!("in {}, the term {words} is missing", beginning(&text(arena, sum)))
         };
         if best.as_ref().is_none_or(|best| found.len() < best.len()) {
             best = Some(found);
         }
     }
     best
+}
+
+/// Beginning of a long text, with an ellipsis; a short text as it is.
+fn beginning(text: &str) -> String {
+    if text.chars().count() <= LONGEST_SUM {
+        return text.to_owned();
+    }
+    format!("{}…", text.chars().take(LONGEST_SUM).collect::<String>())
 }
 
 /// True if a term is a number times whole powers of symbols, sines and cosines; only parameters may divide.

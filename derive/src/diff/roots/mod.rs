@@ -76,14 +76,18 @@ fn mistake(arena: &Arena, finding: &Finding) -> String {
     if let Some(wrong) = finding.wrong.as_ref().filter(|words| words.chars().count() <= LONGEST) {
         return wrong.clone();
     }
-    if let Some(factor) = finding.factor {
+    // The factor of a row says nothing of its mistake.
+    if let Some(factor) = finding.factor.filter(|_| finding.places.is_empty()) {
         return format!("it is off by the factor {}", text(arena, factor));
     }
     let difference = finding.difference.map(|e| text(arena, e)).filter(|words| words.len() <= LONGEST);
     match (difference, finding.remarks.first()) {
         (Some(difference), _) => format!("printed − derived = {difference}"),
         (None, Some(remark)) if finding.difference.is_none() => remark.clone(),
-        _ => "it differs in several terms".to_owned(),
+        _ => match finding.slip {
+            Some(slip) => format!("{} is wrong", slip.words()),
+            None => "it differs in several terms".to_owned(),
+        },
     }
 }
 

@@ -89,6 +89,10 @@ impl<'a, 'b> Search<'a, 'b> {
     /// Finds the reason why an entry is wrong among the entries before it; `None` if it is a root.
     pub fn explain(&mut self, at: usize) -> Option<Reason> {
         let before = (0..at).rev();
+        if let Claim::Expansion { table, row } = self.stated[at] {
+            let is_whole = |source: &usize| matches!(self.stated[*source], Claim::Row { table: t, row: r } if (t, r) == (table, row));
+            return before.clone().find(is_whole).map(|source| Reason::new(Link::Follows, vec![source]));
+        }
         if let Some(source) = before.clone().find(|source| self.repeats(*source, at)) {
             return Some(Reason::new(Link::Repeated, vec![source]));
         }

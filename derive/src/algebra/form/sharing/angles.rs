@@ -24,7 +24,7 @@ struct Addition {
 
 /// Replacement for the sines and cosines of composed angles.
 pub(super) enum Composed {
-    /// Symbol of its own, defined by a new step.
+    /// The sine or cosine gets a symbol of its own, which a new step defines.
     Named,
     /// Right-hand side of the addition theorem, to be multiplied out.
     Open,
