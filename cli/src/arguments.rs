@@ -169,6 +169,17 @@ pub enum Command {
     },
     /// Give marks to submissions by their root mistakes; exit status 1 if any has one
     Grade(Grade),
+    /// Judge a shelf of publications: every folder with a model and a printed derivation
+    Shelf {
+        /// A folder of such folders; in a workspace, publications if not given
+        folder: Option<PathBuf>,
+        /// Also write a page about all of them to this file
+        #[arg(long)]
+        out: Option<PathBuf>,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
     /// Write generated/ anew from models/
     Regenerate {
         /// Models of the workspace, by the names of their folders; all of them if none is given
@@ -368,6 +379,7 @@ impl Command {
             | Self::Identify { json, .. }
             | Self::Prove { json, .. }
             | Self::Diff { json, .. }
+            | Self::Shelf { json, .. }
             | Self::Evaluate { json, .. }
             | Self::Scene { json, .. } => *json,
             Self::Grade(request) => request.json || request.format == MarksFormat::Json,

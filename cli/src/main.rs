@@ -7,6 +7,7 @@ mod failure;
 mod figures;
 mod follow;
 mod glossary;
+mod judged;
 mod latex;
 mod output;
 mod page;
@@ -80,6 +81,9 @@ fn run(command: Command) -> Result<u8, Failure> {
             commands::derive::derive(&model, by.as_deref(), form, (format, fragment))
         }
         Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
+        Command::Shelf { folder, out, json } => {
+            commands::shelf::shelf(folder.as_deref(), out.as_deref(), Output::of_flag(json))
+        }
         Command::Grade(request) => commands::grade::grade(&request),
         Command::Check { model, json } => commands::check::check(&model, Output::of_flag(json)),
         Command::Equilibria { model, from, starts, over, wanted, out, json } => {

@@ -34,6 +34,7 @@ mod plots;
 mod random_scenes;
 mod regenerate;
 mod scene;
+mod shelf;
 mod sketch;
 mod spoilt;
 mod steady;

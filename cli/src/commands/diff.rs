@@ -8,6 +8,7 @@ pub use models::changed_equations;
 use crate::commands::prove::{witness, word};
 use crate::failure::{Failure, print, print_json, status};
 use crate::glossary::{names_json, names_text};
+use crate::judged::Judged;
 use crate::words::{entries, shortened};
 use crate::workspace::{model_file, read_model, short_name};
 use serde_json::{Value, json};
@@ -18,22 +19,17 @@ use tripos_derive::algebra::meaning::compare::Witness;
 use tripos_derive::algebra::text::print::{text, whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::{Consequences, Difference, Finding, Judgement, diff as judge};
-use tripos_derive::mechanics::derive_all;
+use tripos_derive::diff::{Consequences, Difference, Finding, Judgement};
 use tripos_derive::model::is_model;
-use tripos_derive::prove::prove;
 
 /// Compares a model with a publication file, or an older model with a newer one; exit status 1 if anything differs.
 pub fn diff(model: &Path, other: &Path, as_json: bool) -> Result<u8, Failure> {
-    let mut model = read_model(model)?;
+    let model = read_model(model)?;
     let source = Source::read(&model_file(other))?;
     if is_model(&source) {
         return models::diff(&model, &tripos_derive::model::load(&source)?, as_json);
     }
-    let publication = tripos_derive::publication::load(&source, &mut model)?;
-    let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
-    let proof = prove(&model, &mut derivations);
-    let difference = judge(&model, &mut derivations, &publication, &proof);
+    let Judged { model, publication, mut derivations, proof, difference } = Judged::new(&model, &source)?;
     difference.write_names(&proof, &mut derivations);
     let arena = &derivations.kinematics.arena;
     if as_json {

@@ -2,6 +2,7 @@
 
 use crate::arguments::{Grade as Request, MarksFormat};
 use crate::failure::{Failure, print, print_json, status};
+use crate::judged::Judged;
 use crate::output;
 use crate::page::markup::html::escape;
 use crate::workspace::{read_model, short_name};
@@ -11,11 +12,8 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use tripos::Mechanism;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::diff;
 use tripos_derive::diff::grade::{Grade, Level, Mark, Outcome, Rubric, grade as graded};
-use tripos_derive::mechanics::derive_all;
 use tripos_derive::plain::path_in_line;
-use tripos_derive::prove::prove;
 
 /// Largest submission that is read, in bytes.
 const LARGEST: u64 = 1_000_000;
@@ -109,13 +107,7 @@ fn marks(model: &Mechanism, rubric: &Rubric, file: &Path) -> Result<Grade, Failu
         let what = format!("{} has more than {LARGEST} bytes", path_in_line(file));
         return Err(Failure::request(what, "a submission is a text of some pages"));
     }
-    let source = Source::read(file)?;
-    // Each submission gets a model of its own: nothing of one may reach another.
-    let mut model = model.clone();
-    let publication = tripos_derive::publication::load(&source, &mut model)?;
-    let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
-    let proof = prove(&model, &mut derivations);
-    Ok(graded(&diff(&model, &mut derivations, &publication, &proof), rubric))
+    Ok(graded(&Judged::new(model, &Source::read(file)?)?.difference, rubric))
 }
 
 /// Points as people write them: whole numbers without decimals.

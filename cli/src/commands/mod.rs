@@ -19,6 +19,7 @@ pub mod prove;
 pub mod regenerate;
 pub mod scene;
 pub mod schema;
+pub mod shelf;
 pub mod simulate;
 pub mod sketch;
 pub mod stability;

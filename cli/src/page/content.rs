@@ -162,7 +162,8 @@ pub enum Standing {
 pub struct Nearest {
     /// Smallest and greatest determinant of A along the run, without times.
     pub determinant: Option<(f64, f64)>,
-    /// Smallest |det A / det A(t₀)|, with its time.
+    /// Smallest |det A / det A(t₀)| of the matrix A of the Newton–Euler equations, with its time; `None` without such a
+    /// matrix.
     pub relative: Option<(f64, f64)>,
     /// Smallest reciprocal condition number of A, with its time.
     pub condition: Option<(f64, f64)>,

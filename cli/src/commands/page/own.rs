@@ -15,7 +15,7 @@ pub struct Own {
     pub needs: Needs,
     /// Run of the scene by its reduced equations.
     pub run: Run,
-    /// Watched quantities along the run; `None` if the equations do not show every state.
+    /// Watched quantities along the run; `None` for reduced equations without the states that these need.
     pub course: Option<Course>,
 }
 

@@ -1,0 +1,203 @@
+//! `tripos shelf`: verdicts on all publications of a folder, and a page about them.
+
+use crate::failure::{Failure, Output, print_either, status};
+use crate::judged::Judged;
+use crate::output;
+use crate::page::markup::html::escape;
+use crate::words::{entries, shortened};
+use crate::workspace::{current_folder, read_model, workspace_around};
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use tripos_derive::diagnostic::Source;
+use tripos_derive::plain::path_in_line;
+
+/// A publication of the shelf with its verdict, or the reason why it has none.
+struct Volume {
+    name: String,
+    verdict: Result<Verdict, String>,
+}
+
+/// Verdict on a publication, as lists show it.
+struct Verdict {
+    title: String,
+    source: String,
+    /// Number of entries that were judged.
+    judged: usize,
+    /// Number of entries that are not decided.
+    undecided: usize,
+    /// Root mistakes: the id of the entry, the mistake in words, and the number of entries that it spoils.
+    mistakes: Vec<(String, String, usize)>,
+    /// First integrals of the true motion that printed systems break: the system, and the integral.
+    broken: Vec<(String, String)>,
+}
+
+impl Verdict {
+    fn new(judged: &Judged) -> Self {
+        let Judged { model, publication, derivations, difference, .. } = judged;
+        let mistake = |root: &tripos_derive::diff::Root| {
+            (difference.findings[root.finding].id.clone(), root.mistake.clone(), root.entries())
+        };
+        let broken = difference.consequences.iter().flat_map(|system| {
+            let rates = system.rates.iter().filter(|rate| !rate.verdict.is_equal());
+            rates.map(|rate| (system.system.clone(), rate.integral.name(model, &derivations.kinematics.arena)))
+        });
+        Self {
+            title: publication.heading().to_owned(),
+            source: publication.reference.clone(),
+            judged: difference.findings.len() - difference.count("stated"),
+            undecided: difference.count("undecided"),
+            mistakes: difference.roots.iter().map(mistake).collect(),
+            broken: broken.collect(),
+        }
+    }
+
+    fn is_right(&self) -> bool {
+        self.mistakes.is_empty() && self.undecided == 0
+    }
+
+    /// Verdict in words, such as "right" or "2 differences". A difference may be an approximation of the author.
+    fn words(&self) -> String {
+        match (self.mistakes.len(), self.undecided) {
+            (0, 0) => "right".to_owned(),
+            (0, _) => "not decided".to_owned(),
+            (1, _) => "1 difference".to_owned(),
+            (count, _) => format!("{count} differences"),
+        }
+    }
+}
+
+/// Judges every folder with a model and a publication. Exit status 1 if one cannot be judged; mistakes are what a shelf
+/// is for.
+pub fn shelf(folder: Option<&Path>, out: Option<&Path>, output: Output) -> Result<u8, Failure> {
+    let folder = folder.map_or_else(own_shelf, |folder| Ok(folder.to_owned()))?;
+    let volumes: Vec<Volume> = folders(&folder)?.iter().map(|folder| volume(folder)).collect();
+    print_either(output, &text_of(&volumes), &json_of(&volumes))?;
+    if let Some(out) = out {
+        output::text(out, &page(&volumes))?;
+    }
+    let is_judged = |volume: &Volume| volume.verdict.as_ref().is_ok_and(|verdict| verdict.undecided == 0);
+    Ok(if volumes.iter().all(is_judged) { 0 } else { status::NO })
+}
+
+/// Folder `publications` of the workspace around the current folder.
+fn own_shelf() -> Result<PathBuf, Failure> {
+    let here = current_folder()?;
+    let found = workspace_around(&here).map(|root| root.join("publications")).filter(|folder| folder.is_dir());
+    found.ok_or_else(|| {
+        Failure::request("there is no folder `publications` here", "give a folder with a folder for each publication")
+    })
+}
+
+/// Folders within a folder that hold a model and a publication, by name.
+fn folders(shelf: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let failed =
+        |error| Failure::request(format!("{}: {error}", path_in_line(shelf)), "give a folder that can be read");
+    let mut list = Vec::new();
+    for entry in std::fs::read_dir(shelf).map_err(failed)? {
+        let folder = entry.map_err(failed)?.path();
+        if folder.join("model.toml").is_file() && folder.join("publication.toml").is_file() {
+            list.push(folder);
+        }
+    }
+    if list.is_empty() {
+        let what = format!("{} has no folder with model.toml and publication.toml", path_in_line(shelf));
+        return Err(Failure::request(what, "docs/shelf.md describes a shelf"));
+    }
+    list.sort();
+    Ok(list)
+}
+
+fn volume(folder: &Path) -> Volume {
+    let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let judged = || -> Result<Verdict, Failure> {
+        let model = read_model(folder)?;
+        Ok(Verdict::new(&Judged::new(&model, &Source::read(&folder.join("publication.toml"))?)?))
+    };
+    Volume { name, verdict: judged().map_err(|failure| failure.to_string()) }
+}
+
+fn text_of(volumes: &[Volume]) -> String {
+    let mut out = String::new();
+    for Volume { name, verdict } in volumes {
+        let verdict = match verdict {
+            Ok(verdict) => verdict,
+            Err(why) => {
+                let _ = writeln!(out, "{name}: not judged\n{why}\n");
+                continue;
+            }
+        };
+        let _ = writeln!(out, "{name}: {} ({})\n  {}", verdict.words(), entries(verdict.judged), verdict.title);
+        for (id, mistake, count) in &verdict.mistakes {
+            let more = if *count > 1 { format!(", and {} more by it", entries(count - 1)) } else { String::new() };
+            let _ = writeln!(out, "  {id}{more}: {}", shortened(mistake));
+        }
+        for (system, integral) in &verdict.broken {
+            let _ = writeln!(out, "  {system} breaks {integral}");
+        }
+    }
+    let right = volumes.iter().filter(|v| v.verdict.as_ref().is_ok_and(Verdict::is_right)).count();
+    let mistakes: usize = volumes.iter().filter_map(|v| v.verdict.as_ref().ok()).map(|v| v.mistakes.len()).sum();
+    let _ = writeln!(out, "\n{} publications: {right} right, {mistakes} differences in the others", volumes.len());
+    out
+}
+
+fn json_of(volumes: &[Volume]) -> Value {
+    let one = |Volume { name, verdict }: &Volume| match verdict {
+        Err(why) => json!({ "name": name, "error": why }),
+        Ok(v) => json!({
+            "name": name,
+            "title": v.title,
+            "source": v.source,
+            "verdict": v.words(),
+            "entries": v.judged,
+            "undecided": v.undecided,
+            "mistakes": v.mistakes.iter()
+                .map(|(id, mistake, count)| json!({ "id": id, "mistake": mistake, "entries": count })).collect::<Vec<_>>(),
+            "breaks": v.broken.iter()
+                .map(|(system, integral)| json!({ "system": system, "integral": integral })).collect::<Vec<_>>(),
+        }),
+    };
+    json!({ "publications": volumes.iter().map(one).collect::<Vec<_>>() })
+}
+
+/// Page about a shelf: one row for each publication.
+fn page(volumes: &[Volume]) -> String {
+    let mut out = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+                   <meta name=\"viewport\" content=\"width=device-width\">\n\
+                   <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n\
+                   <title>Judged publications</title>\n\
+                   <style>body{font:1rem/1.5 system-ui,sans-serif;max-width:65rem;margin:2rem auto;padding:0 1rem;color-scheme:light dark}\
+                   article{border-top:1px solid #8886;padding:.5rem 0}h2{font-size:1.1rem;margin:.5rem 0}p{margin:.3rem 0}\
+                   code{font-size:.95em;overflow-wrap:anywhere}.right{color:#2a7d2a}.wrong{color:#b3362b}\
+                   @media(prefers-color-scheme:dark){.right{color:#7ccf7c}.wrong{color:#ff9b8f}}</style>\n</head>\n<body>\n\
+                   <h1>Judged publications</h1>\n"
+        .to_owned();
+    for Volume { name, verdict } in volumes {
+        let verdict = match verdict {
+            Ok(verdict) => verdict,
+            Err(why) => {
+                let (name, why) = (escape(name), escape(why));
+                let _ = writeln!(out, "<article><h2>{name}</h2><p>not judged: <code>{why}</code></p></article>");
+                continue;
+            }
+        };
+        let look = if verdict.is_right() { "right" } else { "wrong" };
+        let _ = writeln!(
+            out,
+            "<article id=\"{}\"><h2>{} <span class=\"{look}\">{}</span></h2>\n<p>{}</p>",
+            escape(name),
+            escape(&verdict.title),
+            verdict.words(),
+            escape(&verdict.source)
+        );
+        for (id, mistake, _) in &verdict.mistakes {
+            let _ = writeln!(out, "<p>{}: <code>{}</code></p>", escape(id), escape(mistake));
+        }
+        for (system, integral) in &verdict.broken {
+            let _ = writeln!(out, "<p>The motion of {} does not keep: {}</p>", escape(system), escape(integral));
+        }
+        out += "</article>\n";
+    }
+    out + "</body>\n</html>\n"
+}
