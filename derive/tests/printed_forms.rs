@@ -366,3 +366,22 @@ fn rows_are_matched_as_they_were_meant() {
         scaled scaled"]],
     );
 }
+
+/// Goal: a hostile publication costs bounded time and memory. Method: the longest file of wrong entries, and
+/// derivatives of an order that nobody writes.
+#[test]
+fn a_hostile_publication_costs_bounded_time() {
+    let terms: Vec<String> = (1..60).map(|k| format!("m*l*{k}.5*sin({k}*theta)*cos(theta + {k})")).collect();
+    let long = terms.join(" + ");
+    let entry = |at: usize| {
+        format!("[[equation]]\nid = \"e{at}\"\nsection = \"1\"\nquantity = \"V\"\nprinted = \"{long} + {at}*m*g*l\"\n")
+    };
+    let start = std::time::Instant::now();
+    let difference = judged(&(0..100).map(entry).collect::<String>());
+    assert!(difference.findings.iter().all(|finding| finding.judgement.word() == "different"));
+    assert!(start.elapsed().as_secs() < 120, "{:?}", start.elapsed());
+    let mut model = load(&Source::from_text("model.toml", CART)).unwrap_or_else(|e| panic!("{e}"));
+    let text = format!("notation = \"latex\"\n{}", equation("d", r"\frac{d^{99999999} x}{dt^{99999999}} = 0"));
+    let error = publication::load(&Source::from_text("publication.toml", &text), &mut model).unwrap_err().to_string();
+    assert!(error.contains("error"), "{error}");
+}

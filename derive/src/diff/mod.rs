@@ -82,6 +82,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
     let mut anywhere = Comparer::default();
     let names = Names::new(publication, &mut quantities);
     let numbers = numbers(model, &mut quantities, publication);
+    let mut changes_left = repairs::MOST_CHANGES;
     let mut found = Found::default();
     for entry in &publication.entries {
         let first = found.findings.len();
@@ -91,8 +92,15 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
         // A formula that is printed up to an order near a point is compared as printed, not in permitted states.
         let comparer = if near.is_some() { &mut anywhere } else { &mut comparer };
         let numbers = numbers.as_slice();
-        let mut judge =
-            formulas::entries::Judge { quantities: &mut quantities, comparer, names: &names, earlier, near, numbers };
+        let mut judge = formulas::entries::Judge {
+            quantities: &mut quantities,
+            comparer,
+            names: &names,
+            earlier,
+            near,
+            changes_left: &mut changes_left,
+            numbers,
+        };
         match &entry.kind {
             EntryKind::Definition { text } => {
                 found.push((Finding::new(&entry.id, &entry.section, Judgement::Stated, text), Claim::Other));

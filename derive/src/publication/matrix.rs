@@ -105,7 +105,7 @@ fn row_of(text: &str, row: Range<usize>) -> Vec<Range<usize>> {
         .into_iter()
         .filter(|cell| !text[cell.clone()].trim().is_empty())
         .collect();
-    if by_comma.len() > 1 || text[row.clone()].contains(',') {
+    if by_comma.len() > 1 {
         return by_comma;
     }
     // `a -b` is two entries, `a - b` and `a-b` are one.

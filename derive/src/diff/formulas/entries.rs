@@ -72,6 +72,8 @@ pub struct Judge<'a, 'b> {
     pub earlier: &'a [Table],
     /// Point near which the formula claims to hold; `None` if the formula claims to hold everywhere.
     pub near: Option<Near>,
+    /// Number of changes that may still be tried to name mistakes.
+    pub changes_left: &'a mut usize,
     /// Parameters with the numbers that the publication, or else the model, gives them.
     pub numbers: &'a [(Expr, Expr)],
 }
@@ -242,7 +244,7 @@ impl Judge<'_, '_> {
         if self.near.is_none() {
             let (names, reading) = (self.names, printed.reading);
             let mut rewriting = |quantities: &mut Quantities<'_>, e: Expr| reading.value(quantities, names, e);
-            let found = repair(self.quantities, self.comparer, printed.raw, derived, &mut rewriting);
+            let found = repair(self.quantities, self.comparer, printed.raw, derived, &mut rewriting, self.changes_left);
             if let Some(Repair { words, parts, slip }) = found {
                 return Mistake { words: vec![words], change: parts, slip: Some(slip) };
             }

@@ -101,12 +101,12 @@ struct Variant {
     part: Expr,
 }
 
-/// Calls `tell` with every change of one place of a formula.
-pub fn changes(arena: &mut Arena, pool: &Pool, root: Expr, tell: &mut dyn FnMut(&mut Arena, Change)) {
+/// Calls `tell` with every change of one place of a formula, as long as some are `left`.
+pub fn changes(arena: &mut Arena, pool: &Pool, root: Expr, left: &mut usize, tell: &mut dyn FnMut(&mut Arena, Change)) {
     let mut known: FxHashSet<Expr> = std::iter::once(root).collect();
     let mut tell = |arena: &mut Arena, change: Change| {
-        let is_new = known.len() < MOST && known.insert(change.whole);
-        if is_new {
+        if *left > 0 && known.len() < MOST && known.insert(change.whole) {
+            *left -= 1;
             tell(arena, change);
         }
     };

@@ -20,6 +20,8 @@ use change::changes;
 use points::Points;
 use pool::Pool;
 
+/// Most changes that are tried for all formulas of one publication together.
+pub const MOST_CHANGES: usize = 500_000;
 /// Most changes that are proved after numbers did not reject them.
 const MOST_PROOFS: usize = 6;
 /// Most nodes of a formula of which changes are tried.
@@ -42,16 +44,17 @@ pub struct Repair {
 }
 
 /// Smallest change of `printed`, as it is printed, that makes it the derived value. `None` if no change of one place
-/// does, or if its words are long.
+/// does, or if its words are long. `left` is the number of changes that may still be tried; it goes down.
 pub fn repair(
     quantities: &mut Quantities<'_>,
     comparer: &mut Comparer,
     printed: Expr,
     derived: Expr,
     rewriting: &mut Rewriting<'_>,
+    left: &mut usize,
 ) -> Option<Repair> {
     let main = &quantities.derivations.kinematics.arena;
-    if main.reachable(&[printed]).len() > MOST_NODES {
+    if *left == 0 || main.reachable(&[printed]).len() > MOST_NODES {
         return None;
     }
     // Changes are built in an arena of their own: they must not change the order of terms in the main one.
@@ -60,7 +63,7 @@ pub fn repair(
     let pool = Pool::new(quantities, &mut arena, root, derived);
     let mut points = Points::new(quantities, comparer, &arena, pool.symbols(), derived, rewriting)?;
     let mut close: Vec<change::Change> = Vec::new();
-    changes(&mut arena, &pool, root, &mut |arena, change| {
+    changes(&mut arena, &pool, root, left, &mut |arena, change| {
         if points.agree(arena, change.whole) {
             close.push(change);
         }

@@ -60,7 +60,7 @@ impl Formula<'_, '_> {
             && self.cursor.peek() == Some(&Mark::Letter('t'));
         self.cursor.at += 1;
         let below = self.cursor.takes_order();
-        if !is_by_time || !self.cursor.takes('}') || below != order {
+        if !is_by_time || !self.cursor.takes('}') || below != order || order == 0 {
             return Ok(false);
         }
         if let Some((mut symbol, at)) = of {

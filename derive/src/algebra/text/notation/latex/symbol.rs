@@ -40,6 +40,9 @@ const ACCENTS: [&str; 15] = [
 /// Commands for time derivatives, each with the order of the derivative.
 const DOTS: [(&str, usize); 3] = [("dot", 1), ("ddot", 2), ("dddot", 3)];
 
+/// Highest order of a time derivative that is written as a fraction.
+const MOST_DOTS: usize = 3;
+
 /// Position in a list of marks.
 #[derive(Clone)]
 pub(super) struct Cursor<'a> {
@@ -88,14 +91,15 @@ impl<'a> Cursor<'a> {
         false
     }
 
-    /// Reads the order of a derivative, as in d^2; 1 if no power comes next, 0 for one that is no order.
+    /// Reads the order of a derivative, as in d^2; 1 if no power comes next, 0 for one that is no order of a derivative
+    /// by time.
     pub(super) fn takes_order(&mut self) -> usize {
         if !self.takes('^') {
             return 1;
         }
         let braced = self.takes('{');
         let order = match self.peek() {
-            Some(Mark::Number(digits)) => digits.parse().unwrap_or(0),
+            Some(Mark::Number(digits)) => digits.parse().ok().filter(|order| *order <= MOST_DOTS).unwrap_or(0),
             _ => 0,
         };
         self.at += 1;
