@@ -195,6 +195,8 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/model/units.rs",
             "derive/src/read.rs",
             "derive/src/publication/entries.rs",
+            "derive/src/publication/matrix.rs",
+            "cli/src/commands/grade.rs",
             "derive/src/publication/spelling.rs",
             "derive/src/publication/words.rs",
             "derive/src/scene/families/axis.rs",

@@ -262,8 +262,8 @@ impl Judge<'_, '_> {
         None
     }
 
-    /// Result of an entry, without table and motion if the entry holds near a point. Such an entry is no equation of the
-    /// whole motion, and is traced to others only if it is the expansion of a row.
+    /// Result of an entry, without table and motion if the entry holds near a point. Such an entry is no equation of
+    /// the whole motion, and is traced to others only if it is the expansion of a row.
     fn kept(&self, judged: Judged) -> Judged {
         if self.near.is_none() {
             return judged;
