@@ -11,7 +11,7 @@ use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::{Judgement, diff};
+use tripos_derive::diff::{Judgement, Slip, diff};
 use tripos_derive::mechanics::{Quantities, Quantity, derive_all};
 use tripos_derive::prove::prove;
 use tripos_derive::{Formulation, Model, model, publication};
@@ -149,7 +149,11 @@ fn single_slips_are_convicted_and_named() {
             made += 1;
             convicted += usize::from(finding.judgement == Judgement::Different);
             assert_eq!(finding.judgement, Judgement::Different, "{name}: {} {finding:?}", finding.printed);
-            if finding.change.is_some() || finding.factor.is_some() {
+            // A formula that is set against the right one as a whole names nothing, unless it is one term whose slip is
+            // known.
+            let is_part = finding.change.is_some_and(|(_, right)| Some(right) != finding.derived);
+            let is_term = finding.slip.is_some_and(|slip| slip != Slip::LostTerm || finding.change.is_none());
+            if is_part || is_term || finding.factor.is_some() {
                 named += 1;
             } else {
                 let _ = writeln!(unnamed, "{name}: {}\n    {:?}", finding.printed, finding.remarks);

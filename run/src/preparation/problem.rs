@@ -319,7 +319,9 @@ impl<'a> Problem<'a> {
     }
 
     /// Right-hand side of the equations, with eliminated accelerations or with a linear solve, as the problem says.
-    /// # Errors [`SimError`] if the parameters do not fit the equations.
+    ///
+    /// # Errors
+    /// [`SimError`] if the parameters do not fit the equations.
     pub(crate) fn right_hand_side(&self) -> Result<Box<dyn RightHandSide<f64> + '_>, SimError> {
         Ok(match Eliminated::new(self.system(), &self.scene.parameters) {
             Some(rhs) if self.solve == Solve::Eliminated => Box::new(rhs),

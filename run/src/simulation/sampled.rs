@@ -190,7 +190,9 @@ pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
 }
 
 /// Indices of the named inputs among the parameters of a mechanism.
-/// # Errors [`Error::Request`] if an input is unknown, has a formula, or is named twice.
+///
+/// # Errors
+/// [`Error::Request`] if an input is unknown, has a formula, or is named twice.
 fn places(mechanism: &Mechanism, inputs: &[&str]) -> Result<Vec<usize>, Error> {
     let mut places = Vec::new();
     for name in inputs {

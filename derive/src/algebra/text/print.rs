@@ -14,6 +14,7 @@ mod typst;
 pub use latex::latex_name;
 pub use lines::{formula_width, latex_lines, mathml_pieces, typst_lines};
 pub use mathml::mathml_name;
+pub(in crate::algebra::text) use name::greek_name;
 pub use name::name_parts;
 pub use parts::{length, long_parts};
 pub use typst::typst_name;

@@ -143,7 +143,9 @@ fn not_linear(model: &Mechanism, at: usize, other: usize) -> Error {
 }
 
 /// Indices of the named parameters, or of all inputs of the model if `names` is empty.
-/// # Errors [`Error::Request`] if a name is unknown or given twice.
+///
+/// # Errors
+/// [`Error::Request`] if a name is unknown or given twice.
 fn places(model: &Mechanism, names: &[String]) -> Result<Vec<usize>, Error> {
     if names.is_empty() {
         return Ok((0..model.parameters.len()).filter(|at| model.parameters[*at].is_input).collect());

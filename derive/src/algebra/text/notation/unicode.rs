@@ -4,56 +4,11 @@ use super::plain::Plain;
 use super::refusal::unknown;
 use super::spell::Spell;
 use crate::algebra::text::parse::ParseError;
-
-/// Greek letters, each with its name.
-const GREEK: [(char, &str); 37] = [
-    ('α', "alpha"),
-    ('β', "beta"),
-    ('γ', "gamma"),
-    ('δ', "delta"),
-    ('ε', "epsilon"),
-    ('ϵ', "epsilon"),
-    ('ζ', "zeta"),
-    ('η', "eta"),
-    ('θ', "theta"),
-    ('ϑ', "theta"),
-    ('ι', "iota"),
-    ('κ', "kappa"),
-    ('λ', "lambda"),
-    ('μ', "mu"),
-    ('ν', "nu"),
-    ('ξ', "xi"),
-    ('π', "pi"),
-    ('ρ', "rho"),
-    ('σ', "sigma"),
-    ('τ', "tau"),
-    ('υ', "upsilon"),
-    ('φ', "phi"),
-    ('ϕ', "phi"),
-    ('χ', "chi"),
-    ('ψ', "psi"),
-    ('ω', "omega"),
-    ('Γ', "Gamma"),
-    ('Δ', "Delta"),
-    ('Θ', "Theta"),
-    ('Λ', "Lambda"),
-    ('Ξ', "Xi"),
-    ('Π', "Pi"),
-    ('Σ', "Sigma"),
-    ('Υ', "Upsilon"),
-    ('Φ', "Phi"),
-    ('Ψ', "Psi"),
-    ('Ω', "Omega"),
-];
+use crate::algebra::text::print::greek_name;
 
 /// Operators and powers, each with its form in the language of model files.
 const OPERATORS: [(char, &str); 8] =
     [('·', "*"), ('⋅', "*"), ('×', "*"), ('−', "-"), ('–', "-"), ('²', "^2"), ('³', "^3"), ('⁴', "^4")];
-
-/// Name of a Greek letter; `None` for another character.
-pub(super) fn greek(c: char) -> Option<&'static str> {
-    GREEK.iter().find(|(letter, _)| *letter == c).map(|(_, name)| *name)
-}
 
 /// Operator or power, in the language of model files, that a character outside ASCII stands for; `None` if it is none.
 pub(super) fn operator(c: char) -> Option<&'static str> {
@@ -103,7 +58,7 @@ pub fn ascii_names(name: &str) -> Vec<String> {
         } else if c.is_ascii() {
             plain.push(c);
             apart.push(c);
-        } else if let Some(letter) = greek(c) {
+        } else if let Some(letter) = greek_name(c) {
             plain += letter;
             apart += letter;
         } else {

@@ -88,6 +88,14 @@ pub(super) fn greek_index(word: &str) -> Option<((&'static str, &'static str), &
     Some((*greek, &word[letters.len()..]))
 }
 
+/// Name of a Greek letter in one of its forms; `None` for another character.
+pub(in crate::algebra::text) fn greek_name(letter: char) -> Option<&'static str> {
+    /// Other forms of letters.
+    const VARIANTS: [(char, &str); 3] = [('ϵ', "epsilon"), ('ϑ', "theta"), ('ϕ', "phi")];
+    let variant = VARIANTS.iter().find(|(other, _)| *other == letter).map(|(_, name)| *name);
+    variant.or_else(|| GREEK.iter().find(|(_, text)| text.chars().eq([letter])).map(|(name, _)| *name))
+}
+
 /// True if a subscript is a word, which is set in roman type: `track` is one, `xy` and `12` are indices.
 pub(super) fn is_word(subscript: &str) -> bool {
     subscript.len() > 2 && subscript.bytes().any(|b| b.is_ascii_alphabetic())

@@ -2,8 +2,9 @@
 //! dropped.
 
 use crate::algebra::text::notation::refusal::{found, wrong};
-use crate::algebra::text::notation::unicode::{greek, operator};
+use crate::algebra::text::notation::unicode::operator;
 use crate::algebra::text::parse::ParseError;
+use crate::algebra::text::print::greek_name;
 use std::ops::Range;
 
 /// Mark of a formula in LaTeX.
@@ -101,7 +102,7 @@ pub(super) fn marks(text: &str) -> Result<Vec<Placed>, ParseError> {
             '|' if side.is_some() => Mark::Command(side.unwrap_or_default().to_owned()),
             'a'..='z' | 'A'..='Z' => Mark::Letter(c),
             _ if c.is_ascii() => Mark::Char(c),
-            _ if greek(c).is_some() => Mark::Command(greek(c).unwrap_or_default().to_owned()),
+            _ if greek_name(c).is_some() => Mark::Command(greek_name(c).unwrap_or_default().to_owned()),
             _ if matches!(operator(c), Some("*" | "-")) => {
                 Mark::Char(operator(c).and_then(|token| token.chars().next()).unwrap_or(c))
             }
