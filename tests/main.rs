@@ -15,6 +15,7 @@ mod friction;
 mod inputs;
 mod interpreted;
 mod lanes;
+mod languages;
 #[path = "support/left_out.rs"]
 mod left_out;
 mod library;

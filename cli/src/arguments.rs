@@ -222,7 +222,8 @@ pub enum Command {
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
-    /// Write the generated code of any model file for programs of your own: a Rust module, or JavaScript modules
+    /// Write the generated code of any model file for programs of your own, in Rust, JavaScript, C, Python, MATLAB or
+    /// for CasADi
     Emit {
         /// A model file, or a folder with model.toml
         model: PathBuf,
@@ -230,7 +231,8 @@ pub enum Command {
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
         /// rust: mod.rs, and one file for each formulation; js: one module for each formulation, kane.mjs, with
-        /// dop853.mjs and run.mjs
+        /// dop853.mjs and run.mjs; c: a header and a source for each formulation, with tripos.h; python and casadi: one
+        /// module for each formulation; matlab: one file for each function
         #[arg(long, value_name = "LANGUAGE", default_value = "rust")]
         language: String,
         /// kane, lagrange or newton-euler, more than once for several; all that the model supports if not given, and
@@ -241,6 +243,9 @@ pub enum Command {
         /// it runs; taylor, recurrences for Taylor's method
         #[arg(long, value_name = "FUNCTIONS", value_delimiter = ',')]
         with: Vec<String>,
+        /// Functions to be written in C, Python, MATLAB or for CasADi, such as mass_matrix,forcing; all if not given
+        #[arg(long, value_name = "FUNCTIONS", value_delimiter = ',')]
+        functions: Vec<String>,
         /// Print JSON
         #[arg(long)]
         json: bool,

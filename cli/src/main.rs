@@ -109,8 +109,9 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Regenerate { models, check: false, json } => {
             commands::regenerate::regenerate(&models, Output::of_flag(json))
         }
-        Command::Emit { model, out, language, formulations, with, json } => {
-            commands::emit::emit(&model, &out, &language, &formulations, &with, Output::of_flag(json))
+        Command::Emit { model, out, language, formulations, with, functions, json } => {
+            let request = commands::emit::Emit { model, out, language, formulations, with, functions };
+            commands::emit::emit(&request, Output::of_flag(json))
         }
         Command::Evaluate { model, by, at, json } => {
             commands::evaluate::evaluate(&model, &by.as_str().into(), &at, Output::of_flag(json))

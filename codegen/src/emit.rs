@@ -30,8 +30,8 @@ pub struct Emission {
     pub files: BTreeMap<String, String>,
     /// Formulations that the model does not support, each with the reason.
     pub left_out: LeftOut,
-    /// Extension of the names of the files. Files with other extensions belong to other languages and are not touched.
-    pub extension: &'static str,
+    /// Extensions of the names of the files. Files with other extensions belong to other languages and are not touched.
+    pub extensions: &'static [&'static str],
 }
 
 /// Emits the module `module` of a model file. It contains the given formulations, or, if none are given, all that the
@@ -61,7 +61,7 @@ pub fn emit_model(
     let origin = Origin::emitted(&model.source.path);
     let extras = extras.and(asked_for(model, &model.source.path)?);
     let ModuleFiles { files, left_out, .. } = module_files(model, module, &origin, formulations, extras)?;
-    Ok(Emission { files, left_out, extension: "rs" })
+    Ok(Emission { files, left_out, extensions: &["rs"] })
 }
 
 /// Change of one file of a module, with the name of the file.
@@ -128,7 +128,7 @@ impl fmt::Display for PlaceError {
 /// # Errors
 /// [`PlaceError`]. [`PlaceError::Foreign`] is returned before any file is changed.
 pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceError> {
-    let old = written_before(folder, emission.extension)?;
+    let old = written_before(folder, emission.extensions)?;
     for file in emission.files.keys() {
         let path = folder.join(file);
         if !old.contains_key(file) && path.symlink_metadata().is_ok() {
@@ -156,14 +156,14 @@ pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceErr
 }
 
 /// Files of a module that an earlier emission wrote, with their texts; empty if the folder does not exist.
-fn written_before(folder: &Path, extension: &str) -> Result<BTreeMap<String, String>, PlaceError> {
-    let mut files = written_in(folder, extension)?;
-    let code = written_in(&folder.join("code"), extension)?;
+fn written_before(folder: &Path, extensions: &[&str]) -> Result<BTreeMap<String, String>, PlaceError> {
+    let mut files = written_in(folder, extensions)?;
+    let code = written_in(&folder.join("code"), extensions)?;
     files.extend(code.into_iter().map(|(name, text)| (format!("code/{name}"), text)));
     Ok(files)
 }
 
-fn written_in(folder: &Path, wanted: &str) -> Result<BTreeMap<String, String>, PlaceError> {
+fn written_in(folder: &Path, wanted: &[&str]) -> Result<BTreeMap<String, String>, PlaceError> {
     let failed = |path: &Path| {
         let path = path.to_owned();
         move |error| PlaceError::Io(path, error)
@@ -176,7 +176,7 @@ fn written_in(folder: &Path, wanted: &str) -> Result<BTreeMap<String, String>, P
         let entry = entry.map_err(failed(folder))?;
         let path = entry.path();
         // Folders and links are skipped, because the target of a link belongs to someone else.
-        if path.extension().is_none_or(|extension| extension != wanted)
+        if path.extension().is_none_or(|extension| !wanted.iter().any(|wanted| extension == *wanted))
             || !entry.file_type().map_err(failed(&path))?.is_file()
         {
             continue;

@@ -1,11 +1,11 @@
 //! Readable code from equations: equal bytes for equal model text on every machine.
 //!
 //! The flow: [`tripos_derive::Equations`] → a plan of functions ([`plan`], [`taylor`]), which is independent of
-//! languages → the text of a target (`rust`, `js`, each behind the feature of its name) → files (`workspace`, `emit`).
-//! The recurrences of [`taylor`] can also be interpreted. No code here reads a clock, an environment variable or the
-//! order of a hash map.
+//! languages → the text of a target (`rust`, `js`, `languages`, each behind the feature of its name) → files
+//! (`workspace`, `emit`). The recurrences of [`taylor`] can also be interpreted. No code here reads a clock, an
+//! environment variable or the order of a hash map.
 
-#[cfg(any(feature = "rust", feature = "js"))]
+#[cfg(any(feature = "rust", feature = "js", feature = "languages"))]
 pub mod emit;
 #[cfg(feature = "rust")]
 mod extras;
@@ -13,16 +13,20 @@ mod extras;
 pub mod files;
 #[cfg(feature = "js")]
 pub mod js;
-#[cfg(any(feature = "rust", feature = "js"))]
+#[cfg(feature = "languages")]
+pub mod languages;
+#[cfg(any(feature = "rust", feature = "js", feature = "languages"))]
 mod lines;
-#[cfg(any(feature = "rust", feature = "js"))]
+#[cfg(any(feature = "rust", feature = "js", feature = "languages"))]
 mod origin;
 pub mod plan;
 #[cfg(feature = "rust")]
 pub mod rust;
 #[cfg(feature = "files")]
 pub mod scene_files;
-#[cfg(any(feature = "rust", feature = "js"))]
+#[cfg(any(feature = "js", feature = "languages"))]
+pub mod syntax;
+#[cfg(any(feature = "rust", feature = "js", feature = "languages"))]
 pub mod target;
 pub mod taylor;
 #[cfg(feature = "rust")]

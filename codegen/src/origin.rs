@@ -10,6 +10,9 @@ const GENERATED: &str = "Generated from `";
 /// Beginning of the origin sentence in files that are the same for every model.
 const BESIDE: &str = "Goes with what is generated from `";
 
+/// Characters that begin a comment in one of the languages.
+const MARKS: [&str; 4] = ["//!", "//", "#", "%"];
+
 /// Files from which a module is generated, and the command that generates it.
 pub(crate) struct Origin {
     /// Folder of the files as the header states it, with a `/` at its end; may be empty.
@@ -33,7 +36,7 @@ impl Origin {
     }
 
     /// Origin sentence in files that are the same for every model.
-    #[cfg(feature = "js")]
+    #[cfg(any(feature = "js", feature = "languages"))]
     pub fn of_shared_files(&self) -> String {
         self.of_model().replacen(GENERATED, BESIDE, 1)
     }
@@ -74,7 +77,8 @@ fn advice(command: &str) -> String {
 /// True if a command wrote the text: its header has the origin sentence in a comment before the first item.
 pub(crate) fn is_written_by(text: &str, command: &str) -> bool {
     let advice = advice(command);
-    let mut header = text.lines().map_while(|line| line.strip_prefix("//!").or_else(|| line.strip_prefix("//")));
+    let comment = |line: &'_ str| MARKS.iter().find_map(|mark| line.strip_prefix(mark)).map(str::to_owned);
+    let mut header = text.lines().map_while(comment);
     let starts = |line: &str| line.starts_with(GENERATED) || line.starts_with(BESIDE);
     header.any(|line| starts(line.trim_start()) && line.ends_with(&advice))
 }

@@ -127,6 +127,11 @@ fn bad_requests_are_answered_with_what_to_do() {
     refused(&model, &out, &["--formulation", "kan"], "did you mean `kane`?");
     refused(&model, &out, &["--with", "tailor"], "there is no function `tailor`");
     refused(&model, &out, &["--language", "js", "--with", "taylor"], "written in Rust alone");
+    refused(&model, &out, &["--language", "C++"], "equations are not written in `C++`");
+    refused(&model, &out, &["--language", "c", "--with", "taylor"], "written in Rust alone");
+    refused(&model, &out, &["--functions", "forcing"], "functions can be chosen in C, Python, MATLAB and for CasADi");
+    refused(&model, &out, &["--language", "c", "--functions", "forcings"], "did you mean `forcing`?");
+    refused(&model, &out, &["--language", "python", "--functions", "constraints"], "have no function `constraints`");
     refused(&model, &folder.path().join("a-b"), &[], "`a-b` cannot be a Rust module");
     refused(&model, Path::new("/"), &[], "has no name that a module could have");
     refused(&folder.path().join("none.toml"), &out, &[], "cannot read the file");
@@ -386,4 +391,42 @@ fn check(system: &dyn System, p: &[f64], q: &[f64], v: &[f64]) -> Vec<f64> {
     assert!(warnings.is_empty(), "{warnings}");
     let (_, warnings) = cargo(folder.path(), &["clippy", "--quiet"]);
     assert!(warnings.is_empty(), "{warnings}");
+}
+
+/// Goal: a person sees what a file in another language is. Method: the functions asked for, and the headers of the
+/// pendulum, as they are read.
+#[test]
+fn files_of_other_languages_are_readable() {
+    let folder = tempfile::tempdir().unwrap();
+    let model = pendulum(folder.path());
+    let written = |language: &str, functions: &str| {
+        let out = folder.path().join(language);
+        let (status, said, err) =
+            emit(&model, &out, &["--language", language, "--formulation", "kane", "--functions", functions]);
+        assert_eq!(status, 0, "{err}");
+        (said, err, out)
+    };
+    let (said, err, out) = written("c", "mass_matrix,forcing");
+    assert_eq!(said, "written    swing_kane.c\nwritten    swing_kane.h\nwritten    tripos.h\n");
+    assert!(err.contains("#include \"swing_kane.h\""), "{err}");
+    expect_test::expect_file!["emitted_c.txt"].assert_eq(&std::fs::read_to_string(out.join("swing_kane.c")).unwrap());
+    let (_, _, out) = written("python", "forcing,state_derivative");
+    expect_test::expect_file!["emitted_python.txt"]
+        .assert_eq(&std::fs::read_to_string(out.join("swing_kane.py")).unwrap());
+    let (_, _, out) = written("matlab", "forcing");
+    expect_test::expect_file!["emitted_matlab.txt"]
+        .assert_eq(&std::fs::read_to_string(out.join("swing_kane_forcing.m")).unwrap());
+    let (_, _, out) = written("casadi", "accelerations,dae");
+    expect_test::expect_file!["emitted_casadi.txt"]
+        .assert_eq(&std::fs::read_to_string(out.join("swing_kane_casadi.py")).unwrap());
+
+    // Asked again, nothing changes; asked for other functions, files that went are removed.
+    let out = folder.path().join("matlab");
+    let (_, said, _) = emit(&model, &out, &["--language", "matlab", "--formulation", "kane", "--functions", "forcing"]);
+    assert!(said.lines().all(|line| line.starts_with("unchanged")), "{said}");
+    let (_, said, _) = emit(&model, &out, &["--language", "matlab", "--formulation", "kane", "--functions", "power"]);
+    assert!(said.is_empty(), "the pendulum has no such function: {said}");
+    let (_, said, _) =
+        emit(&model, &out, &["--language", "matlab", "--formulation", "kane", "--functions", "kinetic_energy"]);
+    assert!(said.contains("removed    swing_kane_forcing.m"), "{said}");
 }

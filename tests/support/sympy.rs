@@ -36,28 +36,35 @@ pub fn is_left_out(what: &str) -> bool {
 /// # Panics
 /// If it cannot be made, saying why and what to do.
 pub fn python() -> PathBuf {
-    static PYTHON: OnceLock<Result<PathBuf, String>> = OnceLock::new();
-    match PYTHON.get_or_init(environment) {
-        Ok(python) => python.clone(),
-        Err(why) => panic!(
-            "\nthe reference cannot be renewed: {why}\n\
-             help: install Python 3.11 or newer with its `venv` (Debian: python3 and python3-venv), name it by TRIPOS_PYTHON if it \
-             is not `python3`, and allow pip to fetch tests/sympy/requirements.txt once;\n      \
-             or set TRIPOS_WITHOUT_SYMPY=1 to leave out every comparison with SymPy\n"
-        ),
-    }
+    static PYTHON: OnceLock<PathBuf> = OnceLock::new();
+    PYTHON.get_or_init(|| python_with(&script("requirements.txt"), "import sympy, tomllib")).clone()
 }
 
-fn environment() -> Result<PathBuf, String> {
-    let requirements = script("requirements.txt");
-    let text = std::fs::read_to_string(&requirements).map_err(|e| format!("{}: {e}", requirements.display()))?;
+/// The Python of an environment with the packages of a list, in which a statement runs. It is made if it is not there.
+///
+/// # Panics
+/// If it cannot be made, saying why and what to do.
+pub fn python_with(requirements: &Path, import: &str) -> PathBuf {
+    environment(requirements, import).unwrap_or_else(|why| {
+        panic!(
+            "\nthe reference cannot be renewed: {why}\n\
+             help: install Python 3.11 or newer with its `venv` (Debian: python3 and python3-venv), name it by TRIPOS_PYTHON if it \
+             is not `python3`, and allow pip to fetch {} once;\n      \
+             or set TRIPOS_WITHOUT_SYMPY=1 to leave out every comparison with Python\n",
+            requirements.display()
+        )
+    })
+}
+
+fn environment(requirements: &Path, import: &str) -> Result<PathBuf, String> {
+    let text = std::fs::read_to_string(requirements).map_err(|e| format!("{}: {e}", requirements.display()))?;
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(environment_name(&text));
     let python = folder.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
     // Tests of other programs wait here until it is whole.
     let lock = File::create(folder.with_extension("lock")).map_err(|e| e.to_string())?;
     lock.lock().map_err(|e| e.to_string())?;
     let whole = folder.join("whole");
-    let import = ["-c", "import sympy, tomllib"];
+    let import = ["-c", import];
     if whole.is_file() && run(python.as_os_str(), &import).is_ok() {
         return Ok(python);
     }
@@ -74,7 +81,7 @@ fn environment() -> Result<PathBuf, String> {
     if text.contains("--hash") {
         install.push("--require-hashes".into());
     }
-    install.extend(["-r".into(), requirements.into_os_string()]);
+    install.extend(["-r".into(), requirements.as_os_str().to_owned()]);
     run(python.as_os_str(), &install)?;
     run(python.as_os_str(), &import)?;
     std::fs::write(&whole, "").map_err(|e| e.to_string())?;

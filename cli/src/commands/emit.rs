@@ -9,35 +9,62 @@ use tripos_codegen::Extras;
 use tripos_codegen::emit::{Emission, PlaceError, Placed, emit as emission, place};
 use tripos_codegen::js::RUNNERS;
 use tripos_codegen::js::emit::{EXTENSION, emit_model};
+use tripos_codegen::languages::c::C;
+use tripos_codegen::languages::casadi::CasADi;
+use tripos_codegen::languages::matlab::Matlab;
+use tripos_codegen::languages::python::Python;
+use tripos_codegen::languages::{self, Dialect};
+use tripos_codegen::plan::ModulePlan;
 use tripos_derive::diagnostic::nearest;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::{Formulation, Model};
 
 /// Languages in which equations can be written.
-const LANGUAGES: [&str; 2] = ["rust", "js"];
+const LANGUAGES: [&str; 6] = ["rust", "js", "c", "python", "matlab", "casadi"];
 
-/// Writes the equations of a model in a language to files of `out`, and prints the outcome for each file. `with` names
-/// further functions to be written.
-pub fn emit(
-    model: &Path,
-    out: &Path,
-    language: &str,
-    formulations: &[String],
-    with: &[String],
-    output: Output,
-) -> Result<u8, Failure> {
-    let formulations = formulations.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
+/// Request for the equations of a model in a language.
+pub struct Emit {
+    /// Path of the model file.
+    pub model: PathBuf,
+    /// Folder of the files.
+    pub out: PathBuf,
+    /// Name of the language.
+    pub language: String,
+    /// Names of the formulations; all that the model supports if empty.
+    pub formulations: Vec<String>,
+    /// Names of further functions in Rust.
+    pub with: Vec<String>,
+    /// Names of the functions in languages beside Rust and JavaScript; all if empty.
+    pub functions: Vec<String>,
+}
+
+/// Writes the equations of a model in a language to the files of a folder, and prints the outcome for each file.
+pub fn emit(request: &Emit, output: Output) -> Result<u8, Failure> {
+    let Emit { model, out, language, with, .. } = request;
+    let formulations = request.formulations.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
     let extras = Extras::named(with.iter().map(String::as_str)).map_err(|(what, help)| Failure::request(what, help))?;
-    let (emission, then) = match language {
-        "rust" => rust(model, out, &formulations, extras)?,
-        "js" if extras != Extras::default() => {
-            let what = "functions beside the equations are written in Rust alone".to_owned();
-            return Err(Failure::request(what, "leave `--with` out, or give `--language rust`".to_owned()));
-        }
-        "js" => javascript(model, &formulations)?,
-        other => {
-            let what = format!("equations are not written in `{other}`");
-            return Err(Failure::request(what, nearest(other, LANGUAGES)));
+    if language != "rust" && extras != Extras::default() {
+        let what = "functions beside the equations are written in Rust alone".to_owned();
+        return Err(Failure::request(what, "leave `--with` out, or give `--language rust`".to_owned()));
+    }
+    let dialect: Option<&dyn Dialect> = match language.as_str() {
+        "c" => Some(&C),
+        "python" => Some(&Python),
+        "matlab" => Some(&Matlab),
+        "casadi" => Some(&CasADi),
+        _ => None,
+    };
+    if dialect.is_none() && !request.functions.is_empty() {
+        let what = "functions can be chosen in C, Python, MATLAB and for CasADi".to_owned();
+        return Err(Failure::request(what, "leave `--functions` out, or give one of these languages".to_owned()));
+    }
+    let (emission, then) = match (dialect, language.as_str()) {
+        (Some(dialect), _) => other(request, dialect, &formulations)?,
+        (None, "rust") => rust(model, out, &formulations, extras)?,
+        (None, "js") => javascript(model, &formulations)?,
+        (None, name) => {
+            let what = format!("equations are not written in `{name}`");
+            return Err(Failure::request(what, nearest(name, LANGUAGES)));
         }
     };
     for (_, error) in &emission.left_out {
@@ -79,6 +106,29 @@ fn javascript(model: &Path, formulations: &[Formulation]) -> Result<(Emission, S
     let first = first.map_or("kane.mjs", String::as_str);
     let then = format!("import * as model from './{first}' and {{ run }} from './run.mjs', in Node or a browser");
     Ok((emission, then))
+}
+
+/// Emits the modules of a model in a language beside Rust and JavaScript, with a sentence on their use.
+fn other(request: &Emit, dialect: &dyn Dialect, formulations: &[Formulation]) -> Result<(Emission, String), Failure> {
+    let known =
+        || ModulePlan::FUNCTIONS.into_iter().chain(dialect.composites().iter().map(|composite| composite.name()));
+    if let Some(name) = request.functions.iter().find(|name| !known().any(|known| known == *name)) {
+        let what = format!("there is no function `{name}`");
+        return Err(Failure::request(what, nearest(name, known())));
+    }
+    let model = Model::read(&model_file(&request.model))?;
+    let emitted = languages::emit_model(&model, dialect, formulations, &request.functions)?;
+    let file = &emitted.main_file;
+    let stem = Path::new(file).file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let then = match request.language.as_str() {
+        "c" => format!(
+            "#include \"{file}\", and compile {stem}.c with your program; it needs the mathematical library, -lm"
+        ),
+        "python" => format!("import {stem}, which needs NumPy"),
+        "matlab" => format!("addpath the folder, and call {stem}() for the parameters, in MATLAB or Octave"),
+        _ => format!("import {stem}, which needs CasADi; {stem}.function(\"mass_matrix\") is a casadi.Function"),
+    };
+    Ok((emitted.emission, then))
 }
 
 /// Name of the Rust module: that of its folder.

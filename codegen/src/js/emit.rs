@@ -22,7 +22,7 @@ pub const EXTENSION: &str = "mjs";
 pub fn emit_model(model: &Model, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
     let mut modules = Modules::new(model)?;
     let left_out = target::write(model, formulations, &mut modules)?;
-    Ok(Emission { files: modules.files, left_out, extension: EXTENSION })
+    Ok(Emission { files: modules.files, left_out, extensions: &[EXTENSION] })
 }
 
 /// JavaScript modules of a model while they are written.

@@ -4,10 +4,10 @@
 //! are deliberately absent, because the integrator of the modules does not use them.
 
 pub mod emit;
-mod expression;
 mod function;
 mod module;
 mod names;
+mod syntax;
 mod text;
 mod written;
 

@@ -1,9 +1,10 @@
 //! JavaScript module of one set of equations: its names, its functions, and the data that runs need.
 
-use super::expression::constant;
-use super::function::{Comments, Writer};
+use super::function::Functions;
+use super::syntax::JavaScript;
 use super::text::{in_page, string, strings};
 use crate::plan::{Function, MotionPlan, Planner};
+use crate::syntax::{Comments, Writer, constant};
 use tripos_derive::Model;
 
 /// Source of a solver for linear systems, for equations whose accelerations are not eliminated, and for reactions.
@@ -48,35 +49,35 @@ impl Module<'_> {
     /// Text of the module, for people and programs.
     #[must_use]
     pub fn text(&self) -> String {
-        let mut writer = Writer::new(Comments::Written);
-        self.header(&mut writer);
-        self.names(&mut writer);
-        self.functions(&mut writer);
-        writer.out
+        let mut functions = Functions::new(Comments::Written);
+        self.header(&mut functions.lines);
+        self.names(&mut functions.lines);
+        self.functions(&mut functions);
+        functions.lines.out
     }
 
     /// JavaScript expression whose value is an object with all exports of the module, without comments, for a page.
     #[must_use]
     pub fn object(&self) -> String {
-        let mut writer = Writer::new(Comments::LeftOut);
-        self.names(&mut writer);
-        self.functions(&mut writer);
+        let mut functions = Functions::new(Comments::LeftOut);
+        self.names(&mut functions.lines);
+        self.functions(&mut functions);
         let mut exports: Vec<&str> = NAMES.to_vec();
         exports.extend(FUNCTIONS.iter().filter(|name| !self.is_left_out(name, Comments::LeftOut)));
         let planned = self.plan.functions.iter().chain(self.beside).map(|function| function.name);
         exports.extend(planned.filter(|name| !FUNCTIONS.contains(name) && !self.is_left_out(name, Comments::LeftOut)));
-        format!("(() => {{\n{}return {{ {} }};\n}})()", in_page(&writer.out), exports.join(", "))
+        format!("(() => {{\n{}return {{ {} }};\n}})()", in_page(&functions.lines.out), exports.join(", "))
     }
 
     fn model(&self) -> &Model {
         self.planner.model
     }
 
-    fn header(&self, writer: &mut Writer) {
+    fn header(&self, writer: &mut Writer<'_>) {
         let (model, e) = (self.model(), self.planner.equations);
         writer.comment(&format!("{}: {}, {}.", model.title, e.title(model), e.formulation.equation(model)));
         writer.out.push_str("//\n");
-        writer.comment(self.origin);
+        writer.origin(self.origin);
         for fact in &self.plan.facts {
             writer.comment(fact);
         }
@@ -91,7 +92,7 @@ impl Module<'_> {
         writer.gap();
     }
 
-    fn names(&self, writer: &mut Writer) {
+    fn names(&self, writer: &mut Writer<'_>) {
         let (model, e) = (self.model(), self.planner.equations);
         writer.raw(&format!("export const TITLE = {};", string(&format!("{}, {}", model.title, e.title(model)))));
         writer.gap();
@@ -102,7 +103,10 @@ impl Module<'_> {
         let list = |names: &mut dyn Iterator<Item = &str>| strings(names);
         let parameters = list(&mut model.parameters.iter().map(|p| p.name.as_str()));
         writer.raw(&format!("export const PARAMETERS = {parameters};"));
-        let values = model.parameters.iter().map(|p| p.value.as_ref().map_or_else(|| "null".to_owned(), constant));
+        let values = model
+            .parameters
+            .iter()
+            .map(|p| p.value.as_ref().map_or_else(|| "null".to_owned(), |v| constant(&JavaScript, v)));
         writer.comment("What the model file states of them.");
         writer.raw(&format!("export const DEFAULTS = [{}];", values.collect::<Vec<_>>().join(", ")));
         for coordinate in model.coordinates.iter().filter(|c| !c.about.is_empty()) {
@@ -137,16 +141,17 @@ impl Module<'_> {
         self.plan.functions.iter().any(|planned| planned.name == name)
     }
 
-    fn functions(&self, writer: &mut Writer) {
-        let comments = writer.comments();
+    fn functions(&self, functions: &mut Functions) {
+        let comments = functions.lines.comments();
         if !self.plan.is_solved || !self.plan.balance.is_empty() {
-            writer.gap();
-            writer.out.push_str(SOLVE);
+            functions.lines.gap();
+            functions.lines.out.push_str(SOLVE);
         }
         let planned = self.plan.functions.iter().filter(|planned| !self.is_left_out(planned.name, comments));
         for planned in planned.chain(&self.plan.balance).chain(self.beside) {
-            writer.function(planned);
+            functions.function(planned);
         }
+        let writer = &mut functions.lines;
         let own = if self.planner.equations.formulation.is_in_rates() { "q_dot" } else { "u" };
         let mut made = |name: &str, arguments: &str, about: &str, value: &str| {
             if !self.has(name) && !self.is_left_out(name, comments) {

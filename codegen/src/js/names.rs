@@ -3,7 +3,7 @@
 use crate::plan::Language;
 
 /// Language of JavaScript modules, with the names that generated functions use for other purposes.
-pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE };
+pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE, longest: usize::MAX };
 
 /// Names in the scope of generated function bodies. Other functions that they call have a `$` in their names, which no
 /// model's name contains.

@@ -1,13 +1,9 @@
-//! Text in JavaScript files: in comments, and as string literals.
+//! Text in JavaScript files: as string literals, and in a page.
 //!
 //! Invariant: no text can end a comment, a string or the `script` element that contains the module.
 
-use crate::lines::wrap;
+use crate::syntax::WIDTH;
 use std::fmt::Write;
-use tripos_derive::plain::{one_line, visible};
-
-/// Most bytes of a line of comments and code.
-const WIDTH: usize = 110;
 
 /// JavaScript string literal for a text.
 #[must_use]
@@ -46,24 +42,6 @@ pub fn strings<'t>(list: impl IntoIterator<Item = &'t str>) -> String {
     match lines.as_slice() {
         [one] => format!("[{}]", one.trim_end_matches(',')),
         many => format!("[\n  {}\n]", many.join("\n  ")),
-    }
-}
-
-/// Writes a text as comment lines with an indent.
-pub fn comment(out: &mut String, indent: &str, text: &str) {
-    let line = visible(&one_line(text)).replace('<', "< ").replace("<  ", "< ").replace("-->", "-- >");
-    for (at, part) in wrap(line.trim(), WIDTH - indent.len() - 3).iter().enumerate() {
-        let hang = if at == 0 || part.is_empty() { "" } else { "  " };
-        let _ = writeln!(out, "{}", format!("{indent}// {hang}{part}").trim_end());
-    }
-}
-
-/// Writes a statement without string literals on as many lines as it needs. It is broken at the spaces around
-/// operators, so that no line except the last is a complete statement.
-pub fn statement(out: &mut String, indent: &str, text: &str) {
-    for (at, part) in wrap(text, WIDTH - indent.len() - 4).iter().enumerate() {
-        let hang = if at == 0 { "" } else { "    " };
-        let _ = writeln!(out, "{indent}{hang}{part}");
     }
 }
 

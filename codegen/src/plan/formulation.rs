@@ -159,16 +159,49 @@ pub(super) fn jacobian(planner: &Planner<'_>, solved: &Solved) -> Option<Functio
     let slopes: Vec<Value> = q_dot
         .chain(names(planner.arena, rates(planner)))
         .zip(&solved.jacobian.entries)
-        .flat_map(|(rate, row)| {
-            let entry = |(by, value): (&String, &Expr)| {
-                (format!("{}_by_{}_value", spelled(&rate), spelled(by)), format!("d({rate})/d({by})"), *value)
-            };
-            state.iter().zip(row).map(entry).collect::<Vec<_>>()
-        })
+        .flat_map(|(rate, row)| slopes_of(&rate, &state, row))
         .collect();
     let about = format!("Jacobian of the derivative by the state; columns {}.", state.join(", "));
     let returns = Returns::Matrix { symmetric: false };
     Some(planner.stepwise("jacobian", &about, Arguments::State, returns, &solved.jacobian.steps, &slopes))
+}
+
+/// Function `parameter_jacobian`, which returns ∂(q̇, v̇)/∂p, with a column for each parameter.
+pub(super) fn parameter_jacobian(planner: &Planner<'_>, slopes: &tripos_derive::mechanics::Jacobian) -> Function {
+    let parameters: Vec<String> = planner.model.parameters.iter().map(|p| p.name.clone()).collect();
+    let q_dot = planner.model.coordinates.iter().map(|c| format!("{}'", c.name));
+    let rows = q_dot.chain(names(planner.arena, rates(planner))).zip(&slopes.entries);
+    let values: Vec<Value> = rows.flat_map(|(rate, row)| slopes_of(&rate, &parameters, row)).collect();
+    let about = format!("Slopes of the derivative along the parameters; columns {}.", parameters.join(", "));
+    let returns = Returns::Table { columns: parameters.len() };
+    planner.stepwise("parameter_jacobian", &about, Arguments::State, returns, &slopes.steps, &values)
+}
+
+/// Outputs for the slopes of one rate along named quantities.
+fn slopes_of(rate: &str, along: &[String], row: &[Expr]) -> Vec<Value> {
+    let entry = |(by, value): (&String, &Expr)| {
+        (format!("{}_by_{}_value", spelled(rate), spelled(by)), format!("d({rate})/d({by})"), *value)
+    };
+    along.iter().zip(row).map(entry).collect()
+}
+
+/// Function `residual`, which returns M x − f for any unknowns x. It is zero where x solves the linear system.
+pub(super) fn residual(planner: &Planner<'_>) -> Function {
+    let e = planner.equations;
+    let mut arena = planner.arena.clone();
+    let n = e.unknowns.len();
+    let values: Vec<Value> = (0..n)
+        .map(|i| {
+            let products: Vec<Expr> = (0..n).map(|j| arena.mul(e.matrix[i][j], e.unknowns[j])).collect();
+            let product = products.into_iter().fold(Expr::ZERO, |sum, term| arena.add(sum, term));
+            let name = format!("residual{}", index(i, n));
+            (name.clone(), name, arena.sub(product, e.forcing[i]))
+        })
+        .collect();
+    let planner = Planner { arena: &arena, variables: planner.variables.clone(), ..*planner };
+    let about =
+        format!("Residual M x - f of the linear system, for any unknowns x = {}.", vector_text(&arena, &e.unknowns));
+    planner.stepwise("residual", &about, Arguments::StateAndUnknowns, Returns::Vector, &e.definitions, &values)
 }
 
 /// Function `divisors`, which returns the divisors of q̇ and v̇ that may be zero, and their names. `None` if there are
@@ -277,7 +310,7 @@ pub(super) fn kinematics_and_energies(planner: &Planner<'_>) -> Vec<Function> {
 }
 
 /// Function `inverse_dynamics`, which returns the generalized forces that given accelerations require.
-fn inverse_dynamics(planner: &Planner<'_>) -> Option<Function> {
+pub(super) fn inverse_dynamics(planner: &Planner<'_>) -> Option<Function> {
     let e = planner.equations;
     let n = e.required.len();
     let name = |i: usize| format!("tau{}", index(i, n));

@@ -51,6 +51,8 @@ pub enum Arguments {
     Speeds,
     /// Arguments (p, q, v, v̇): the state with the rates of the motion variables.
     StateAndRates,
+    /// Arguments (p, q, v, x): the state with the unknowns of the linear system.
+    StateAndUnknowns,
     /// Arguments (p, q): parameters and coordinates, without motion variables.
     Configuration,
     /// Arguments (p, q, v, r): the state with the reactions in the order of the model.
@@ -76,6 +78,11 @@ pub enum Returns {
         /// True if the matrix equals its transpose.
         symmetric: bool,
     },
+    /// Rectangular array, row by row.
+    Table {
+        /// Number of columns.
+        columns: usize,
+    },
 }
 
 impl Returns {
@@ -84,7 +91,7 @@ impl Returns {
     pub fn heading(self) -> &'static str {
         match self {
             Self::Matrix { symmetric: true } => "Entries that are not zero; upper triangle.",
-            Self::Matrix { .. } => "Entries that are not zero.",
+            Self::Matrix { .. } | Self::Table { .. } => "Entries that are not zero.",
             _ => "Values.",
         }
     }
@@ -247,12 +254,19 @@ impl<'a> Planner<'a> {
         match arguments {
             Arguments::Configuration => {}
             Arguments::Speeds => list.push(array("u", &self.model.u())),
-            Arguments::State | Arguments::StateAndRates | Arguments::Balanced | Arguments::Shown { .. } => {
+            Arguments::State
+            | Arguments::StateAndRates
+            | Arguments::StateAndUnknowns
+            | Arguments::Balanced
+            | Arguments::Shown { .. } => {
                 list.push(array(own, &e.variables));
             }
         }
         if arguments == Arguments::StateAndRates {
             list.push(array("v_dot", &e.unknowns[..e.variables.len()]));
+        }
+        if arguments == Arguments::StateAndUnknowns {
+            list.push(array("x", &e.unknowns));
         }
         if arguments == Arguments::Balanced {
             list.push(array("r", &self.model.reactions.iter().map(|r| r.symbol).collect::<Vec<_>>()));

@@ -10,7 +10,7 @@ use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::steps::Definition;
 
 /// Most steps of accelerations for which q̇ and v̇ are also computed together, in one function.
-const MOST_TOGETHER: usize = 400;
+pub(super) const MOST_TOGETHER: usize = 400;
 
 /// Quantity that a run watches: a condition that holds as long as it is positive, or an event where it is zero.
 #[derive(Clone, Debug)]
@@ -102,7 +102,7 @@ impl MotionPlan {
 }
 
 /// True if a watched quantity contains a reaction.
-fn needs_reaction(planner: &Planner<'_>, e: Expr) -> bool {
+pub(super) fn needs_reaction(planner: &Planner<'_>, e: Expr) -> bool {
     planner.model.reactions.iter().any(|reaction| planner.arena.mentions(e, reaction.symbol))
 }
 

@@ -18,17 +18,20 @@ pub struct Language {
     pub is_name: fn(&str) -> bool,
     /// Names that generated functions use for other purposes.
     pub in_scope: &'static [&'static str],
+    /// Most bytes of a name.
+    pub longest: usize,
 }
 
 impl Language {
     /// Rules without forbidden names, for plans that are counted and not written.
-    pub const NONE: Self = Self { is_name: |_| true, in_scope: &[] };
+    pub const NONE: Self = Self { is_name: |_| true, in_scope: &[], longest: usize::MAX };
 }
 
 /// Allocator of names, which gives out each name once.
 #[derive(Clone)]
 pub struct Allocator {
     is_name: fn(&str) -> bool,
+    longest: usize,
     taken: FxHashSet<String>,
 }
 
@@ -36,7 +39,8 @@ impl Allocator {
     /// Allocator in which the names in scope are already taken.
     #[must_use]
     pub fn new(language: &Language) -> Self {
-        Self { is_name: language.is_name, taken: language.in_scope.iter().copied().map(str::to_owned).collect() }
+        let Language { is_name, longest, .. } = *language;
+        Self { is_name, longest, taken: language.in_scope.iter().copied().map(str::to_owned).collect() }
     }
 
     /// True if a name has not been given out yet.
@@ -53,10 +57,21 @@ impl Allocator {
     }
 
     /// Gives out the name `wanted`, with an underscore after it if it is a word of the language, and with a number if
-    /// it is taken.
+    /// it is taken. A name that is too long is cut; one that no underscore makes a name of the language gets a `v_`
+    /// before it.
     pub fn unique(&mut self, wanted: &str) -> String {
-        let candidates = std::iter::once(if (self.is_name)(wanted) { wanted.to_owned() } else { format!("{wanted}_") });
-        let candidates = candidates.chain((2..).map(|n| format!("{wanted}_{n}")));
+        // Room for an underscore or a number.
+        let room = self.longest.saturating_sub(8);
+        let cut = if wanted.len() > room { wanted.chars().take(room - 2).collect() } else { wanted.to_owned() };
+        let letters = |c: char| if c.is_ascii_alphanumeric() { c } else { ' ' };
+        let words = || cut.chars().map(letters).collect::<String>().split_whitespace().collect::<Vec<_>>().join("_");
+        let underscored = format!("{cut}_");
+        let (stem, first) = match [(self.is_name)(&cut), (self.is_name)(&underscored)] {
+            [true, _] => (cut.clone(), cut),
+            [false, true] => (cut, underscored),
+            [false, false] => (format!("v_{}", words()), format!("v_{}", words())),
+        };
+        let candidates = std::iter::once(first).chain((2..).map(|n| format!("{stem}_{n}")));
         let found = candidates.into_iter().find(|name| !self.taken.contains(name)).expect("numbers do not end");
         self.taken.insert(found.clone());
         found

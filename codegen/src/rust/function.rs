@@ -214,13 +214,16 @@ fn result(returns: Returns, entries: &[Entry]) -> (TokenStream, TokenStream) {
             let [one, two] = [front.len(), back.len()].map(Literal::usize_unsuffixed);
             (quote!(([S; #one], [S; #two])), quote!(([#(#front),*], [#(#back),*])))
         }
-        Returns::Matrix { .. } => {
-            let side = names.len().isqrt();
-            let rows = names.chunks(side.max(1)).map(|row| quote!([#(#row),*]));
-            let order = Literal::usize_unsuffixed(side);
-            (quote!([[S; #order]; #order]), quote!([#(#rows),*]))
-        }
+        Returns::Matrix { .. } => rows(&names, names.len().isqrt()),
+        Returns::Table { columns } => rows(&names, columns),
     }
+}
+
+/// Type and value of an array of rows with this number of columns.
+fn rows(entries: &[TokenStream], columns: usize) -> (TokenStream, TokenStream) {
+    let rows = entries.chunks(columns.max(1)).map(|row| quote!([#(#row),*]));
+    let [count, columns] = [rows.len(), columns].map(Literal::usize_unsuffixed);
+    (quote!([[S; #columns]; #count]), quote!([#(#rows),*]))
 }
 
 /// Lines of a program, with one heading for each kind of line. Comments are written as marked doc attributes. If

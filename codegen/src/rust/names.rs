@@ -3,7 +3,7 @@
 use crate::plan::Language;
 
 /// Language Rust, with the names that generated functions use for other purposes.
-pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE };
+pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE, longest: usize::MAX };
 
 /// Names in the scope of generated function bodies, and names that a pattern would match as something else.
 const IN_SCOPE: [&str; 30] = [

@@ -303,3 +303,44 @@ pub fn certify_inverse_dynamics(arena: &Arena, equations: &Equations) -> Result<
     }
     Ok(Certificate { primes })
 }
+
+/// Proves that a Jacobian along parameters is the derivative of q̇ and v̇, which are given by the steps of an
+/// elimination.
+///
+/// # Errors
+/// [`Unproved::Jacobian`] with the first row that differs.
+pub fn certify_parameter_jacobian(
+    arena: &Arena,
+    equations: &Equations,
+    solved: &Elimination,
+    jacobian: &Jacobian,
+    parameters: &[Expr],
+) -> Result<Certificate, Unproved> {
+    let mut arena = arena.clone();
+    let along: Vec<(Expr, Expr)> = parameters.iter().map(|p| (*p, fresh_symbol(&mut arena, "direction"))).collect();
+    let directions: Vec<Expr> = along.iter().map(|(_, direction)| *direction).collect();
+    let mut put = Substitution::default();
+    put_in(&mut arena, &mut put, &solved.steps);
+    let rates = [&equations.coordinate_rates, &equations.unknowns[..equations.variables.len()]].concat();
+    let rates = put.all(&mut arena, &rates);
+    let mut put = Substitution::default();
+    put_in(&mut arena, &mut put, &jacobian.steps);
+    let mut products = Vec::with_capacity(rates.len());
+    for row in &jacobian.entries {
+        let row = put.all(&mut arena, row);
+        products.push(dot(&mut arena, &row, &directions));
+    }
+    let terms = [rates, products].concat();
+    let mut tangents = Tangents::new(&arena, &terms, &along);
+    let mut primes = Vec::with_capacity(POINTS);
+    for _ in 0..POINTS {
+        let (field, values) = tangents.next().ok_or(Unproved::NoPoint)?;
+        let (rates, products) = values.split_at(jacobian.entries.len());
+        let is_wrong = |(rate, product): (&Dual, &Dual)| rate.slope != product.value;
+        if let Some(row) = rates.iter().zip(products).position(is_wrong) {
+            return Err(Unproved::Jacobian(row));
+        }
+        primes.push(field.prime);
+    }
+    Ok(Certificate { primes })
+}

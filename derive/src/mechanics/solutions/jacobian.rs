@@ -40,16 +40,46 @@ pub fn jacobian(
 ) -> Jacobian {
     let n = equations.variables.len();
     let of_state = [&equations.unknowns[..n], &equations.coordinate_rates].concat();
-    let mut steps = needed(arena, &solved.steps, &of_state);
-    let accelerations = steps.clone();
+    let steps = needed(arena, &solved.steps, &of_state);
     let states: Vec<Expr> = equations.coordinates.iter().chain(&equations.variables).copied().collect();
-    let values: Vec<Expr> = steps.iter().map(|step| step.value).collect();
-    let operations = cost_of_all(arena, &values);
-    if states.len() * steps.len() > MOST_SLOPES || states.len() * operations > MOST_SLOPES_OF_OPERATIONS {
+    if is_long(arena, &steps, states.len()) {
         return product(arena, simplifier, equations, steps);
     }
+    whole(arena, simplifier, equations, steps, &states)
+}
+
+/// Slopes of q̇ and v̇ along symbols, with a column for each symbol; `None` if they would be too long.
+pub(super) fn slopes_along(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    equations: &Equations,
+    solved: &Elimination,
+    along: &[Expr],
+) -> Option<Jacobian> {
+    let n = equations.variables.len();
+    let steps = needed(arena, &solved.steps, &[&equations.unknowns[..n], &equations.coordinate_rates].concat());
+    let is_short = !is_long(arena, &steps, along.len());
+    is_short.then(|| whole(arena, simplifier, equations, steps, along))
+}
+
+/// True if the slopes of all steps along this number of symbols would be too long.
+fn is_long(arena: &Arena, steps: &[Definition], count: usize) -> bool {
+    let values: Vec<Expr> = steps.iter().map(|step| step.value).collect();
+    count * steps.len() > MOST_SLOPES || count * cost_of_all(arena, &values) > MOST_SLOPES_OF_OPERATIONS
+}
+
+/// Slopes of q̇ and v̇ along symbols, with a column for each symbol.
+fn whole(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    equations: &Equations,
+    mut steps: Vec<Definition>,
+    along: &[Expr],
+) -> Jacobian {
+    let n = equations.variables.len();
+    let accelerations = steps.clone();
     let mut columns = Vec::new();
-    for &variable in &states {
+    for &variable in along {
         let mut slope_of = Differential::partial(variable);
         for step in &accelerations {
             let slope = slope_of.apply(arena, step.value);
@@ -66,7 +96,8 @@ pub fn jacobian(
         let slopes: Vec<Expr> = rates.map(|e| slope_of.apply(arena, *e)).collect();
         columns.push(slopes.into_iter().map(|e| simplifier.simplify(arena, e)).collect::<Vec<_>>());
     }
-    let entries = (0..columns.len()).map(|i| columns.iter().map(|column| column[i]).collect()).collect();
+    let entries =
+        (0..equations.coordinate_rates.len() + n).map(|i| columns.iter().map(|column| column[i]).collect()).collect();
     Jacobian { steps, entries, direction: Vec::new() }
 }
 

@@ -1,0 +1,73 @@
+//! Spelling of JavaScript, in double precision.
+
+use crate::syntax::{Syntax, assigned};
+use tripos_derive::plain::{one_line, visible};
+
+/// JavaScript. A product and a sum are never fused into one operation.
+pub struct JavaScript;
+
+impl Syntax for JavaScript {
+    fn comment_mark(&self) -> &'static str {
+        "//"
+    }
+
+    fn harmless(&self, text: &str) -> String {
+        visible(&one_line(text)).replace('<', "< ").replace("<  ", "< ").replace("-->", "-- >")
+    }
+
+    fn not_a_number(&self) -> &'static str {
+        "NaN"
+    }
+
+    fn pi(&self) -> &'static str {
+        "Math.PI"
+    }
+
+    fn call(&self, name: &str, argument: &str) -> String {
+        format!("Math.{name}({argument})")
+    }
+
+    /// Power by `Math.pow`, because `-x ** 2` is no expression.
+    fn power(&self, argument: &str, _operand: &str, exponent: i32) -> String {
+        format!("Math.pow({argument}, {exponent})")
+    }
+
+    fn declarations(&self, list: &[(String, String)]) -> Vec<String> {
+        vec![format!("const {};", assigned(list, ", "))]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::syntax::formula;
+    use tripos_derive::algebra::Arena;
+    use tripos_derive::algebra::text::parse::parse_primed;
+    use tripos_derive::algebra::text::view::{Shared, view};
+
+    fn written(text: &str) -> String {
+        let mut arena = Arena::default();
+        let e = parse_primed(&mut arena, text, 0, &mut |arena, name| Ok(arena.symbol(name))).unwrap();
+        formula(&JavaScript, &view(&arena, e, &Shared::default(), usize::MAX))
+    }
+
+    /// Goal: the written expression has the value of the formula, by the precedence of the language. Method: forms in
+    /// which a missing parenthesis changes the value, or leaves no expression at all.
+    #[test]
+    fn formulas_keep_their_meaning() {
+        let forms = [
+            ("-a^2 - b", "-b - a * a"),
+            ("-(a + b)^4", "-Math.pow(a + b, 4)"),
+            ("a/(b*c)", "a / (b * c)"),
+            ("a/b^2", "a / (b * b)"),
+            ("a/(b + c)", "a / (b + c)"),
+            ("2*a/3", "0.6666666666666666 * a"),
+            ("a*(b - c*(a - b))", "a * (b + c * (b - a))"),
+            ("sqrt(a)*log(b)*sign(c)", "Math.sqrt(a) * Math.log(b) * Math.sign(c)"),
+            ("a/10^400", "1e-400 * a"),
+        ];
+        for (formula, expected) in forms {
+            assert_eq!(written(formula), expected, "{formula}");
+        }
+    }
+}

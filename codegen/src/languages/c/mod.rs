@@ -1,0 +1,321 @@
+//! C99: a header and a source for each set of equations, and one header that all have in common.
+//!
+//! The code allocates nothing, keeps nothing and calls only the mathematical functions of the standard library.
+
+mod names;
+
+use super::{Composite, Dialect, Module};
+use crate::plan::{Entry, Function, Language, Returns};
+use crate::syntax::{Comments, Syntax, Writer, assigned, constant, firm};
+use std::fmt::Write;
+use tripos_derive::plain::{one_line, visible};
+
+/// Text of the header that all models have in common.
+const SHARED: &str = include_str!("tripos.h");
+
+/// Largest number of digits of a whole number that is written as an integer.
+const MOST_DIGITS: usize = 9;
+
+/// The language C99.
+pub struct C;
+
+impl Syntax for C {
+    fn comment_mark(&self) -> &'static str {
+        "//"
+    }
+
+    /// Text without a backslash, which could join lines, and without trigraphs.
+    fn harmless(&self, text: &str) -> String {
+        visible(&one_line(text)).replace('\\', "/").replace("??", "? ?")
+    }
+
+    fn whole(&self, digits: &str) -> String {
+        if digits.len() <= MOST_DIGITS { digits.to_owned() } else { self.decimal(&format!("{digits}.0")) }
+    }
+
+    fn decimal(&self, text: &str) -> String {
+        // A number that no double can have would be a warning.
+        match text.parse::<f64>() {
+            Ok(0.0) => "TRIPOS_C(0.0)".to_owned(),
+            Ok(value) if value.is_infinite() => "TRIPOS_C(HUGE_VAL)".to_owned(),
+            _ => format!("TRIPOS_C({text})"),
+        }
+    }
+
+    fn not_a_number(&self) -> &'static str {
+        "TRIPOS_C(NAN)"
+    }
+
+    fn pi(&self) -> &'static str {
+        "TRIPOS_PI"
+    }
+
+    fn call(&self, name: &str, argument: &str) -> String {
+        format!("tripos_{name}({argument})")
+    }
+
+    fn power(&self, argument: &str, _operand: &str, exponent: i32) -> String {
+        format!("tripos_power({argument}, {exponent})")
+    }
+
+    fn is_ordered_as_rust(&self) -> bool {
+        true
+    }
+
+    fn declarations(&self, list: &[(String, String)]) -> Vec<String> {
+        vec![format!("const tripos_real {};", assigned(list, ", "))]
+    }
+
+    fn circular(&self, sine: Option<&str>, cosine: Option<&str>, angle: &str) -> Vec<String> {
+        match (sine, cosine) {
+            (Some(sine), Some(cosine)) => {
+                vec![format!("tripos_real {sine}, {cosine};"), format!("tripos_sincos({angle}, &{sine}, &{cosine});")]
+            }
+            (Some(name), None) => self.declarations(&[(name.to_owned(), self.call("sin", angle))]),
+            (None, Some(name)) => self.declarations(&[(name.to_owned(), self.call("cos", angle))]),
+            (None, None) => Vec::new(),
+        }
+    }
+}
+
+impl Dialect for C {
+    fn language(&self) -> &'static Language {
+        &names::LANGUAGE
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["c", "h"]
+    }
+
+    fn main_file(&self, model: &str, equations: &str) -> String {
+        format!("{model}_{equations}.h")
+    }
+
+    fn files(&self, module: &Module<'_>) -> Vec<(String, String)> {
+        let stem = stem(module);
+        vec![(format!("{stem}.h"), header(module)), (format!("{stem}.c"), source(module))]
+    }
+
+    fn shared_files(&self, origin: &str) -> Vec<(String, String)> {
+        let mut writer = Writer::new(self, Comments::Written);
+        writer.origin(origin);
+        writer.raw("//");
+        vec![("tripos.h".to_owned(), writer.out + SHARED)]
+    }
+
+    fn composites(&self) -> &'static [Composite] {
+        &[Composite::Unknowns, Composite::Project]
+    }
+}
+
+/// Beginning of the names of a module's files and functions.
+fn stem(module: &Module<'_>) -> String {
+    format!("{}_{}", module.model_word, module.equations_word)
+}
+
+/// Text of the header: lengths, places of the parameters, and declarations.
+fn header(module: &Module<'_>) -> String {
+    let (stem, mut writer) = (stem(module), Writer::new(&C, Comments::Written));
+    let upper = stem.to_ascii_uppercase();
+    let usage = format!(
+        "Arrays have the lengths that the declarations state; the parameters p are in the order of {upper}_P_*. \
+         Matrices are row by row. No function allocates or keeps anything."
+    );
+    module.header(&mut writer, &module.title(), &usage);
+    writer.raw(&format!("#ifndef {upper}_H\n#define {upper}_H\n\n#include \"tripos.h\"\n"));
+    writer.raw("#ifdef __cplusplus\nextern \"C\" {\n#endif");
+    writer.gap();
+    let (model, e) = (module.model(), module.equations());
+    let lengths = [
+        ("PARAMETERS", model.parameters.len()),
+        ("COORDINATES", e.coordinates.len()),
+        ("VARIABLES", e.variables.len()),
+        ("UNKNOWNS", e.unknowns.len()),
+        ("DIVISORS", module.plan.divisors.len()),
+        ("CONSTRAINTS", module.plan.constraints.len()),
+        ("CONDITIONS", module.plan.conditions.len()),
+    ];
+    writer.raw("enum {");
+    for (at, (name, length)) in lengths.iter().enumerate() {
+        let comma = if at + 1 < lengths.len() { "," } else { "" };
+        writer.raw(&format!("  {upper}_{name} = {length}{comma}"));
+    }
+    writer.raw("};");
+    writer.gap();
+    if !model.parameters.is_empty() {
+        writer.comment("Places of the parameters in p.");
+        writer.raw("enum {");
+        writer.indent("  ");
+        let words = module.parameter_words();
+        for (at, (word, meaning)) in words.iter().zip(module.parameter_meanings()).enumerate() {
+            writer.comment(&meaning);
+            let comma = if at + 1 < words.len() { "," } else { "" };
+            writer.raw(&format!("{upper}_P_{word} = {at}{comma}"));
+        }
+        writer.indent("");
+        writer.raw("};");
+        writer.gap();
+        writer.comment("Fills p with the values of the model file; not numbers where it states none.");
+        writer.raw(&format!("void {stem}_defaults(tripos_real p[{}]);", model.parameters.len()));
+    }
+    for function in &module.plan.functions {
+        writer.gap();
+        writer.comment(&function.about);
+        writer.comment(&format!("{}.", function.cost));
+        writer.line(&format!("{};", signature(module, function)));
+    }
+    for composite in module.composites {
+        writer.gap();
+        let (about, signature) = composite_signature(module, *composite);
+        writer.comment(about);
+        writer.line(&format!("{signature};"));
+    }
+    writer.gap();
+    writer.raw("#ifdef __cplusplus\n}\n#endif\n\n#endif");
+    writer.out
+}
+
+/// Text of the source.
+fn source(module: &Module<'_>) -> String {
+    let (stem, mut writer) = (stem(module), Writer::new(&C, Comments::Written));
+    writer.comment(&module.title());
+    writer.comment("");
+    writer.origin(module.origin);
+    writer.gap();
+    writer.raw(&format!("#include \"{stem}.h\""));
+    if !module.model().parameters.is_empty() {
+        writer.gap();
+        writer.raw(&format!("void {stem}_defaults(tripos_real p[{}])\n{{", module.model().parameters.len()));
+        writer.indent("  ");
+        let meanings = module.parameter_meanings();
+        for ((at, p), meaning) in module.model().parameters.iter().enumerate().zip(meanings) {
+            let value = p.value.as_ref().map_or_else(|| C.not_a_number().to_owned(), |value| constant(&C, value));
+            writer.comment(&meaning);
+            writer.line(&format!("p[{at}] = {value};"));
+        }
+        writer.indent("");
+        writer.raw("}");
+    }
+    for planned in &module.plan.functions {
+        function(&mut writer, module, planned);
+    }
+    for composite in module.composites {
+        writer.gap();
+        let (_, signature) = composite_signature(module, *composite);
+        writer.line(&signature);
+        writer.raw("{");
+        writer.indent("  ");
+        composite_body(&mut writer, module, *composite);
+        writer.indent("");
+        writer.raw("}");
+    }
+    writer.out
+}
+
+/// Names of the results of a function that returns arrays: one, or two for a pair.
+fn results(function: &Function) -> Vec<(&'static str, usize)> {
+    let count = function.entries.len();
+    match function.returns {
+        Returns::Number => Vec::new(),
+        Returns::Pair(first) => vec![("out", first), ("out_2", count - first)],
+        Returns::Vector | Returns::Matrix { .. } | Returns::Table { .. } => vec![("out", count)],
+    }
+}
+
+/// Signature of a planned function, without a semicolon.
+fn signature(module: &Module<'_>, planned: &Function) -> String {
+    let results = results(planned);
+    let is_number = planned.returns == Returns::Number;
+    // Only arrays that are written need the promise that they lie apart.
+    let mut arguments: Vec<String> = module
+        .argument_lengths(planned)
+        .iter()
+        .map(|(name, length)| match length {
+            Some(0) => format!("const tripos_real *{name}"),
+            Some(length) => format!("const tripos_real {name}[{length}]"),
+            None => format!("tripos_real {name}"),
+        })
+        .map(|argument| firm(&argument))
+        .collect();
+    arguments.extend(results.iter().map(|(name, _)| firm(&format!("tripos_real *TRIPOS_RESTRICT {name}"))));
+    let returned = if is_number { "tripos_real" } else { "void" };
+    format!("{returned} {}_{}({})", stem(module), planned.name, arguments.join(", "))
+}
+
+fn function(writer: &mut Writer<'_>, module: &Module<'_>, planned: &Function) {
+    writer.gap();
+    writer.line(&signature(module, planned));
+    writer.raw("{");
+    writer.indent("  ");
+    for argument in planned.arguments.iter().filter(|argument| !argument.is_read()) {
+        writer.line(&format!("(void){};", argument.name()));
+    }
+    writer.unpack(&planned.arguments);
+    writer.program(planned, &planned.program, &[]);
+    let text = |entry: &Entry| match entry {
+        Entry::Zero => "0".to_owned(),
+        Entry::Variable(name) => name.clone(),
+    };
+    if planned.returns == Returns::Number {
+        writer.line(&format!("return {};", planned.entries.iter().map(text).collect::<Vec<_>>().concat()));
+    }
+    let mut entries = planned.entries.iter();
+    for (name, length) in results(planned) {
+        for (at, entry) in entries.by_ref().take(length).enumerate() {
+            writer.line(&format!("{name}[{at}] = {};", text(entry)));
+        }
+        if length == 0 {
+            writer.line(&format!("(void){name};"));
+        }
+    }
+    writer.indent("");
+    writer.raw("}");
+}
+
+/// Description and signature of a function that calls planned ones.
+fn composite_signature(module: &Module<'_>, composite: Composite) -> (&'static str, String) {
+    let (stem, v) = (stem(module), module.variables_argument());
+    match composite {
+        Composite::Unknowns => (
+            "Solves the linear system for its unknowns: the accelerations, then the reactions or multipliers. Returns 0, \
+             or 1 where the matrix is singular.",
+            format!(
+                "int {stem}_unknowns({}, {}, {}, {})",
+                firm("const tripos_real *p"),
+                firm("const tripos_real *q"),
+                firm(&format!("const tripos_real *{v}")),
+                firm("tripos_real *TRIPOS_RESTRICT out")
+            ),
+        ),
+        _ => (
+            "Moves a state, or a guess of a pose, onto the constraints, by the smallest corrections. Returns 0 if the \
+             constraints then hold up to rounding, else 1.",
+            format!("int {stem}_project(const tripos_real *p, tripos_real *q, tripos_real *{v})"),
+        ),
+    }
+}
+
+fn composite_body(writer: &mut Writer<'_>, module: &Module<'_>, composite: Composite) {
+    let (stem, v, e) = (stem(module), module.variables_argument(), module.equations());
+    let mut text = String::new();
+    if composite == Composite::Unknowns {
+        let n = e.unknowns.len();
+        let _ = write!(
+            text,
+            "tripos_real matrix[{}], right[{n}];\n\
+             {stem}_mass_matrix(p, q, {v}, matrix);\n\
+             {stem}_forcing(p, q, {v}, right);\n\
+             return tripos_solve({n}, matrix, right, out);",
+            n * n
+        );
+    } else {
+        let (m, nq, nv) = (module.plan.constraints.len(), e.coordinates.len(), e.variables.len());
+        let _ = write!(
+            text,
+            "tripos_real work[{}];\n\
+             return tripos_project({m}, {nq}, {nv}, {stem}_constraints, {stem}_constraint_slopes, p, q, {v}, work);",
+            m * (nq + nv + 3)
+        );
+    }
+    text.lines().for_each(|line| writer.line(line));
+}

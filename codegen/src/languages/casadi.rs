@@ -1,0 +1,179 @@
+//! CasADi: one Python module for each set of equations, whose functions are symbolic expressions, and one module of
+//! helpers.
+
+use super::module::table;
+use super::python::names::LANGUAGE;
+use super::python::text::{array_of_entries, assignments, docstring, float, harmless, names_and_values, python_lines};
+use super::{Composite, Dialect, Module};
+use crate::plan::{Argument, Entry, Function, Language, Returns};
+use crate::syntax::{Comments, Syntax, Writer};
+
+/// Text of the module of helpers.
+const SHARED: &str = include_str!("casadi/tripos_casadi.py");
+
+/// Name of the module of helpers.
+const HELPERS: &str = "tripos_casadi";
+
+/// Python with expressions of CasADi.
+pub struct CasADi;
+
+impl Syntax for CasADi {
+    fn comment_mark(&self) -> &'static str {
+        "#"
+    }
+
+    fn harmless(&self, text: &str) -> String {
+        harmless(text)
+    }
+
+    fn whole(&self, digits: &str) -> String {
+        float(digits)
+    }
+
+    fn not_a_number(&self) -> &'static str {
+        "casadi.nan"
+    }
+
+    fn pi(&self) -> &'static str {
+        "casadi.pi"
+    }
+
+    fn call(&self, name: &str, argument: &str) -> String {
+        let name = match name {
+            "abs" => "fabs",
+            name => name,
+        };
+        format!("casadi.{name}({argument})")
+    }
+
+    fn power(&self, _argument: &str, operand: &str, exponent: i32) -> String {
+        format!("{operand}**{exponent}")
+    }
+
+    fn declarations(&self, list: &[(String, String)]) -> Vec<String> {
+        assignments(list)
+    }
+
+    fn statement(&self, out: &mut String, indent: &str, text: &str) {
+        python_lines(out, indent, text);
+    }
+}
+
+impl Dialect for CasADi {
+    fn language(&self) -> &'static Language {
+        &LANGUAGE
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["py"]
+    }
+
+    fn main_file(&self, model: &str, equations: &str) -> String {
+        format!("{model}_{equations}_casadi.py")
+    }
+
+    fn files(&self, module: &Module<'_>) -> Vec<(String, String)> {
+        vec![(self.main_file(module.model_word, module.equations_word), module_text(module))]
+    }
+
+    fn shared_files(&self, origin: &str) -> Vec<(String, String)> {
+        let mut writer = Writer::new(self, Comments::Written);
+        writer.origin(origin);
+        vec![(format!("{HELPERS}.py"), writer.out + SHARED)]
+    }
+
+    fn composites(&self) -> &'static [Composite] {
+        &[Composite::Unknowns, Composite::Ode, Composite::Dae]
+    }
+}
+
+fn module_text(module: &Module<'_>) -> String {
+    let mut writer = Writer::new(&CasADi, Comments::Written);
+    let usage = "Functions take parameters p, coordinates q and motion variables, in the order of PARAMETERS, COORDINATES and \
+                 VARIABLES, as columns of SX, MX or DM, and return expressions. `function(name)` makes a casadi.Function of \
+                 one of them.";
+    module.header(&mut writer, &module.title(), usage);
+    writer.gap();
+    writer.raw(&docstring(&module.title()));
+    writer.raw(&format!("import casadi\n\nimport {HELPERS} as _helpers\n"));
+    names_and_values(&mut writer, module, "casadi.nan");
+    for planned in &module.plan.functions {
+        function(&mut writer, planned);
+    }
+    module.composites.iter().for_each(|composite| composed(&mut writer, module, *composite));
+    let (e, v) = (module.equations(), module.variables_argument());
+    writer.raw("\n");
+    writer.comment("Lengths of the arguments.");
+    writer.raw(&format!(
+        "LENGTHS = {{\"p\": {}, \"q\": {}, \"{v}\": {}, \"v_dot\": {}, \"x\": {}{}}}",
+        module.model().parameters.len(),
+        e.coordinates.len(),
+        e.variables.len(),
+        e.variables.len(),
+        e.unknowns.len(),
+        if e.formulation.is_in_rates() { format!(", \"u\": {}", module.model().speeds.len()) } else { String::new() },
+    ));
+    writer.comment("Functions by name, with their arguments.");
+    writer.raw("FUNCTIONS = {");
+    for planned in &module.plan.functions {
+        let names: Vec<String> = planned.arguments.iter().map(|argument| format!("\"{}\"", argument.name())).collect();
+        writer.raw(&format!("    \"{0}\": ({0}, [{1}]),", planned.name, names.join(", ")));
+    }
+    if module.composites.contains(&Composite::Unknowns) {
+        writer.raw(&format!("    \"unknowns\": (unknowns, [\"p\", \"q\", \"{v}\"]),"));
+    }
+    writer.raw("}\n\n");
+    writer.raw(
+        "def function(name):\n    \"\"\"A casadi.Function of symbols with the names of the arguments.\"\"\"\n    \
+         return _helpers.function(name, *FUNCTIONS[name], LENGTHS)",
+    );
+    writer.out
+}
+
+fn function(writer: &mut Writer<'_>, planned: &Function) {
+    let arguments: Vec<&str> = planned.arguments.iter().map(Argument::name).collect();
+    writer.raw("\n");
+    writer.raw(&format!("def {}({}):", planned.name, arguments.join(", ")));
+    writer.indent("    ");
+    writer.raw(&docstring(&format!("{}\n\n{}.", planned.about, planned.cost)));
+    writer.unpack(&planned.arguments);
+    writer.program(planned, &planned.program, &[]);
+    let text = |entry: &Entry| match entry {
+        Entry::Zero => "0".to_owned(),
+        Entry::Variable(name) => name.clone(),
+    };
+    let entries: Vec<String> = planned.entries.iter().map(text).collect();
+    match (planned.returns, table(planned)) {
+        (Returns::Number, _) => writer.line(&format!("return {}", entries.concat())),
+        (Returns::Pair(first), _) => {
+            array_of_entries(writer, "first = casadi.vertcat(", &entries[..first], ")");
+            array_of_entries(writer, "second = casadi.vertcat(", &entries[first..], ")");
+            writer.line("return first, second");
+        }
+        (_, Some([rows, columns])) => {
+            array_of_entries(writer, &format!("return _helpers.table({rows}, {columns}, ["), &entries, "])");
+        }
+        (_, None) => array_of_entries(writer, "return casadi.vertcat(", &entries, ")"),
+    }
+    writer.indent("");
+}
+
+/// Writes a function that calls planned ones.
+fn composed(writer: &mut Writer<'_>, module: &Module<'_>, composite: Composite) {
+    let v = module.variables_argument();
+    writer.raw("\n");
+    writer.raw(&match composite {
+        Composite::Unknowns => format!(
+            "def unknowns(p, q, {v}):\n    \"\"\"The accelerations, then the reactions or multipliers: the solution of the linear \
+             system.\"\"\"\n    return casadi.solve(mass_matrix(p, q, {v}), forcing(p, q, {v}))"
+        ),
+        Composite::Ode => format!(
+            "def ode():\n    \"\"\"The ordinary differential equation of x = (q, {v}) with parameters p, as casadi.integrator takes \
+             it.\"\"\"\n    return _helpers.ode(derivative, LENGTHS, \"{v}\")"
+        ),
+        _ => format!(
+            "def dae():\n    \"\"\"The semi-explicit equation of x = (q, {v}) and the unknowns z with parameters p: the linear \
+             system stays unsolved.\"\"\"\n    return _helpers.dae(coordinate_rates, residual, LENGTHS, \"{v}\")"
+        ),
+    });
+}

@@ -1,0 +1,262 @@
+//! MATLAB and Octave: one file for each function of each set of equations, vectorised over columns.
+
+mod names;
+
+use super::module::table;
+use super::{Composite, Dialect, Module};
+use crate::lines::wrap;
+use crate::plan::{Argument, Entry, Function, Language, Returns};
+use crate::syntax::{Comments, Syntax, WIDTH, Writer, constant};
+use std::fmt::Write;
+use tripos_derive::plain::{one_line, visible};
+
+/// Most bytes of the name of a function in MATLAB.
+const LONGEST: usize = 63;
+
+/// Bytes of the longest name of a function, with the underscore before it.
+const LONGEST_FUNCTION: usize = 24;
+
+/// The language of MATLAB and Octave.
+pub struct Matlab;
+
+impl Syntax for Matlab {
+    fn comment_mark(&self) -> &'static str {
+        "%"
+    }
+
+    fn harmless(&self, text: &str) -> String {
+        visible(&one_line(text)).into_owned()
+    }
+
+    fn operators(&self) -> [&'static str; 2] {
+        [".*", "./"]
+    }
+
+    fn not_a_number(&self) -> &'static str {
+        "NaN"
+    }
+
+    fn pi(&self) -> &'static str {
+        "pi"
+    }
+
+    fn call(&self, name: &str, argument: &str) -> String {
+        format!("{name}({argument})")
+    }
+
+    fn power(&self, _argument: &str, operand: &str, exponent: i32) -> String {
+        format!("{operand}.^{}", if exponent < 0 { format!("({exponent})") } else { exponent.to_string() })
+    }
+
+    fn entry(&self, array: &str, at: usize) -> String {
+        format!("{array}({}, :)", at + 1)
+    }
+
+    fn declarations(&self, list: &[(String, String)]) -> Vec<String> {
+        // Short ones share lines.
+        let mut lines: Vec<String> = Vec::new();
+        for (name, value) in list {
+            let text = format!("{name} = {value};");
+            match lines.last_mut() {
+                Some(last) if last.len() + text.len() + 12 <= WIDTH => last.extend([" ", text.as_str()]),
+                _ => lines.push(text),
+            }
+        }
+        lines
+    }
+
+    fn statement(&self, out: &mut String, indent: &str, text: &str) {
+        let parts = wrap(text, WIDTH - indent.len() - 8);
+        for (at, part) in parts.iter().enumerate() {
+            let hang = if at == 0 { "" } else { "    " };
+            let more = if at + 1 < parts.len() { " ..." } else { "" };
+            let _ = writeln!(out, "{indent}{hang}{part}{more}");
+        }
+    }
+}
+
+impl Dialect for Matlab {
+    fn language(&self) -> &'static Language {
+        &names::LANGUAGE
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["m"]
+    }
+
+    fn main_file(&self, model: &str, equations: &str) -> String {
+        format!("{}_parameters.m", stem(model, equations))
+    }
+
+    fn files(&self, module: &Module<'_>) -> Vec<(String, String)> {
+        let stem = stem(module.model_word, module.equations_word);
+        let mut files = vec![(format!("{stem}_parameters.m"), parameters(module, &stem))];
+        let planned = module.plan.functions.iter();
+        files.extend(planned.map(|f| (format!("{stem}_{}.m", f.name), function(module, &stem, f))));
+        files.extend(module.composites.iter().map(|c| (format!("{stem}_{}.m", c.name()), composed(module, &stem, *c))));
+        files
+    }
+
+    fn shared_files(&self, _origin: &str) -> Vec<(String, String)> {
+        Vec::new()
+    }
+
+    fn composites(&self) -> &'static [Composite] {
+        use Composite::{Project, StateDerivative, StateForcing, StateMass, Unknowns};
+        &[Unknowns, StateDerivative, StateMass, StateForcing, Project]
+    }
+}
+
+/// Beginning of the names of a module's functions. It is so short that MATLAB cuts none of these names.
+fn stem(model: &str, equations: &str) -> String {
+    let stem = format!("{model}_{equations}");
+    let room = LONGEST - LONGEST_FUNCTION;
+    if stem.len() <= room {
+        return stem;
+    }
+    // Fowler, Noll & Vo's hash, so that different names stay different.
+    let hash = stem.bytes().fold(0x811c_9dc5_u32, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193));
+    format!("{}_{hash:08x}", &stem[..room - 9])
+}
+
+/// String literal for a text.
+fn string(text: &str) -> String {
+    format!("'{}'", visible(&one_line(text)).replace('\'', "''"))
+}
+
+/// Writer with the first line of a function file and its comments.
+fn opened(module: &Module<'_>, signature: &str, comments: &[&str]) -> Writer<'static> {
+    let mut writer = Writer::new(&Matlab, Comments::Written);
+    // The origin comes first, where it is found again; a function file may begin with comments.
+    writer.origin(module.origin);
+    writer.raw(&format!("function {signature}"));
+    for text in comments {
+        writer.comment(text);
+    }
+    writer.comment("");
+    writer.comment(&module.title());
+    writer.indent("  ");
+    writer
+}
+
+fn parameters(module: &Module<'_>, stem: &str) -> String {
+    let about =
+        "Parameters in their order, with the values of the model file (NaN where it states none), names and units.";
+    let signature = format!("[p, names, units] = {stem}_parameters()");
+    let mut writer = opened(module, &signature, &[about]);
+    writer.indent("");
+    let usage = "Functions take parameters p, coordinates q and motion variables as columns; with several columns, they \
+                 compute several states at once, along the last dimension of the results.";
+    module.header(&mut writer, about, usage);
+    writer.indent("  ");
+    let model = module.model();
+    writer.raw(&format!("p = zeros({}, 1);", model.parameters.len()));
+    for ((at, p), meaning) in model.parameters.iter().enumerate().zip(module.parameter_meanings()) {
+        writer.comment(&meaning);
+        let value = p.value.as_ref().map_or_else(|| "NaN".to_owned(), |value| constant(&Matlab, value));
+        writer.raw(&format!("p({}) = {value};", at + 1));
+    }
+    let mut list = |name: &str, texts: &mut dyn Iterator<Item = String>| {
+        writer.raw(&format!("{name} = {{ ..."));
+        texts.for_each(|text| writer.raw(&format!("  {}, ...", string(&text))));
+        writer.raw("};");
+    };
+    list("names", &mut model.parameters.iter().map(|p| p.name.clone()));
+    list("units", &mut model.parameters.iter().map(|p| p.unit.to_string()));
+    closed(writer)
+}
+
+/// Text of a function file, ended.
+fn closed(mut writer: Writer<'_>) -> String {
+    writer.indent("");
+    writer.raw("end");
+    writer.out
+}
+
+fn function(module: &Module<'_>, stem: &str, planned: &Function) -> String {
+    let names: Vec<&str> = planned.arguments.iter().map(Argument::name).collect();
+    let is_pair = matches!(planned.returns, Returns::Pair(_));
+    let results = if is_pair { "[out, out_2]" } else { "out" };
+    let signature = format!("{results} = {stem}_{}({})", planned.name, names.join(", "));
+    let mut writer = opened(module, &signature, &[&planned.about, &format!("{}.", planned.cost)]);
+    for (name, length) in module.argument_lengths(planned) {
+        if let Some(length) = length.filter(|length| *length > 0) {
+            writer.raw(&format!(
+                "assert(size({name}, 1) == {length}, '{name} needs {length} rows, one for each entry');"
+            ));
+        }
+    }
+    let widths: Vec<String> = names.iter().map(|name| format!("size({name}, 2)")).collect();
+    writer.line(&format!("N = max([{}]);", widths.join(", ")));
+    writer.unpack(&planned.arguments);
+    writer.program(planned, &planned.program, &[]);
+    let entries = &planned.entries;
+    let mut filled = |name: &str, entries: &[(usize, &Entry)]| {
+        writer.raw(&format!("{name} = zeros({}, N);", entries.len()));
+        for (place, entry) in entries {
+            if let Entry::Variable(variable) = entry {
+                writer.raw(&format!("{name}({}, :) = {variable};", place + 1));
+            }
+        }
+    };
+    match (planned.returns, table(planned)) {
+        (Returns::Pair(first), _) => {
+            filled("out", &entries[..first].iter().enumerate().collect::<Vec<_>>());
+            filled("out_2", &entries[first..].iter().enumerate().collect::<Vec<_>>());
+        }
+        (_, Some([rows, columns])) => {
+            // Entries are stored column by column.
+            let place = |at: usize| at % columns.max(1) * rows + at / columns.max(1);
+            filled("out", &entries.iter().enumerate().map(|(at, entry)| (place(at), entry)).collect::<Vec<_>>());
+            writer.raw(&format!("out = reshape(out, {rows}, {columns}, N);"));
+        }
+        (_, None) => filled("out", &entries.iter().enumerate().collect::<Vec<_>>()),
+    }
+    closed(writer)
+}
+
+/// Text of a function that calls planned ones.
+fn composed(module: &Module<'_>, stem: &str, composite: Composite) -> String {
+    let (v, e) = (module.variables_argument(), module.equations());
+    let n = e.coordinates.len();
+    let of_state = format!("q = state(1:{n}, :);\n{v} = state({}:end, :);\n", n + 1);
+    let (signature, about, body) = match composite {
+        Composite::Unknowns => (
+            format!("out = {stem}_unknowns(p, q, {v})"),
+            "Accelerations, then reactions or multipliers: the solution of the linear system.",
+            format!(
+                "matrix = {stem}_mass_matrix(p, q, {v});\nright = {stem}_forcing(p, q, {v});\nout = zeros(size(right));\n\
+                 for k = 1:size(right, 2)\n  out(:, k) = matrix(:, :, k) \\ right(:, k);\nend\n"
+            ),
+        ),
+        Composite::StateDerivative => (
+            format!("out = {stem}_state_derivative(t, state, p)"),
+            "Derivative of the state: ode45(@(t, state) f(t, state, p), span, start).",
+            format!("{of_state}[q_rates, v_rates] = {stem}_derivative(p, q, {v});\nout = [q_rates; v_rates];\n"),
+        ),
+        Composite::StateMass => (
+            format!("out = {stem}_state_mass(t, state, p)"),
+            "Matrix of the state's linear system, for odeset('Mass', ...); the right-hand side is `state_forcing`.",
+            format!("{of_state}out = blkdiag(eye({n}), {stem}_mass_matrix(p, q, {v}));\n"),
+        ),
+        Composite::StateForcing => (
+            format!("out = {stem}_state_forcing(t, state, p)"),
+            "Right-hand side of the state's linear system; its matrix is `state_mass`.",
+            format!("{of_state}out = [{stem}_coordinate_rates(p, q, {v}); {stem}_forcing(p, q, {v})];\n"),
+        ),
+        _ => (
+            format!("[q, {v}] = {stem}_project(p, q, {v})"),
+            "State, or guess of a pose, moved onto the constraints by the smallest corrections; check `constraints`.",
+            format!(
+                "for k = 1:size(q, 2)\n  for correction = 1:30\n    \
+                 step = pinv({stem}_constraint_slopes(p, q(:, k), {v}(:, k)), 1e-8) * {stem}_constraints(p, q(:, k), {v}(:, k));\n    \
+                 q(:, k) = q(:, k) - step(1:{n});\n    {v}(:, k) = {v}(:, k) - step({}:end);\n    \
+                 if norm(step) <= 1e-15 * (1 + norm([q(:, k); {v}(:, k)]))\n      break\n    end\n  end\nend\n",
+                n + 1
+            ),
+        ),
+    };
+    let mut writer = opened(module, &signature, &[about]);
+    body.lines().for_each(|line| writer.raw(line));
+    closed(writer)
+}

@@ -1,0 +1,132 @@
+//! Module of one set of equations, before a dialect writes it.
+
+use super::Composite;
+use crate::plan::{Argument, Function, ModulePlan, Planner, Returns, spelled};
+use crate::syntax::Writer;
+use rustc_hash::FxHashSet;
+use tripos_derive::{Equations, Model};
+
+/// Contents of a module: a plan, its names and its origin.
+pub struct Module<'a> {
+    /// Word for the model: letters, digits and underscores.
+    pub model_word: &'a str,
+    /// Word for the equations: letters, digits and underscores.
+    pub equations_word: &'a str,
+    /// Planner of the functions.
+    pub planner: &'a Planner<'a>,
+    /// Planned functions that are written.
+    pub plan: &'a ModulePlan,
+    /// Further functions that are written, which call planned ones.
+    pub composites: &'a [Composite],
+    /// Sentence of the header that names the origin of the module.
+    pub origin: &'a str,
+}
+
+impl Module<'_> {
+    /// Model of the equations.
+    #[must_use]
+    pub fn model(&self) -> &Model {
+        self.planner.model
+    }
+
+    /// Equations of the module.
+    #[must_use]
+    pub fn equations(&self) -> &Equations {
+        self.planner.equations
+    }
+
+    /// Name of the argument for the motion variables: `q_dot` or `u`.
+    #[must_use]
+    pub fn variables_argument(&self) -> &'static str {
+        if self.equations().formulation.is_in_rates() { "q_dot" } else { "u" }
+    }
+
+    /// Title of the model and the equations.
+    #[must_use]
+    pub fn title(&self) -> String {
+        let (model, e) = (self.model(), self.equations());
+        format!("{}: {}, {}.", model.title, e.title(model), e.formulation.equation(model))
+    }
+
+    /// Writes the comments at the beginning of a file: title, origin, facts, orders of arguments and names.
+    pub fn header(&self, writer: &mut Writer<'_>, title: &str, usage: &str) {
+        let (model, e) = (self.model(), self.equations());
+        writer.comment(title);
+        writer.comment("");
+        writer.origin(self.origin);
+        self.plan.facts.iter().for_each(|fact| writer.comment(fact));
+        writer.comment("");
+        let list = |names: &mut dyn Iterator<Item = &str>| names.collect::<Vec<_>>().join(", ");
+        let of_arena = |symbols: &[tripos_derive::algebra::Expr]| {
+            list(&mut symbols.iter().filter_map(|symbol| self.planner.arena.symbol_name(*symbol)))
+        };
+        writer.comment(&format!("Coordinates q: {}.", list(&mut model.coordinates.iter().map(|c| c.name.as_str()))));
+        writer.comment(&format!("Motion variables {}: {}.", self.variables_argument(), of_arena(&e.variables)));
+        let named = [
+            ("Divisors", &self.plan.divisors),
+            ("Constraints", &self.plan.constraints),
+            ("Conditions", &self.plan.conditions),
+        ];
+        for (what, names) in named {
+            if !names.is_empty() {
+                writer.comment(&format!("{what}: {}.", names.join("; ")));
+            }
+        }
+        writer.comment("");
+        writer.comment(usage);
+    }
+
+    /// Words for the parameters, all different: letters, digits and underscores, without a digit at the front.
+    #[must_use]
+    pub fn parameter_words(&self) -> Vec<String> {
+        let mut taken = FxHashSet::default();
+        let unique = |p: &tripos_derive::model::Parameter| {
+            let word = word(&spelled(&p.name));
+            let mut candidates = std::iter::once(word.clone()).chain((2..).map(|n| format!("{word}_{n}")));
+            let found = candidates.find(|name| !taken.contains(name)).expect("numbers do not end");
+            taken.insert(found.clone());
+            found
+        };
+        self.model().parameters.iter().map(unique).collect()
+    }
+
+    /// Meaning of each parameter with its unit, as a comment states it.
+    #[must_use]
+    pub fn parameter_meanings(&self) -> Vec<String> {
+        let meaning = |p: &tripos_derive::model::Parameter| {
+            let about = if p.about.is_empty() { "parameter" } else { &p.about };
+            let input = if p.is_input { ", an input" } else { "" };
+            format!("{}: {about}{input}, {}", p.name, p.unit)
+        };
+        self.model().parameters.iter().map(meaning).collect()
+    }
+
+    /// Lengths of the arguments of a function, in the order of its signature, with their names; `None` for a number.
+    #[must_use]
+    pub fn argument_lengths<'f>(&self, function: &'f Function) -> Vec<(&'f str, Option<usize>)> {
+        let length = |argument: &Argument| match argument {
+            Argument::Parameters { .. } => Some(self.model().parameters.len()),
+            Argument::Array { entries, .. } => Some(entries.len()),
+            Argument::Number(_) => None,
+        };
+        function.arguments.iter().map(|argument| (argument.name(), length(argument))).collect()
+    }
+}
+
+/// Number of rows and columns of the array that a function returns; `None` for a number, a vector or a pair.
+#[must_use]
+pub fn table(function: &Function) -> Option<[usize; 2]> {
+    let count = function.entries.len();
+    match function.returns {
+        Returns::Matrix { .. } => Some([count.isqrt(); 2]),
+        Returns::Table { columns } => Some([count.checked_div(columns).unwrap_or(0), columns]),
+        Returns::Number | Returns::Vector | Returns::Pair(_) => None,
+    }
+}
+
+/// Word of letters, digits and underscores for a text, with a letter at the front.
+#[must_use]
+pub fn word(text: &str) -> String {
+    let spelled: String = text.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+    if spelled.starts_with(|c: char| c.is_ascii_alphabetic()) { spelled } else { format!("m_{spelled}") }
+}

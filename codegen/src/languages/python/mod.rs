@@ -1,0 +1,166 @@
+//! Python: one module for each set of equations, over any array library with the interface of NumPy, and one module of
+//! helpers.
+
+pub(super) mod names;
+pub(super) mod text;
+
+use super::module::table;
+use super::{Composite, Dialect, Module};
+use crate::plan::{Entry, Function, Language, Returns};
+use crate::syntax::{Comments, Syntax, Writer};
+use text::{array_of_entries, docstring, float, names_and_values, python_lines};
+
+/// Text of the module of helpers.
+const SHARED: &str = include_str!("tripos_arrays.py");
+
+/// Name of the module of helpers.
+const ARRAYS: &str = "tripos_arrays";
+
+/// The language Python, with arrays of the namespace `xp`.
+pub struct Python;
+
+impl Syntax for Python {
+    fn comment_mark(&self) -> &'static str {
+        "#"
+    }
+
+    fn harmless(&self, text: &str) -> String {
+        text::harmless(text)
+    }
+
+    fn whole(&self, digits: &str) -> String {
+        float(digits)
+    }
+
+    fn not_a_number(&self) -> &'static str {
+        "xp.nan"
+    }
+
+    fn pi(&self) -> &'static str {
+        "xp.pi"
+    }
+
+    fn call(&self, name: &str, argument: &str) -> String {
+        let name = match name {
+            "asin" => "arcsin",
+            "acos" => "arccos",
+            "atan" => "arctan",
+            name => name,
+        };
+        format!("xp.{name}({argument})")
+    }
+
+    fn power(&self, _argument: &str, operand: &str, exponent: i32) -> String {
+        format!("{operand}**{exponent}")
+    }
+
+    fn declarations(&self, list: &[(String, String)]) -> Vec<String> {
+        text::assignments(list)
+    }
+
+    fn statement(&self, out: &mut String, indent: &str, text: &str) {
+        python_lines(out, indent, text);
+    }
+}
+
+impl Dialect for Python {
+    fn language(&self) -> &'static Language {
+        &names::LANGUAGE
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["py"]
+    }
+
+    fn main_file(&self, model: &str, equations: &str) -> String {
+        format!("{model}_{equations}.py")
+    }
+
+    fn files(&self, module: &Module<'_>) -> Vec<(String, String)> {
+        vec![(self.main_file(module.model_word, module.equations_word), module_text(module))]
+    }
+
+    fn shared_files(&self, origin: &str) -> Vec<(String, String)> {
+        let mut writer = Writer::new(self, Comments::Written);
+        writer.origin(origin);
+        vec![(format!("{ARRAYS}.py"), writer.out + SHARED)]
+    }
+
+    fn composites(&self) -> &'static [Composite] {
+        &[Composite::Unknowns, Composite::StateDerivative, Composite::Project]
+    }
+}
+
+fn module_text(module: &Module<'_>) -> String {
+    let mut writer = Writer::new(&Python, Comments::Written);
+    let usage = "Functions take parameters p, coordinates q and motion variables: arrays of shape (n,), or (n, N) for N states \
+                 side by side, in the order of PARAMETERS, COORDINATES and VARIABLES. The last axis of a result is that of \
+                 the states. `xp` is an array library with the interface of NumPy, such as jax.numpy or cupy.";
+    module.header(&mut writer, &module.title(), usage);
+    writer.gap();
+    writer.raw(&docstring(&module.title()));
+    writer.raw(&format!("import numpy\n\nimport {ARRAYS} as _arrays\n"));
+    names_and_values(&mut writer, module, "numpy.nan");
+    for planned in &module.plan.functions {
+        function(&mut writer, planned);
+    }
+    module.composites.iter().for_each(|composite| composed(&mut writer, module, *composite));
+    writer.out
+}
+
+fn function(writer: &mut Writer<'_>, planned: &Function) {
+    let arguments: Vec<&str> = planned.arguments.iter().map(crate::plan::Argument::name).collect();
+    writer.raw("\n");
+    writer.raw(&format!("def {}({}, xp=numpy):", planned.name, arguments.join(", ")));
+    writer.indent("    ");
+    writer.raw(&docstring(&format!("{}\n\n{}.", planned.about, planned.cost)));
+    let arrays = arguments.join(", ");
+    writer.line(&format!("{arrays}, shape = _arrays.arguments(xp, {arrays})"));
+    writer.unpack(&planned.arguments);
+    writer.program(planned, &planned.program, &[]);
+    let text = |entry: &Entry| match entry {
+        Entry::Zero => "0.0".to_owned(),
+        Entry::Variable(name) => name.clone(),
+    };
+    let entries: Vec<String> = planned.entries.iter().map(text).collect();
+    let array = |writer: &mut Writer<'_>, start: &str, entries: &[String], shape: &str| {
+        array_of_entries(writer, &format!("{start}_arrays.array(xp, shape, {shape}, ["), entries, "])");
+    };
+    match (planned.returns, table(planned)) {
+        (Returns::Number, _) => {
+            writer.line(&format!("return xp.broadcast_to(xp.asarray({}), shape)", entries.concat()));
+        }
+        (Returns::Pair(first), _) => {
+            array(writer, "first = ", &entries[..first], &format!("({first},)"));
+            array(writer, "second = ", &entries[first..], &format!("({},)", entries.len() - first));
+            writer.line("return first, second");
+        }
+        (_, Some([rows, columns])) => array(writer, "return ", &entries, &format!("({rows}, {columns})")),
+        (_, None) => array(writer, "return ", &entries, &format!("({},)", entries.len())),
+    }
+    writer.indent("");
+}
+
+/// Writes a function that calls planned ones.
+fn composed(writer: &mut Writer<'_>, module: &Module<'_>, composite: Composite) {
+    let (v, e) = (module.variables_argument(), module.equations());
+    let n = e.coordinates.len();
+    writer.raw("\n");
+    let body = match composite {
+        Composite::Unknowns => format!(
+            "def unknowns(p, q, {v}, xp=numpy):\n    \"\"\"The accelerations, then the reactions or multipliers: the solution of \
+             the linear system.\"\"\"\n    return _arrays.solve(xp, mass_matrix(p, q, {v}, xp), forcing(p, q, {v}, xp))"
+        ),
+        Composite::StateDerivative => format!(
+            "def state_derivative(t, state, p=DEFAULTS, xp=numpy):\n    \"\"\"The derivative of the state (q, {v}), as \
+             scipy.integrate.solve_ivp takes it.\"\"\"\n    state = xp.asarray(state)\n    first, second = \
+             derivative(p, state[:{n}], state[{n}:], xp)\n    return xp.concatenate((first, second))"
+        ),
+        _ => format!(
+            "def project(p, q, {v}, xp=numpy, corrections=30):\n    \"\"\"The state, or guess of a pose, moved onto the constraints \
+             by the smallest corrections; check `constraints`.\"\"\"\n    return _arrays.project(xp, constraints, \
+             constraint_slopes, p, q, {v}, corrections)"
+        ),
+    };
+    writer.raw(&body);
+}

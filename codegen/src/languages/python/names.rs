@@ -1,0 +1,26 @@
+//! Names that no variable of generated Python code can have.
+
+use crate::plan::Language;
+
+/// The language Python, with the names that generated functions use for other purposes.
+pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE, longest: usize::MAX };
+
+/// Names of arguments, modules and working variables of generated functions.
+const IN_SCOPE: [&str; 15] =
+    ["p", "q", "u", "q_dot", "v_dot", "r", "t", "x", "xp", "shape", "first", "second", "numpy", "casadi", "_arrays"];
+
+/// Reserved words of the language.
+const WORDS: [&str; 39] = [
+    "False", "None", "True", "and", "as", "assert", "async", "await", "break", "case", "class", "continue", "def",
+    "del", "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "match",
+    "nonlocal", "not", "or", "pass", "raise", "return", "try", "type", "while", "with", "yield", "print",
+];
+
+/// True if a word may be the name of a Python variable of generated code: letters, digits and underscores.
+#[must_use]
+pub fn is_name(word: &str) -> bool {
+    word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+        && word.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+        && !word.starts_with("__")
+        && !WORDS.contains(&word)
+}

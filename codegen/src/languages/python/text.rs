@@ -1,0 +1,134 @@
+//! Text that Python modules have in common: comments, docstrings, literals and broken lines.
+
+use super::super::Module;
+use crate::lines::wrap;
+use crate::syntax::{FIRM_SPACE, Syntax, WIDTH, Writer, constant, firm};
+use std::fmt::Write;
+use tripos_derive::algebra::Rational;
+use tripos_derive::plain::{one_line, visible};
+
+/// Most digits of a whole number that is written without a decimal point.
+const MOST_DIGITS: usize = 15;
+
+/// Text of a comment. No comment is a declaration of an encoding, which Python would obey in the first two lines.
+pub fn harmless(text: &str) -> String {
+    visible(&one_line(text)).replace("coding:", "coding :").replace("coding=", "coding =")
+}
+
+/// String literal for a text, with firm spaces.
+pub fn string(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in visible(text).chars() {
+        match c {
+            '"' | '\\' => out.extend(['\\', c]),
+            '\n' => out.push_str("\\n"),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    firm(&out)
+}
+
+/// Docstring with this text, broken into lines.
+pub fn docstring(text: &str) -> String {
+    let lines: Vec<String> = text.split('\n').flat_map(|line| wrap(&visible(line), WIDTH - 10)).collect();
+    let escaped = lines.join("\n").replace('\\', "\\\\").replace('"', "\\\"");
+    let lines: Vec<&str> = escaped.split('\n').collect();
+    match lines.as_slice() {
+        [one] => format!("\"\"\"{one}\"\"\""),
+        many => format!("\"\"\"{}\n    \"\"\"", many.join("\n    ").replace("\n    \n", "\n\n")),
+    }
+}
+
+/// Literal of a whole number; a decimal one if it is long, since long integers are not of machine size.
+pub fn float(digits: &str) -> String {
+    if digits.len() <= MOST_DIGITS {
+        return digits.to_owned();
+    }
+    let value = Rational::parse_decimal(digits).map_or(f64::INFINITY, |value| value.to_f64());
+    if value.is_finite() { format!("{value:?}") } else { "1e999".to_owned() }
+}
+
+/// Assignments of several variables at once.
+pub fn assignments(list: &[(String, String)]) -> Vec<String> {
+    let names: Vec<&str> = list.iter().map(|(name, _)| name.as_str()).collect();
+    let values: Vec<&str> = list.iter().map(|(_, value)| value.as_str()).collect();
+    vec![format!("{} = {}", names.join(", "), values.join(", "))]
+}
+
+/// Writes a statement; one that needs several lines gets parentheses around its value, or around its names.
+pub fn python_lines(out: &mut String, indent: &str, text: &str) {
+    if indent.len() + text.len() <= WIDTH {
+        let _ = writeln!(out, "{indent}{text}");
+        return;
+    }
+    let parts = text.split_once(" = ").map(|(left, right)| (format!("{left} = "), right));
+    let (left, right) =
+        parts.or_else(|| Some(("return ".to_owned(), text.strip_prefix("return ")?))).unwrap_or((String::new(), text));
+    let list = left.contains(", ") && left.len() > WIDTH / 2;
+    let opening = match left.strip_suffix(" = ") {
+        Some(names) if list => {
+            let _ = writeln!(out, "{indent}(");
+            block(out, indent, names);
+            ") = (".to_owned()
+        }
+        _ => format!("{left}("),
+    };
+    let _ = writeln!(out, "{indent}{opening}");
+    block(out, indent, right);
+    let _ = writeln!(out, "{indent})");
+}
+
+fn block(out: &mut String, indent: &str, text: &str) {
+    for part in wrap(text, WIDTH - indent.len() - 4) {
+        let _ = writeln!(out, "{indent}    {part}");
+    }
+}
+
+/// Writes a list of entries between an opening and an ending, on as many lines as it needs.
+pub fn array_of_entries(writer: &mut Writer<'_>, opening: &str, entries: &[String], ending: &str) {
+    let list = entries.join(", ");
+    let soft = |text: &str| text.replace(FIRM_SPACE, " ");
+    if opening.len() + list.len() + ending.len() + 4 <= WIDTH {
+        writer.raw(&soft(&format!("{opening}{list}{ending}")));
+        return;
+    }
+    writer.raw(opening);
+    for part in wrap(&list, WIDTH - 8) {
+        writer.raw(&soft(&format!("    {part}")));
+    }
+    writer.raw(ending);
+}
+
+/// Writes the names of a module and the values that the model file states. `missing` is the value of a parameter
+/// without one.
+pub fn names_and_values(writer: &mut Writer<'_>, module: &Module<'_>, missing: &str) {
+    let (model, e) = (module.model(), module.equations());
+    let list = |writer: &mut Writer<'_>, name: &str, entries: &[String]| {
+        array_of_entries(writer, &format!("{name} = ["), entries, "]");
+    };
+    module.parameter_meanings().iter().for_each(|meaning| writer.comment(meaning));
+    let strings = |names: &mut dyn Iterator<Item = &str>| names.map(string).collect::<Vec<_>>();
+    list(writer, "PARAMETERS", &strings(&mut model.parameters.iter().map(|p| p.name.as_str())));
+    list(writer, "UNITS", &model.parameters.iter().map(|p| string(&p.unit.to_string())).collect::<Vec<_>>());
+    writer.comment("Values that the model file states.");
+    let syntax: &dyn Syntax = writer.syntax;
+    let value = |p: &tripos_derive::model::Parameter| {
+        p.value.as_ref().map_or_else(|| missing.to_owned(), |value| constant(syntax, value))
+    };
+    list(writer, "DEFAULTS", &model.parameters.iter().map(value).collect::<Vec<_>>());
+    let inputs = model.parameters.iter().filter(|p| p.is_input);
+    list(writer, "INPUTS", &strings(&mut inputs.map(|p| p.name.as_str())));
+    list(writer, "COORDINATES", &strings(&mut model.coordinates.iter().map(|c| c.name.as_str())));
+    let arena = module.planner.arena;
+    list(writer, "VARIABLES", &strings(&mut e.variables.iter().filter_map(|v| arena.symbol_name(*v))));
+    let named = [
+        ("UNKNOWNS", &module.plan.unknowns),
+        ("DIVISORS", &module.plan.divisors),
+        ("CONSTRAINTS", &module.plan.constraints),
+        ("CONDITIONS", &module.plan.conditions),
+    ];
+    for (name, names) in named {
+        list(writer, name, &strings(&mut names.iter().map(String::as_str)));
+    }
+}

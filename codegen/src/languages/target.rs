@@ -1,0 +1,159 @@
+//! Emission of a model in a dialect: the modules of its formulations and printed equations.
+
+use super::module::word;
+use super::{Composite, Dialect, Module};
+use crate::emit::Emission;
+use crate::origin::Origin;
+use crate::plan::{Allocator, ModulePlan, Planner, Sharing, Solution, module_name};
+use crate::target::{self, Target};
+use std::collections::BTreeMap;
+use tripos_derive::algebra::Arena;
+use tripos_derive::algebra::form::simplify::Simplifier;
+use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
+use tripos_derive::mechanics::{Derivation, DeriveError, Solved, Unsolved, parameter_jacobian};
+use tripos_derive::{Equations, Formulation, Model};
+
+/// Files of a model in a dialect, with the names of the functions that they contain.
+pub struct Emitted {
+    /// Files, and the formulations that were left out.
+    pub emission: Emission,
+    /// Name of the file by which a program uses the first module.
+    pub main_file: String,
+    /// Names of the functions that at least one module contains.
+    pub functions: Vec<&'static str>,
+}
+
+/// Emits the modules of a model in a dialect. They contain the given formulations, or, if none are given, all that the
+/// model supports and the printed equations of the publication beside it. They contain the functions of the given
+/// names, or all if no name is given.
+///
+/// # Errors
+/// [`Diagnostics`] of the publication, of a given formulation that the model does not support, or of a function that no
+/// module has.
+pub fn emit_model(
+    model: &Model,
+    dialect: &dyn Dialect,
+    formulations: &[Formulation],
+    functions: &[String],
+) -> Result<Emitted, Diagnostics> {
+    let origin = Origin::emitted(&model.source.path);
+    let mut modules = Modules {
+        dialect,
+        model_word: model_word(&origin, dialect),
+        functions,
+        files: dialect.shared_files(&origin.of_shared_files()).into_iter().collect(),
+        written: Vec::new(),
+        main_file: None,
+        origin,
+    };
+    let left_out = target::write(model, formulations, &mut modules)?;
+    if let Some(name) = functions.iter().find(|name| !modules.written.contains(&name.as_str())) {
+        let message = format!("the equations of this model have no function `{name}`");
+        let help = format!("its functions are {}", available(model, dialect, formulations)?.join(", "));
+        return Err(Diagnostics::new(model.source.clone(), vec![Diagnostic::of_file(message, help)]));
+    }
+    let emission = Emission { files: modules.files, left_out, extensions: dialect.extensions() };
+    Ok(Emitted { emission, main_file: modules.main_file.unwrap_or_default(), functions: modules.written })
+}
+
+/// Names of the functions that the modules of a model have.
+fn available(
+    model: &Model,
+    dialect: &dyn Dialect,
+    formulations: &[Formulation],
+) -> Result<Vec<&'static str>, Diagnostics> {
+    Ok(emit_model(model, dialect, formulations, &[])?.functions)
+}
+
+/// Word for a model: the name of its folder or file, with an underscore after it if the dialect reserves it.
+fn model_word(origin: &Origin, dialect: &dyn Dialect) -> String {
+    let stem = origin.folder.trim_end_matches('/');
+    let stem = if stem.is_empty() { origin.model.trim_end_matches(".toml") } else { stem };
+    Allocator::new(dialect.language()).unique(&word(stem).to_ascii_lowercase())
+}
+
+/// Modules of a model while they are written.
+struct Modules<'a> {
+    dialect: &'a dyn Dialect,
+    origin: Origin,
+    model_word: String,
+    /// Names of the functions to be written; all if empty.
+    functions: &'a [String],
+    files: BTreeMap<String, String>,
+    /// Names of the functions that were written.
+    written: Vec<&'static str>,
+    main_file: Option<String>,
+}
+
+impl Target for Modules<'_> {
+    fn files(&self) -> &BTreeMap<String, String> {
+        &self.files
+    }
+
+    fn file_of(&self, equations: &str) -> String {
+        self.dialect.main_file(&self.model_word, &module_name(equations))
+    }
+
+    fn derived(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics> {
+        let Derivation { mut arena, equations } = derivation;
+        let equations = equations.written(&mut arena);
+        let solution = solution(model, &mut arena, &equations).map_err(|why| model.diagnose(&why))?;
+        let equations = equations
+            .with_inverse_dynamics(&mut arena)
+            .map_err(|why| model.diagnose(&DeriveError::Unsolved(why.into())))?;
+        let origin = self.origin.of_model();
+        let planner = Planner::new(model, &arena, &equations, self.dialect.language(), Sharing::Shared);
+        self.add(&planner, solution.as_ref(), &origin);
+        Ok(())
+    }
+
+    fn printed(&mut self, model: &Model, arena: &Arena, equations: &Equations) {
+        let origin = self.origin.of_publication();
+        let planner = Planner::new(model, arena, equations, self.dialect.language(), Sharing::AsStated);
+        self.add(&planner, None, &origin);
+    }
+}
+
+impl Modules<'_> {
+    fn add(&mut self, planner: &Planner<'_>, solution: Option<&Solution>, origin: &str) {
+        let name = planner.equations.name(planner.model);
+        let mut plan = ModulePlan::new(planner, solution);
+        let is_wanted = |name: &str| self.functions.is_empty() || self.functions.iter().any(|wanted| wanted == name);
+        let can_write = |composite: &Composite| {
+            composite.needs().iter().all(|needed| plan.has(needed)) && composite.suits(planner.equations)
+        };
+        let composites = self.dialect.composites().iter().copied().filter(can_write);
+        let composites: Vec<Composite> = composites.filter(|composite| is_wanted(composite.name())).collect();
+        let needed: Vec<&str> = composites.iter().flat_map(|composite| composite.needs()).copied().collect();
+        plan.functions.retain(|function| is_wanted(function.name) || needed.contains(&function.name));
+        let own = composites.iter().map(|composite| composite.name());
+        for name in plan.functions.iter().map(|function| function.name).chain(own) {
+            if !self.written.contains(&name) {
+                self.written.push(name);
+            }
+        }
+        let module = Module {
+            model_word: &self.model_word,
+            equations_word: &module_name(&name),
+            planner,
+            plan: &plan,
+            composites: &composites,
+            origin,
+        };
+        self.files.extend(self.dialect.files(&module));
+        self.main_file.get_or_insert_with(|| self.dialect.main_file(&self.model_word, &module_name(&name)));
+    }
+}
+
+/// Accelerations in closed form with their slopes; `None` if the model does not determine them in closed form.
+fn solution(model: &Model, arena: &mut Arena, equations: &Equations) -> Result<Option<Solution>, DeriveError> {
+    let by_state = match Solved::new(arena, equations) {
+        Ok(solved) => solved,
+        Err(Unsolved::Singular(_)) => return Ok(None),
+        Err(why) => return Err(DeriveError::Unsolved(why)),
+    };
+    let solved = &by_state.accelerations;
+    let by_parameters = parameter_jacobian(arena, &mut Simplifier::default(), equations, solved, &model.p())
+        .map_err(|why| DeriveError::Unsolved(why.into()))?;
+    Ok(Some(Solution { by_state, by_parameters }))
+}

@@ -1,0 +1,135 @@
+//! Functions of one set of equations for programs in other languages: all that a user of the equations calls.
+
+use super::formulation::{
+    accelerations, constraints, conversions, derivative, divisors, facts, inverse_dynamics, jacobian,
+    kinematics_and_energies, linear_system, parameter_jacobian, redundant_constraints, residual,
+};
+use super::function::{Arguments, Function, Planner, Returns, Value};
+use super::motion::{MOST_TOGETHER, needs_reaction};
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::mechanics::{Jacobian, Solved};
+
+/// Accelerations in closed form, with their slopes.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// Accelerations and their slopes along the state, proved from the equations.
+    pub by_state: Solved,
+    /// Slopes of q̇ and v̇ along the parameters; `None` if they would be too long.
+    pub by_parameters: Option<Jacobian>,
+}
+
+/// Plan of the functions of one set of equations for another language.
+#[derive(Debug)]
+pub struct ModulePlan {
+    /// Planned functions, in the order in which they are read.
+    pub functions: Vec<Function>,
+    /// Names, for people, of the divisors that the function `divisors` returns.
+    pub divisors: Vec<String>,
+    /// Names of the constraints whose residuals the function `constraints` returns.
+    pub constraints: Vec<String>,
+    /// Names, for people, of the values that the function `conditions` returns.
+    pub conditions: Vec<String>,
+    /// Names of the unknowns of the linear system: the accelerations, then the reactions or multipliers.
+    pub unknowns: Vec<String>,
+    /// Statements about the equations for a header, line by line.
+    pub facts: Vec<String>,
+}
+
+impl ModulePlan {
+    /// Names of all functions that a plan may contain, in the order in which they are read.
+    pub const FUNCTIONS: [&'static str; 22] = [
+        "mass_matrix",
+        "forcing",
+        "linear_system",
+        "residual",
+        "accelerations",
+        "coordinate_rates",
+        "kinetic_energy",
+        "potential_energy",
+        "power",
+        "generalized_speeds",
+        "generalized_speed_rates",
+        "motion_variables",
+        "derivative",
+        "jacobian",
+        "parameter_jacobian",
+        "inverse_dynamics",
+        "divisors",
+        "constraints",
+        "constraint_slopes",
+        "redundant_constraints",
+        "conditions",
+        "unknowns",
+    ];
+
+    /// Plans all functions of these equations, with those of the solution if there is one.
+    #[must_use]
+    pub fn new(planner: &Planner<'_>, solution: Option<&Solution>) -> Self {
+        let e = planner.equations;
+        let (mut functions, together) = linear_system(planner);
+        functions.extend(together);
+        functions.push(residual(planner));
+        let solved = solution.map(|solution| &solution.by_state.accelerations);
+        functions.extend(solved.map(|solved| accelerations(planner, &solved.steps)));
+        functions.extend(kinematics_and_energies(planner));
+        if e.formulation.is_in_rates() {
+            functions.extend(conversions(planner));
+        }
+        if let Some(solution) = solution {
+            let steps = &solution.by_state.accelerations.steps;
+            functions.extend((steps.len() <= MOST_TOGETHER).then(|| derivative(planner, steps)));
+            functions.extend(jacobian(planner, &solution.by_state));
+            functions.extend(solution.by_parameters.as_ref().map(|slopes| parameter_jacobian(planner, slopes)));
+        }
+        functions.extend(inverse_dynamics(planner));
+        let (watched, divisors) = divisors(planner, solved);
+        functions.extend(watched);
+        let columns = e.coordinates.len() + e.variables.len();
+        functions.extend(constraints(planner).into_iter().map(|function| match function.name {
+            "constraint_slopes" => Function { returns: Returns::Table { columns }, ..function },
+            _ => function,
+        }));
+        functions.extend(redundant_constraints(planner));
+        let (of_domain, conditions) = of_domain(planner);
+        functions.extend(of_domain);
+        let name = |symbol: &Expr| planner.arena.symbol_name(*symbol).unwrap_or_default().to_owned();
+        Self {
+            functions,
+            divisors,
+            constraints: e.constraints.iter().map(|c| c.name.clone()).collect(),
+            conditions,
+            unknowns: e.unknowns.iter().map(name).collect(),
+            facts: facts(planner, solved),
+        }
+    }
+
+    /// True if the plan contains a function of this name.
+    #[must_use]
+    pub fn has(&self, name: &str) -> bool {
+        self.functions.iter().any(|function| function.name == name)
+    }
+}
+
+/// Function `conditions`, which returns the values that are positive in the domain of the model, and their names.
+/// Conditions on reactions are left out, because no state alone gives these.
+fn of_domain(planner: &Planner<'_>) -> (Option<Function>, Vec<String>) {
+    let (e, model) = (planner.equations, planner.model);
+    let kept: Vec<_> = model.domain.iter().filter(|c| !needs_reaction(planner, c.positive)).collect();
+    let pairs = |symbols: Vec<Expr>, values: &[Expr]| {
+        symbols.into_iter().zip(values.to_vec()).map(|(symbol, value)| Definition { symbol, value }).collect::<Vec<_>>()
+    };
+    let other = if e.formulation.is_in_rates() {
+        pairs(model.u(), &e.generalized_speeds)
+    } else {
+        pairs(model.q_dot(), &e.coordinate_rates)
+    };
+    let steps = [e.definitions.clone(), other].concat();
+    let values: Vec<Value> =
+        kept.iter().enumerate().map(|(at, c)| (format!("condition{}", at + 1), c.name.clone(), c.positive)).collect();
+    let about = "Domain of the model: the equations hold as long as these values are positive.";
+    let names = kept.iter().map(|c| format!("{} ({})", c.name, c.text)).collect();
+    let planned = (!values.is_empty())
+        .then(|| planner.stepwise("conditions", about, Arguments::State, Returns::Vector, &steps, &values));
+    (planned, names)
+}

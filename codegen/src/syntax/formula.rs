@@ -1,0 +1,140 @@
+//! Formulas as expressions with infix operators.
+//!
+//! Operations are in the order of the plan, so that the results of all languages differ only by rounding.
+
+use super::Syntax;
+use crate::plan::{constant_and_factors, is_flat, is_plain_product, led};
+use tripos_derive::algebra::Rational;
+use tripos_derive::algebra::text::view::View;
+
+/// Expression for a formula.
+#[must_use]
+pub fn formula(syntax: &dyn Syntax, view: &View) -> String {
+    Formula(syntax).of(view)
+}
+
+/// Literal of the double nearest to a number.
+#[must_use]
+pub fn constant(syntax: &dyn Syntax, value: &Rational) -> String {
+    let magnitude = if value.is_negative() { value.neg() } else { value.clone() }.to_big();
+    let magnitude = Formula(syntax).number(&magnitude.numer().to_string(), &magnitude.denom().to_string());
+    if value.is_negative() { format!("-{magnitude}") } else { magnitude }
+}
+
+/// Writer of formulas in one language.
+#[derive(Clone, Copy)]
+struct Formula<'s>(&'s dyn Syntax);
+
+impl Formula<'_> {
+    fn of(self, view: &View) -> String {
+        match view {
+            View::Number(text) => self.number(text, "1"),
+            View::Name(name) | View::Word(name) | View::Shared(name) => name.clone(),
+            View::Pi => self.0.pi().to_owned(),
+            View::Sum(terms) => self.sum(terms),
+            View::Product(factors) => self.product(&factors.iter().map(|f| self.factor(f)).collect::<Vec<_>>()),
+            View::Fraction(above, below) => self.fraction(above, below),
+            View::Power(base, n) => self.power(base, *n),
+            View::Call(name, argument) => self.0.call(name, &self.of(argument)),
+            View::Root(argument) => self.0.call("sqrt", &self.of(argument)),
+            // A formula is cut only beyond a budget that no formula comes near.
+            View::Cut => self.0.not_a_number().to_owned(),
+        }
+    }
+
+    /// Quotient of two whole numbers, as one literal.
+    fn number(self, numerator: &str, denominator: &str) -> String {
+        if denominator == "1" {
+            return self.0.whole(numerator);
+        }
+        let value = Rational::parse_decimal(numerator).zip(Rational::parse_decimal(denominator));
+        let value = value.and_then(|(n, d)| Some(n.mul(&d.recip()?)));
+        let Some(value) = value else { return self.0.not_a_number().to_owned() };
+        let nearest = value.to_f64();
+        if nearest.is_normal() {
+            return self.0.decimal(&format!("{nearest:?}"));
+        }
+        // Numbers outside the normal doubles get a power of ten, so that the language rounds them.
+        let digits = |text: &str| i32::try_from(text.len()).unwrap_or(i32::MAX);
+        let size = digits(numerator) - digits(denominator);
+        let power = Rational::integer(10).pow(size).and_then(|power| power.recip());
+        let scaled = |power: Rational| self.0.decimal(&format!("{}e{size}", value.mul(&power).to_f64()));
+        power.map_or_else(|| self.0.not_a_number().to_owned(), scaled)
+    }
+
+    /// Sum with its terms from left to right.
+    fn sum(self, terms: &[(bool, View)]) -> String {
+        let order = led(terms);
+        let mut has_fused = order.iter().any(|(_, term)| !is_flat(term));
+        let mut out = String::new();
+        for (at, (negative, term)) in order.into_iter().enumerate() {
+            out += match (at, negative) {
+                (0, true) => "-",
+                (0, false) => "",
+                (_, true) => " - ",
+                (_, false) => " + ",
+            };
+            let is_fused = at > 0 && !has_fused && is_plain_product(term);
+            has_fused |= is_fused;
+            out += &match term {
+                View::Sum(_) => self.in_parentheses(term),
+                View::Product(factors) if is_fused && self.0.is_ordered_as_rust() => self.fused(factors),
+                _ => self.of(term),
+            };
+        }
+        out
+    }
+
+    /// Product with a number at its end. So does the Rust target write the product that it fuses with a sum.
+    fn fused(self, factors: &[View]) -> String {
+        let (numbers, others): (Vec<&View>, Vec<&View>) = factors.iter().partition(|f| matches!(f, View::Number(_)));
+        self.product(&others.into_iter().chain(numbers).map(|f| self.factor(f)).collect::<Vec<_>>())
+    }
+
+    fn product(self, factors: &[String]) -> String {
+        factors.join(&format!(" {} ", self.0.operators()[0]))
+    }
+
+    fn factor(self, view: &View) -> String {
+        if matches!(view, View::Sum(_) | View::Fraction(..)) { self.in_parentheses(view) } else { self.of(view) }
+    }
+
+    fn in_parentheses(self, view: &View) -> String {
+        format!("({})", self.of(view))
+    }
+
+    /// Quotient above / below, with the whole numbers of both terms merged into one constant.
+    fn fraction(self, above: &View, below: &View) -> String {
+        let (n, above) = constant_and_factors(above);
+        let (d, below) = constant_and_factors(below);
+        let mut factors: Vec<String> = Vec::new();
+        if n != "1" || d != "1" || above.is_empty() {
+            factors.push(self.number(&n, &d));
+        }
+        factors.extend(above.iter().map(|f| self.factor(f)));
+        let (numerator, over) = (self.product(&factors), self.0.operators()[1]);
+        match below.as_slice() {
+            [] => numerator,
+            // A power may be written as a product, which binds no tighter than the division.
+            [one] if !matches!(one, View::Power(..)) => format!("{numerator} {over} {}", self.factor(one)),
+            many => {
+                let many: Vec<String> = many.iter().map(|f| self.factor(f)).collect();
+                format!("{numerator} {over} ({})", self.product(&many))
+            }
+        }
+    }
+
+    /// Power of a formula: squares and cubes of variables as products, other powers as the language writes them.
+    fn power(self, base: &View, n: i32) -> String {
+        match base {
+            View::Name(_) | View::Shared(_) if (2..=3).contains(&n) => {
+                self.product(&vec![self.of(base); n.unsigned_abs() as usize])
+            }
+            View::Name(_) | View::Shared(_) | View::Call(..) | View::Root(_) => {
+                let text = self.of(base);
+                self.0.power(&text, &text, n)
+            }
+            _ => self.0.power(&self.of(base), &self.in_parentheses(base), n),
+        }
+    }
+}

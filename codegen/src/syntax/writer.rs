@@ -1,0 +1,154 @@
+//! Writer of statements and comments of planned functions.
+
+use super::{Syntax, WIDTH, formula};
+use crate::lines::wrap;
+use crate::plan::{Argument, Function, Line, Program, Statement};
+use std::fmt::Write;
+
+/// Choice whether the code contains comments.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Comments {
+    /// Comments are written, for people.
+    Written,
+    /// Comments are left out, for programs.
+    LeftOut,
+}
+
+/// Writer of text in one language.
+pub struct Writer<'s> {
+    /// Text written so far.
+    pub out: String,
+    /// Language of the text.
+    pub syntax: &'s dyn Syntax,
+    comments: Comments,
+    indent: &'static str,
+}
+
+impl<'s> Writer<'s> {
+    /// Writer with no text written.
+    #[must_use]
+    pub fn new(syntax: &'s dyn Syntax, comments: Comments) -> Self {
+        Self { out: String::new(), syntax, comments, indent: "" }
+    }
+
+    /// Choice whether comments are written.
+    #[must_use]
+    pub fn comments(&self) -> Comments {
+        self.comments
+    }
+
+    /// Sets the spaces before each of the following lines.
+    pub fn indent(&mut self, indent: &'static str) {
+        self.indent = indent;
+    }
+
+    /// Writes a comment on the following code, if comments are written.
+    pub fn comment(&mut self, text: &str) {
+        if self.comments == Comments::LeftOut {
+            return;
+        }
+        let (line, mark) = (self.syntax.harmless(text), self.syntax.comment_mark());
+        for (at, part) in wrap(line.trim(), WIDTH - self.indent.len() - mark.len() - 1).iter().enumerate() {
+            let hang = if at == 0 || part.is_empty() { "" } else { "  " };
+            let _ = writeln!(self.out, "{}", format!("{}{mark} {hang}{part}", self.indent).trim_end());
+        }
+    }
+
+    /// Writes the origin of the text as a comment in one line, so that it is found again.
+    pub fn origin(&mut self, sentence: &str) {
+        let _ = writeln!(self.out, "{} {}", self.syntax.comment_mark(), self.syntax.harmless(sentence).trim());
+    }
+
+    /// Writes an empty line, if comments are written.
+    pub fn gap(&mut self) {
+        if self.comments == Comments::Written {
+            self.out.push('\n');
+        }
+    }
+
+    /// Writes a statement that may contain string literals, without line breaks.
+    pub fn raw(&mut self, text: &str) {
+        self.out += self.indent;
+        self.out += text;
+        self.out.push('\n');
+    }
+
+    /// Writes a statement without string literals, on as many lines as it needs.
+    pub fn line(&mut self, text: &str) {
+        self.syntax.statement(&mut self.out, self.indent, text);
+    }
+
+    /// Declares variables for the entries that the body reads of its arguments.
+    pub fn unpack(&mut self, arguments: &[Argument]) {
+        for argument in arguments {
+            match argument {
+                Argument::Parameters { read } => self.taken("p", read),
+                Argument::Array { name, entries } => {
+                    let read = entries.iter().enumerate().filter_map(|(at, entry)| Some((at, entry.clone()?)));
+                    self.taken(name, &read.collect::<Vec<_>>());
+                }
+                // An argument that is a number already has the name of its variable.
+                Argument::Number(_) => {}
+            }
+        }
+    }
+
+    /// Declares variables for entries of an array, given as (index, variable).
+    pub fn taken(&mut self, array: &str, list: &[(usize, String)]) {
+        let each = list.iter().map(|(at, name)| (name.clone(), self.syntax.entry(array, *at)));
+        self.declare(&each.collect::<Vec<_>>());
+    }
+
+    /// Declares variables with their values. Where several variables have short values, no line ends inside one.
+    fn declare(&mut self, list: &[(String, String)]) {
+        if !list.is_empty() {
+            self.syntax.declarations(list).iter().for_each(|text| self.line(text));
+        }
+    }
+
+    /// Writes the lines and outputs of a program, with one heading for each kind of line. The code after the program
+    /// reads the variables in `more`.
+    pub fn program(&mut self, planned: &Function, program: &Program, more: &[(usize, String)]) {
+        let mut read = program.names_read(0..usize::MAX);
+        read.extend(more.iter().map(|(_, name)| name.as_str()));
+        let mut headings = Vec::new();
+        for line in &program.lines {
+            let wanted = heading(planned, line, &program.lines);
+            if !headings.contains(&wanted) {
+                headings.push(wanted);
+                self.comment(wanted);
+            }
+            match line {
+                Line::Circular { sine, cosine, angle } => {
+                    let [sine, cosine] = [sine, cosine].map(|name| Some(name.as_str()).filter(|n| read.contains(n)));
+                    let angle = formula(self.syntax, angle);
+                    self.syntax.circular(sine, cosine, &angle).iter().for_each(|text| self.line(text));
+                }
+                Line::Let(step) | Line::Step(step) => self.step(step, planned.explained),
+            }
+        }
+        if !program.outputs.is_empty() {
+            self.comment(planned.returns.heading());
+        }
+        for output in &program.outputs {
+            self.step(output, planned.explained);
+        }
+    }
+
+    fn step(&mut self, step: &Statement, explained: bool) {
+        if let Some(equation) = step.comment.as_deref().filter(|_| explained) {
+            self.comment(equation);
+        }
+        self.declare(&[(step.name.clone(), formula(self.syntax, &step.value))]);
+    }
+}
+
+fn heading(planned: &Function, line: &Line, lines: &[Line]) -> &'static str {
+    let eliminates = lines.iter().any(|line| matches!(line, Line::Step(_)));
+    match line {
+        Line::Circular { .. } => "Sines and cosines.",
+        _ if !planned.explained => "Step by step, each after the terms that it needs.",
+        _ if eliminates => "Elimination, step by step, each after the terms that it shares.",
+        _ => "Shared terms.",
+    }
+}
