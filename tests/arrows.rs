@@ -207,6 +207,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "run/src/studies/sweep/shard.rs",
             "cli/src/commands/diff.rs",
             "cli/src/commands/emit.rs",
+            "cli/src/commands/fmu.rs",
             "cli/src/commands/equilibria/figure.rs",
             "cli/src/commands/equilibria/range.rs",
             "cli/src/commands/plot.rs",

@@ -250,6 +250,23 @@ pub enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Write a scene as a Functional Mock-up Unit (FMI 3.0), for model exchange and co-simulation
+    Fmu {
+        /// A scene file
+        scene: PathBuf,
+        /// File of the unit, which ends with .fmu
+        #[arg(long, value_name = "FILE.fmu")]
+        out: PathBuf,
+        /// Another value of a parameter or of a number of the start, such as m=2; more than once for several
+        #[arg(long, value_name = "NAME=VALUE")]
+        set: Vec<String>,
+        /// Write the sources alone, and compile nothing; importing tools compile them
+        #[arg(long)]
+        only_sources: bool,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
     /// Evaluate the equations of motion at one state
     Evaluate {
         /// A model file, or a folder with model.toml
@@ -375,6 +392,7 @@ impl Command {
             Self::Check { json, .. }
             | Self::Regenerate { json, .. }
             | Self::Emit { json, .. }
+            | Self::Fmu { json, .. }
             | Self::Sketch { json, .. }
             | Self::Stability { json, .. }
             | Self::Chart { json, .. }

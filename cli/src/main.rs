@@ -113,6 +113,10 @@ fn run(command: Command) -> Result<u8, Failure> {
             let request = commands::emit::Emit { model, out, language, formulations, with, functions };
             commands::emit::emit(&request, Output::of_flag(json))
         }
+        Command::Fmu { scene, out, set, only_sources, json } => {
+            let request = commands::fmu::UnitRequest { scene, out, set, only_sources };
+            commands::fmu::fmu(&request, Output::of_flag(json))
+        }
         Command::Evaluate { model, by, at, json } => {
             commands::evaluate::evaluate(&model, &by.as_str().into(), &at, Output::of_flag(json))
         }

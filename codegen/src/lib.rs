@@ -11,6 +11,8 @@ pub mod emit;
 mod extras;
 #[cfg(feature = "files")]
 pub mod files;
+#[cfg(feature = "languages")]
+pub mod fmu;
 #[cfg(feature = "js")]
 pub mod js;
 #[cfg(feature = "languages")]

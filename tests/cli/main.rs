@@ -13,6 +13,7 @@ mod documents;
 mod edited_model;
 mod emit;
 mod files;
+mod fmu;
 mod grade;
 mod gradients;
 mod hostile;

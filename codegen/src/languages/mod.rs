@@ -13,6 +13,8 @@ mod target;
 
 pub use composite::Composite;
 pub use module::Module;
+pub(crate) use module::word;
+pub(crate) use target::stem_of;
 pub use target::{Emitted, emit_model};
 
 use crate::plan::Language;

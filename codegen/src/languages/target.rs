@@ -67,9 +67,13 @@ fn available(
 
 /// Word for a model: the name of its folder or file, with an underscore after it if the dialect reserves it.
 fn model_word(origin: &Origin, dialect: &dyn Dialect) -> String {
+    Allocator::new(dialect.language()).unique(&word(stem_of(origin)).to_ascii_lowercase())
+}
+
+/// Name of a model's folder or file.
+pub(crate) fn stem_of(origin: &Origin) -> &str {
     let stem = origin.folder.trim_end_matches('/');
-    let stem = if stem.is_empty() { origin.model.trim_end_matches(".toml") } else { stem };
-    Allocator::new(dialect.language()).unique(&word(stem).to_ascii_lowercase())
+    if stem.is_empty() { origin.model.trim_end_matches(".toml") } else { stem }
 }
 
 /// Modules of a model while they are written.

@@ -37,7 +37,8 @@ pub use solutions::distance::{distances, in_distance};
 pub use solutions::divisors::{Divisors, LoadDivisor, bare, load_divisors};
 pub use solutions::inertia::{InertiaCheck, has_inertia_at};
 pub use solutions::jacobian::{Jacobian, jacobian};
-pub use solutions::parameter_jacobian::parameter_jacobian;
+
 pub use solutions::quantities::{Quantities, QuantityError};
 pub use solutions::regressor::{Column, ColumnParameter, Regressor, Varied};
+pub use solutions::slopes::{parameter_jacobian, slopes};
 pub use unsolved::{Unproved, Unsolved};

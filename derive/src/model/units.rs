@@ -156,6 +156,14 @@ impl Unit {
         Ok(unit)
     }
 
+    /// Exponents of metre, kilogram and second; `None` if one of them is not whole.
+    #[must_use]
+    pub fn whole_exponents(&self) -> Option<[i64; 3]> {
+        let whole = |exponent: &Rational| exponent.small().filter(|(_, below)| *below == 1).map(|(above, _)| above);
+        let [metre, kilogram, second] = &self.exponents;
+        Some([whole(metre)?, whole(kilogram)?, whole(second)?])
+    }
+
     /// Advice for a text that is not a unit.
     #[must_use]
     pub fn help(text: &str) -> String {

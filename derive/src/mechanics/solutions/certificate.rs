@@ -15,7 +15,7 @@
 use super::jacobian::Jacobian;
 use crate::algebra::solve::elimination::Elimination;
 use crate::algebra::term::calculus::{Differential, Substitution};
-use crate::algebra::term::steps::{fresh_symbol, put_in};
+use crate::algebra::term::steps::{Definition, fresh_symbol, put_in};
 use crate::algebra::value::field::Field;
 use crate::algebra::value::tangent::{Dual, Tangents};
 use crate::algebra::{Arena, Expr};
@@ -304,25 +304,23 @@ pub fn certify_inverse_dynamics(arena: &Arena, equations: &Equations) -> Result<
     Ok(Certificate { primes })
 }
 
-/// Proves that a Jacobian along parameters is the derivative of q̇ and v̇, which are given by the steps of an
-/// elimination.
+/// Proves that slopes are those of values which steps compute, along these symbols.
 ///
 /// # Errors
-/// [`Unproved::Jacobian`] with the first row that differs.
-pub fn certify_parameter_jacobian(
+/// [`Unproved::Jacobian`] with the first value whose slopes differ.
+pub fn certify_slopes(
     arena: &Arena,
-    equations: &Equations,
-    solved: &Elimination,
+    steps: &[Definition],
+    values: &[Expr],
     jacobian: &Jacobian,
-    parameters: &[Expr],
+    along: &[Expr],
 ) -> Result<Certificate, Unproved> {
     let mut arena = arena.clone();
-    let along: Vec<(Expr, Expr)> = parameters.iter().map(|p| (*p, fresh_symbol(&mut arena, "direction"))).collect();
+    let along: Vec<(Expr, Expr)> = along.iter().map(|x| (*x, fresh_symbol(&mut arena, "direction"))).collect();
     let directions: Vec<Expr> = along.iter().map(|(_, direction)| *direction).collect();
     let mut put = Substitution::default();
-    put_in(&mut arena, &mut put, &solved.steps);
-    let rates = [&equations.coordinate_rates, &equations.unknowns[..equations.variables.len()]].concat();
-    let rates = put.all(&mut arena, &rates);
+    put_in(&mut arena, &mut put, steps);
+    let rates = put.all(&mut arena, values);
     let mut put = Substitution::default();
     put_in(&mut arena, &mut put, &jacobian.steps);
     let mut products = Vec::with_capacity(rates.len());

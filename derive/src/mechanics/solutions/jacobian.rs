@@ -45,21 +45,22 @@ pub fn jacobian(
     if is_long(arena, &steps, states.len()) {
         return product(arena, simplifier, equations, steps);
     }
-    whole(arena, simplifier, equations, steps, &states)
+    let rates = [&equations.coordinate_rates, &equations.unknowns[..n]].concat();
+    whole(arena, simplifier, &rates, steps, &states)
 }
 
-/// Slopes of q̇ and v̇ along symbols, with a column for each symbol; `None` if they would be too long.
+/// Slopes of values that steps compute, with a column for each of the symbols `along`; `None` if they would be too
+/// long.
 pub(super) fn slopes_along(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
-    equations: &Equations,
-    solved: &Elimination,
+    steps: &[Definition],
+    values: &[Expr],
     along: &[Expr],
 ) -> Option<Jacobian> {
-    let n = equations.variables.len();
-    let steps = needed(arena, &solved.steps, &[&equations.unknowns[..n], &equations.coordinate_rates].concat());
+    let steps = needed(arena, steps, values);
     let is_short = !is_long(arena, &steps, along.len());
-    is_short.then(|| whole(arena, simplifier, equations, steps, along))
+    is_short.then(|| whole(arena, simplifier, values, steps, along))
 }
 
 /// True if the slopes of all steps along this number of symbols would be too long.
@@ -68,15 +69,14 @@ fn is_long(arena: &Arena, steps: &[Definition], count: usize) -> bool {
     count * steps.len() > MOST_SLOPES || count * cost_of_all(arena, &values) > MOST_SLOPES_OF_OPERATIONS
 }
 
-/// Slopes of q̇ and v̇ along symbols, with a column for each symbol.
+/// Slopes of values along symbols, with a column for each symbol.
 fn whole(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
-    equations: &Equations,
+    values: &[Expr],
     mut steps: Vec<Definition>,
     along: &[Expr],
 ) -> Jacobian {
-    let n = equations.variables.len();
     let accelerations = steps.clone();
     let mut columns = Vec::new();
     for &variable in along {
@@ -92,12 +92,10 @@ fn whole(
             }
             slope_of.set_rate(step.symbol, slope);
         }
-        let rates = equations.coordinate_rates.iter().chain(&equations.unknowns[..n]);
-        let slopes: Vec<Expr> = rates.map(|e| slope_of.apply(arena, *e)).collect();
+        let slopes: Vec<Expr> = values.iter().map(|e| slope_of.apply(arena, *e)).collect();
         columns.push(slopes.into_iter().map(|e| simplifier.simplify(arena, e)).collect::<Vec<_>>());
     }
-    let entries =
-        (0..equations.coordinate_rates.len() + n).map(|i| columns.iter().map(|column| column[i]).collect()).collect();
+    let entries = (0..values.len()).map(|i| columns.iter().map(|column| column[i]).collect()).collect();
     Jacobian { steps, entries, direction: Vec::new() }
 }
 

@@ -6,6 +6,6 @@ pub(super) mod distance;
 pub(super) mod divisors;
 pub(super) mod inertia;
 pub(super) mod jacobian;
-pub(super) mod parameter_jacobian;
 pub(super) mod quantities;
 pub(super) mod regressor;
+pub(super) mod slopes;

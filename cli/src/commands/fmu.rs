@@ -1,0 +1,133 @@
+//! `tripos fmu`: a scene as a Functional Mock-up Unit.
+
+use crate::failure::{Failure, Output, print_either, say, warn};
+use crate::scene_file::read_scene_with;
+use serde_json::json;
+use std::ffi::OsString;
+use std::io::{Cursor, Write};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use tripos_codegen::files;
+use tripos_codegen::fmu::Fmu;
+use tripos_derive::plain::path_in_line;
+use zip::write::SimpleFileOptions;
+use zip::{DateTime, ZipWriter};
+
+/// Request for a mock-up unit.
+pub struct UnitRequest {
+    /// Path of the scene file.
+    pub scene: PathBuf,
+    /// Path of the unit.
+    pub out: PathBuf,
+    /// Values of numbers of the scene, each as `NAME=VALUE`.
+    pub set: Vec<String>,
+    /// True if the unit contains only sources, and nothing is compiled.
+    pub only_sources: bool,
+}
+
+/// Writes a scene as a unit by FMI 3.0, with sources and with a binary for this platform.
+///
+/// # Errors
+/// [`Failure`] for a scene that no unit can contain, without a compiler, and if the file cannot be written.
+pub fn fmu(request: &UnitRequest, output: Output) -> Result<u8, Failure> {
+    if request.out.extension().is_none_or(|extension| extension != "fmu") {
+        let what = format!("`{}` does not end with .fmu", path_in_line(&request.out));
+        return Err(Failure::request(what, "importing tools know a unit by this ending: write --out disk.fmu"));
+    }
+    let varied = read_scene_with(&request.scene, &request.set)?;
+    let unit = Fmu::new(&varied.model.model, &varied.scene)?;
+    for name in &unit.left_out {
+        warn(&format!("`{name}` is left out: it needs a reaction, which the equations of a unit do not have"));
+    }
+    let binary = if request.only_sources { None } else { Some(compiled(&unit)?) };
+    let bytes = archive(&unit, binary.as_deref()).map_err(|error| archive_failed(&request.out, error))?;
+    files::write(&request.out, &bytes)?;
+    let platform = binary.as_ref().map(|_| platform());
+    let value = json!({
+        "file": path_in_line(&request.out),
+        "fmi": "3.0",
+        "identifier": unit.identifier,
+        "platform": platform,
+        "directional_derivatives": unit.has_slopes,
+        "left_out": unit.left_out,
+    });
+    let words = format!("written    {}\n", path_in_line(&request.out));
+    print_either(output, &words, &value)?;
+    if !unit.has_slopes {
+        say("the unit has no directional derivatives, because they would be too long");
+    }
+    Ok(0)
+}
+
+fn archive_failed(out: &Path, error: zip::result::ZipError) -> Failure {
+    Failure::Output(path_in_line(out), std::io::Error::other(error))
+}
+
+/// Name of this platform in units.
+fn platform() -> String {
+    let system = match std::env::consts::OS {
+        "macos" => "darwin",
+        system => system,
+    };
+    format!("{}-{system}", std::env::consts::ARCH)
+}
+
+/// Compiles the sources of a unit into a shared library, and returns its bytes. The compiler is that of the environment
+/// variable `CC`, or `cc`.
+fn compiled(unit: &Fmu) -> Result<Vec<u8>, Failure> {
+    let failed = |error: std::io::Error| Failure::Output("sources of the unit".to_owned(), error);
+    let folder = tempfile::tempdir().map_err(failed)?;
+    for (name, text) in &unit.sources {
+        std::fs::write(folder.path().join(name), text).map_err(failed)?;
+    }
+    let compiler = std::env::var_os("CC").filter(|name| !name.is_empty()).unwrap_or_else(|| OsString::from("cc"));
+    let mut command = Command::new(&compiler);
+    command.current_dir(folder.path()).args(["-std=c99", "-O2", "-fPIC", "-shared", "-fvisibility=hidden"]);
+    command.args(unit.sources.iter().map(|(name, _)| name).filter(|name| is_source(name)));
+    command.args(["-lm", "-o", "unit"]);
+    let name = compiler.to_string_lossy().into_owned();
+    let help = "install a C compiler, name it by the environment variable CC, or give --only-sources";
+    let result = command
+        .output()
+        .map_err(|error| Failure::request(format!("the C compiler `{name}` cannot be run: {error}"), help))?;
+    if !result.status.success() {
+        let said = String::from_utf8_lossy(&result.stderr).into_owned();
+        let first = said.lines().next().unwrap_or_default().to_owned();
+        return Err(Failure::request(format!("the C compiler `{name}` refuses the sources: {first}"), help));
+    }
+    std::fs::read(folder.path().join("unit")).map_err(failed)
+}
+
+/// True for the sources that a compiler is given; the others are included by them.
+fn is_source(name: &str) -> bool {
+    Path::new(name).extension().is_some_and(|extension| extension == "c")
+}
+
+/// Bytes of the archive: description, sources and binary. Equal units have equal bytes.
+fn archive(unit: &Fmu, binary: Option<&[u8]>) -> zip::result::ZipResult<Vec<u8>> {
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    let options = SimpleFileOptions::default().last_modified_time(DateTime::default());
+    let mut add = |name: String, bytes: &[u8]| {
+        zip.start_file(name, options)?;
+        Ok::<(), zip::result::ZipError>(zip.write_all(bytes)?)
+    };
+    add("modelDescription.xml".to_owned(), unit.description.as_bytes())?;
+    if let Some(binary) = binary {
+        let ending = std::env::consts::DLL_EXTENSION;
+        add(format!("binaries/{}/{}.{ending}", platform(), unit.identifier), binary)?;
+    }
+    for (name, text) in &unit.sources {
+        add(format!("sources/{name}"), text.as_bytes())?;
+    }
+    let sources = unit.sources.iter().map(|(name, _)| name).filter(|name| is_source(name));
+    let list: String =
+        sources.map(|name| format!("      <SourceFile name=\"{name}\"/>\n")).collect::<Vec<_>>().concat();
+    let build = format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiBuildDescription fmiVersion=\"3.0\">\n  <BuildConfiguration \
+         modelIdentifier=\"{}\">\n    <SourceFileSet language=\"C99\">\n{list}    </SourceFileSet>\n  \
+         </BuildConfiguration>\n</fmiBuildDescription>\n",
+        unit.identifier
+    );
+    add("sources/buildDescription.xml".to_owned(), build.as_bytes())?;
+    Ok(zip.finish()?.into_inner())
+}

@@ -1,0 +1,154 @@
+//! Text of `modelDescription.xml`.
+
+use super::token;
+use super::variables::{Role, Variable, Variables};
+use crate::languages::Module;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use tripos_derive::model::Unit;
+use tripos_derive::plain::{one_line, visible};
+use tripos_derive::scene::Scene;
+
+/// Element of an unknown at the start. At the start it depends on all variables that have a value there.
+const INITIAL: &str = "InitialUnknown";
+
+/// Text of the description of a scene's unit.
+pub fn text(identifier: &str, module: &Module<'_>, scene: &Scene, variables: &Variables, has_slopes: bool) -> String {
+    let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    let (model, list) = (module.model(), &variables.list);
+    let title = if scene.title.is_empty() { model.title.clone() } else { format!("{}: {}", model.title, scene.title) };
+    let _ = writeln!(
+        out,
+        "<fmiModelDescription fmiVersion=\"3.0\" modelName=\"{}\" instantiationToken=\"{}\" description=\"{}\" \
+         generationTool=\"Tripos\" variableNamingConvention=\"flat\">",
+        escaped(&title),
+        token(module, scene),
+        escaped(&format!("{} {}", scene.about, module.origin))
+    );
+    let slopes =
+        if has_slopes { " providesDirectionalDerivatives=\"true\" providesAdjointDerivatives=\"true\"" } else { "" };
+    let states = "canGetAndSetFMUState=\"true\" canSerializeFMUState=\"true\"";
+    let completed = if module.plan.has("constraints") { " needsCompletedIntegratorStep=\"true\"" } else { "" };
+    let _ = writeln!(out, "  <ModelExchange modelIdentifier=\"{identifier}\" {states}{slopes}{completed}/>");
+    let _ = writeln!(
+        out,
+        "  <CoSimulation modelIdentifier=\"{identifier}\" {states}{slopes} canHandleVariableCommunicationStepSize=\"true\"/>"
+    );
+    units(&mut out, list);
+    let (start, stop) = scene.span;
+    let _ = writeln!(
+        out,
+        "  <DefaultExperiment startTime=\"{start:?}\" stopTime=\"{stop:?}\" tolerance=\"{:?}\" stepSize=\"{:?}\"/>",
+        scene.integration.rtol,
+        (stop - start) / 500.0
+    );
+    out.push_str("  <ModelVariables>\n");
+    for variable in list {
+        element(&mut out, variable);
+    }
+    out.push_str("  </ModelVariables>\n  <ModelStructure>\n");
+    structure(&mut out, list);
+    out.push_str("  </ModelStructure>\n</fmiModelDescription>\n");
+    out
+}
+
+/// Definitions of all units in SI.
+fn units(out: &mut String, list: &[Variable]) {
+    let units: BTreeMap<String, &Unit> =
+        list.iter().filter_map(|v| Some((v.unit.as_ref()?.to_string(), v.unit.as_ref()?))).collect();
+    out.push_str("  <UnitDefinitions>\n");
+    for (name, unit) in units {
+        let _ = write!(out, "    <Unit name=\"{}\"", escaped(&name));
+        match unit.whole_exponents() {
+            Some(exponents) => {
+                let base: String = (["m", "kg", "s"].iter().zip(exponents))
+                    .filter(|(_, exponent)| *exponent != 0)
+                    .fold(String::new(), |text, (base, exponent)| text + &format!(" {base}=\"{exponent}\""));
+                let _ = writeln!(out, "><BaseUnit{base}/></Unit>");
+            }
+            None => out.push_str("/>\n"),
+        }
+    }
+    out.push_str("  </UnitDefinitions>\n");
+}
+
+/// Element of one variable.
+fn element(out: &mut String, variable: &Variable) {
+    let role = match variable.role {
+        Role::Time => "causality=\"independent\" variability=\"continuous\"".to_owned(),
+        Role::Parameter => "causality=\"parameter\" variability=\"tunable\"".to_owned(),
+        Role::Input => "causality=\"input\" variability=\"continuous\"".to_owned(),
+        Role::State(true) => "causality=\"output\" variability=\"continuous\" initial=\"exact\"".to_owned(),
+        Role::State(false) => "causality=\"local\" variability=\"continuous\" initial=\"exact\"".to_owned(),
+        Role::Derivative(of) => format!("causality=\"local\" variability=\"continuous\" derivative=\"{of}\""),
+        Role::Output => "causality=\"output\" variability=\"continuous\"".to_owned(),
+        Role::Indicator => "causality=\"local\" variability=\"continuous\"".to_owned(),
+    };
+    let _ = write!(
+        out,
+        "    <Float64 name=\"{}\" valueReference=\"{}\" {role}",
+        escaped(&variable.name),
+        variable.reference
+    );
+    if let Some(unit) = &variable.unit {
+        let _ = write!(out, " unit=\"{}\"", escaped(&unit.to_string()));
+    }
+    if !variable.about.is_empty() {
+        let _ = write!(out, " description=\"{}\"", escaped(&variable.about));
+    }
+    if let Some(start) = variable.start {
+        let _ = write!(out, " start=\"{}\"", number(start));
+    }
+    out.push_str("/>\n");
+}
+
+/// Outputs, derivatives and event indicators with what they depend on.
+fn structure(out: &mut String, list: &[Variable]) {
+    let mut unknown = |element: &str, variable: &Variable| {
+        let _ = write!(out, "    <{element} valueReference=\"{}\"", variable.reference);
+        if let Some(depends_on) = variable.depends_on.as_ref().filter(|_| element != INITIAL) {
+            let names: Vec<String> = depends_on.iter().map(ToString::to_string).collect();
+            let _ = write!(out, " dependencies=\"{}\"", names.join(" "));
+        }
+        out.push_str("/>\n");
+    };
+    let of = |wanted: fn(&Role) -> bool| list.iter().filter(move |variable| wanted(&variable.role));
+    for output in of(|role| matches!(role, Role::Output | Role::State(true))) {
+        unknown("Output", output);
+    }
+    for derivative in of(|role| matches!(role, Role::Derivative(_))) {
+        unknown("ContinuousStateDerivative", derivative);
+    }
+    for computed in of(|role| matches!(role, Role::Derivative(_) | Role::Output)) {
+        unknown(INITIAL, computed);
+    }
+    for indicator in of(|role| matches!(role, Role::Indicator)) {
+        unknown("EventIndicator", indicator);
+    }
+}
+
+/// Number as XML schemas write doubles.
+fn number(value: f64) -> String {
+    if value.is_nan() {
+        "NaN".to_owned()
+    } else if value.is_infinite() {
+        if value > 0.0 { "INF".to_owned() } else { "-INF".to_owned() }
+    } else {
+        format!("{value:?}")
+    }
+}
+
+/// Text as the value of an attribute.
+fn escaped(text: &str) -> String {
+    let mut out = String::new();
+    for c in visible(&one_line(text)).trim().chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            c => out.push(c),
+        }
+    }
+    out
+}

@@ -1,0 +1,167 @@
+//! Functional Mock-up Units: a scene as C sources and a model description, by FMI 3.0.
+//!
+//! The flow: a scene → Kane's equations, solved → the functions of the C target, with outputs and events → sources and
+//! `modelDescription.xml`. The file `fmi3.c` implements the interface for every model; `fmu_model.h` describes one.
+
+mod description;
+mod functions;
+mod variables;
+
+use crate::languages::c::C;
+use crate::languages::{Composite, Dialect, Module};
+use crate::origin::Origin;
+use crate::plan::{Function, Planner, Sharing};
+use crate::syntax::{Comments, Writer};
+use functions::FmuFunctions;
+use std::fmt::Write;
+use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
+use tripos_derive::mechanics::DeriveError;
+use tripos_derive::scene::Scene;
+use tripos_derive::{Formulation, Model, derive};
+use tripos_traits::Direction;
+use variables::Variables;
+
+/// Text of the implementation of the interface.
+const INTERFACE: &str = include_str!("fmi3.c");
+
+/// Largest residual of a constraint, in its own unit, that model exchange lets drift before the state is projected.
+const DRIFT: &str = "1e-9";
+
+/// Functional Mock-up Unit before it is compiled.
+#[derive(Debug)]
+pub struct Fmu {
+    /// Identifier of the unit: letters, digits and underscores.
+    pub identifier: String,
+    /// Text of `modelDescription.xml`.
+    pub description: String,
+    /// Texts of the sources, by name.
+    pub sources: Vec<(String, String)>,
+    /// Names of outputs that were left out, because they need reactions.
+    pub left_out: Vec<String>,
+    /// True if the unit provides directional derivatives.
+    pub has_slopes: bool,
+}
+
+impl Fmu {
+    /// Sources of a scene of this model. The model contains the formulas that the scene gives to inputs.
+    ///
+    /// # Errors
+    /// [`Diagnostics`] if the scene has impacts, if Kane's equations cannot be derived, or if they are not solved in
+    /// closed form.
+    pub fn new(model: &Model, scene: &Scene) -> Result<Self, Diagnostics> {
+        if !scene.impacts.is_empty() {
+            let message = "a mock-up unit has no impacts".to_owned();
+            let help = "leave `[impacts]` out of the scene, or run it by `tripos simulate`";
+            return Err(Diagnostics::new(scene.source.clone(), vec![Diagnostic::of_file(message, help)]));
+        }
+        let derivation = derive(model, Formulation::Kane).map_err(|why| model.diagnose(&why))?;
+        let mut arena = derivation.arena;
+        let equations = derivation.equations.written(&mut arena);
+        let functions = FmuFunctions::new(model, scene, &mut arena, &equations)
+            .map_err(|why| model.diagnose(&DeriveError::Unsolved(why)))?;
+        let planner = Planner::new(model, &arena, &equations, C.language(), Sharing::Shared);
+        let plan = functions.plan(&planner);
+        let identifier = identifier(scene, model);
+        let composites: &[Composite] = if plan.has("constraints") { &[Composite::Project] } else { &[] };
+        let origin = Origin::emitted(&model.source.path).of_model();
+        let module = Module {
+            model_word: &identifier,
+            equations_word: Formulation::Kane.name(),
+            planner: &planner,
+            plan: &plan,
+            composites,
+            origin: &origin,
+        };
+        let mut sources = C.files(&module);
+        sources.extend(C.shared_files(&origin));
+        let variables = Variables::new(model, scene, &functions, &plan);
+        let has_slopes = functions.has_slopes() && plan.has("jacobian");
+        sources.push(("fmu_model.h".to_owned(), configuration(&module, scene, &functions, &variables, has_slopes)));
+        sources.push(("fmi3.c".to_owned(), INTERFACE.to_owned()));
+        let description = description::text(&identifier, &module, scene, &variables, has_slopes);
+        Ok(Self { identifier, description, sources, left_out: functions.left_out, has_slopes })
+    }
+}
+
+/// Identifier of a unit: words for its model and its scene.
+fn identifier(scene: &Scene, model: &Model) -> String {
+    let origin = Origin::emitted(&model.source.path);
+    let of_scene = scene.source.path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    crate::languages::word(&format!("{}_{of_scene}", crate::languages::stem_of(&origin))).to_ascii_lowercase()
+}
+
+/// Token that ties a description to its binary: a hash of everything that the binary depends on.
+fn token(module: &Module<'_>, scene: &Scene) -> String {
+    let text = format!("{}\n{}", module.model().source.text, scene.source.text);
+    format!("{{{}}}", tripos_derive::model::text_hash(&text))
+}
+
+/// Text of the header that describes a model to the interface.
+fn configuration(
+    module: &Module<'_>,
+    scene: &Scene,
+    functions: &FmuFunctions,
+    variables: &Variables,
+    has_slopes: bool,
+) -> String {
+    let (plan, e) = (module.plan, module.equations());
+    let stem = format!("{}_{}", module.model_word, module.equations_word);
+    let mut writer = Writer::new(&C, Comments::Written);
+    writer.comment("Description of a mechanism for the interface fmi3.c.");
+    writer.comment("");
+    writer.origin(module.origin);
+    writer.gap();
+    writer.raw("#ifndef FMU_MODEL_H\n#define FMU_MODEL_H");
+    writer.gap();
+    writer.raw(&format!("#include \"{stem}.h\"\n\n#define F(name) {stem}_##name"));
+    writer.raw(&format!("#define TOKEN \"{}\"", token(module, scene)));
+    let (start, _) = scene.span;
+    writer.raw(&format!("#define START_TIME {start:?}\n#define TOLERANCE {:?}", scene.integration.rtol));
+    writer.raw(&format!("#define DRIFT {DRIFT}"));
+    let count = |name: &str| plan.functions.iter().find(|f| f.name == name).map_or(0, |f: &Function| f.entries.len());
+    let events = count("events");
+    let counts = [
+        ("NP", module.model().parameters.len()),
+        ("NQ", e.coordinates.len()),
+        ("NU", e.variables.len()),
+        ("NOUT", count("outputs")),
+        ("NDIV", count("divisors")),
+        ("NCOND", count("conditions")),
+        ("NEVENT", events),
+        ("NCON", count("constraints")),
+        ("HAS_DERIVATIVE", usize::from(plan.has("derivative"))),
+        ("HAS_OUTPUTS", usize::from(plan.has("outputs"))),
+        ("HAS_DIVISORS", usize::from(plan.has("divisors"))),
+        ("HAS_CONDITIONS", usize::from(plan.has("conditions"))),
+        ("HAS_EVENTS", usize::from(events > 0)),
+        ("HAS_SLOPES", usize::from(has_slopes)),
+    ];
+    for (name, value) in counts {
+        writer.raw(&format!("#define {name} {value}"));
+    }
+    writer.gap();
+    let list = |values: &[f64]| {
+        let mut text = String::new();
+        // A list has at least one entry, since C has no empty arrays.
+        for value in values.iter().chain(values.is_empty().then_some(&0.0)) {
+            let _ = write!(text, "{}, ", if value.is_nan() { "NAN".to_owned() } else { format!("{value:?}") });
+        }
+        text.trim_end_matches(", ").to_owned()
+    };
+    writer.comment("Parameters and state at the start.");
+    writer.line(&format!("static const double start_p[] = {{ {} }};", list(&scene.parameters)));
+    writer.line(&format!("static const double start_x[] = {{ {} }};", list(&variables.start())));
+    let way = |direction: Direction| match direction {
+        Direction::Rising => 1.0,
+        Direction::Falling => -1.0,
+        Direction::Either => 0.0,
+    };
+    let ways: Vec<f64> = functions.events.iter().map(|event| way(event.direction)).collect();
+    let ends: Vec<f64> = functions.events.iter().map(|event| f64::from(u8::from(event.terminal))).collect();
+    writer.comment("Directions of the crossings that count as events, 0 for both, and which events end a simulation.");
+    writer.line(&format!("static const double event_direction[] = {{ {} }};", list(&ways)));
+    writer.line(&format!("static const double event_is_terminal[] = {{ {} }};", list(&ends)));
+    writer.gap();
+    writer.raw("#endif");
+    writer.out
+}

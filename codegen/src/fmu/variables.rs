@@ -1,0 +1,140 @@
+//! Variables of a mock-up unit, with their value references.
+
+use super::functions::FmuFunctions;
+use crate::plan::{Entry, ModulePlan};
+use rustc_hash::FxHashSet;
+use tripos_derive::Model;
+use tripos_derive::model::Unit;
+use tripos_derive::scene::Scene;
+
+/// Role of a variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// The time.
+    Time,
+    /// Parameter that may change between steps.
+    Parameter,
+    /// Input, which importing tools set at any time.
+    Input,
+    /// State; true if the scene shows it.
+    State(bool),
+    /// Derivative of the state with this value reference.
+    Derivative(usize),
+    /// Output of the scene.
+    Output,
+    /// Function whose change of sign is an event.
+    Indicator,
+}
+
+/// Variable of a mock-up unit.
+pub struct Variable {
+    /// Name of the variable, different from all others.
+    pub name: String,
+    /// Value reference of the variable.
+    pub reference: usize,
+    /// Role of the variable.
+    pub role: Role,
+    /// Value at the start; `None` for a variable that is computed.
+    pub start: Option<f64>,
+    /// Unit of the variable; `None` if it is unknown.
+    pub unit: Option<Unit>,
+    /// Description in words.
+    pub about: String,
+    /// References of the states and inputs on which the variable depends; `None` if they are unknown.
+    pub depends_on: Option<Vec<usize>>,
+}
+
+/// Variables of a mock-up unit, in the order of their value references.
+pub struct Variables {
+    /// Variables in the order of their value references.
+    pub list: Vec<Variable>,
+}
+
+impl Variables {
+    /// Variables of a scene.
+    pub fn new(model: &Model, scene: &Scene, functions: &FmuFunctions, plan: &ModulePlan) -> Self {
+        let mut names = Names::default();
+        let mut list = Vec::new();
+        let mut add = |name: &str, role, start, unit: Option<&Unit>, about: &str, depends_on| {
+            let (name, reference) = (names.unique(name), list.len());
+            list.push(Variable {
+                name,
+                reference,
+                role,
+                start,
+                unit: unit.cloned(),
+                about: about.to_owned(),
+                depends_on,
+            });
+        };
+        let second = Unit::new(0, 0, 1);
+        add("time", Role::Time, None, Some(&second), "time", None);
+        for (p, value) in model.parameters.iter().zip(&scene.parameters) {
+            let role = if p.is_input { Role::Input } else { Role::Parameter };
+            add(&p.name, role, Some(*value), Some(&p.unit), &p.about, None);
+        }
+        let (np, nq) = (model.parameters.len(), model.coordinates.len());
+        let is_shown = |name: &str| scene.outputs.iter().any(|o| o.name == name);
+        let states: Vec<(&str, &Unit, &str, f64)> = (model.coordinates.iter().zip(&scene.q))
+            .map(|(c, q)| (c.name.as_str(), &c.unit, c.about.as_str(), *q))
+            .chain(model.speeds.iter().zip(&scene.u).map(|(s, u)| (s.name.as_str(), &s.unit, "", *u)))
+            .collect();
+        let first_state = np + 1;
+        for (name, unit, about, start) in &states {
+            add(name, Role::State(is_shown(name)), Some(*start), Some(unit), about, None);
+        }
+        let inputs: Vec<usize> = (0..np).filter(|at| model.parameters[*at].is_input).collect();
+        let is_zero = |name: &str, at: usize| {
+            let function = plan.functions.iter().find(|f| f.name == name)?;
+            Some(matches!(function.entries[at], Entry::Zero))
+        };
+        let nx = states.len();
+        for (row, (name, unit, ..)) in states.iter().enumerate() {
+            let of_states = (0..nx).map(|at| Some((first_state + at, is_zero("jacobian", row * nx + at)?)));
+            let of_inputs = inputs.iter().map(|at| Some((at + 1, is_zero("parameter_jacobian", row * np + at)?)));
+            let found: Option<Vec<(usize, bool)>> = of_states.chain(of_inputs).collect();
+            let unit = unit.times(&Unit::new(0, 0, -1));
+            let what = if row < nq { "rate" } else { "acceleration" };
+            let depends_on = found.map(nonzero);
+            add(&format!("der({name})"), Role::Derivative(first_state + row), None, Some(&unit), what, depends_on);
+        }
+        for (row, output) in functions.outputs.iter().enumerate() {
+            let columns = nx + np;
+            let of_states = (0..nx).map(|at| Some((first_state + at, is_zero("output_jacobian", row * columns + at)?)));
+            let of_inputs =
+                inputs.iter().map(|at| Some((at + 1, is_zero("output_jacobian", row * columns + nx + at)?)));
+            let found: Option<Vec<(usize, bool)>> = of_states.chain(of_inputs).collect();
+            add(&output.name, Role::Output, None, None, "output of the scene", found.map(nonzero));
+        }
+        let events = functions.events.iter().map(|event| &event.name);
+        for name in plan.divisors.iter().chain(&plan.conditions).chain(events) {
+            add(name, Role::Indicator, None, None, "an event where it changes its sign", None);
+        }
+        Self { list }
+    }
+
+    /// Values of the states at the start.
+    pub fn start(&self) -> Vec<f64> {
+        let states = self.list.iter().filter(|variable| matches!(variable.role, Role::State(_)));
+        states.filter_map(|variable| variable.start).collect()
+    }
+}
+
+/// References of the entries that are not zero.
+fn nonzero(found: Vec<(usize, bool)>) -> Vec<usize> {
+    found.into_iter().filter(|(_, is_zero)| !is_zero).map(|(reference, _)| reference).collect()
+}
+
+/// Names that were given out.
+#[derive(Default)]
+struct Names(FxHashSet<String>);
+
+impl Names {
+    fn unique(&mut self, wanted: &str) -> String {
+        let numbered = (2..).map(|n| format!("{wanted} ({n})"));
+        let mut candidates = std::iter::once(wanted.to_owned()).chain(numbered);
+        let found = candidates.find(|name| !self.0.contains(name)).expect("numbers do not end");
+        self.0.insert(found.clone());
+        found
+    }
+}
