@@ -250,13 +250,16 @@ pub enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Write a scene as a Functional Mock-up Unit (FMI 3.0), for model exchange and co-simulation
+    /// Write a scene as a Functional Mock-up Unit, for model exchange and co-simulation
     Fmu {
         /// A scene file
         scene: PathBuf,
         /// File of the unit, which ends with .fmu
         #[arg(long, value_name = "FILE.fmu")]
         out: PathBuf,
+        /// Version of the interface: 2 or 3
+        #[arg(long, value_name = "VERSION", default_value = "3")]
+        fmi: String,
         /// Another value of a parameter or of a number of the start, such as m=2; more than once for several
         #[arg(long, value_name = "NAME=VALUE")]
         set: Vec<String>,

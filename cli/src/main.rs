@@ -113,8 +113,8 @@ fn run(command: Command) -> Result<u8, Failure> {
             let request = commands::emit::Emit { model, out, language, formulations, with, functions };
             commands::emit::emit(&request, Output::of_flag(json))
         }
-        Command::Fmu { scene, out, set, only_sources, json } => {
-            let request = commands::fmu::UnitRequest { scene, out, set, only_sources };
+        Command::Fmu { scene, out, fmi, set, only_sources, json } => {
+            let request = commands::fmu::UnitRequest { scene, out, set, fmi, only_sources };
             commands::fmu::fmu(&request, Output::of_flag(json))
         }
         Command::Evaluate { model, by, at, json } => {

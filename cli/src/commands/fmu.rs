@@ -8,7 +8,7 @@ use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use tripos_codegen::files;
-use tripos_codegen::fmu::Fmu;
+use tripos_codegen::fmu::{Fmu, Version};
 use tripos_derive::plain::path_in_line;
 use zip::write::SimpleFileOptions;
 use zip::{DateTime, ZipWriter};
@@ -21,11 +21,13 @@ pub struct UnitRequest {
     pub out: PathBuf,
     /// Values of numbers of the scene, each as `NAME=VALUE`.
     pub set: Vec<String>,
+    /// Version of the interface: `2` or `3`, with or without `.0`.
+    pub fmi: String,
     /// True if the unit contains only sources, and nothing is compiled.
     pub only_sources: bool,
 }
 
-/// Writes a scene as a unit by FMI 3.0, with sources and with a binary for this platform.
+/// Writes a scene as a unit, with sources and with a binary for this platform.
 ///
 /// # Errors
 /// [`Failure`] for a scene that no unit can contain, without a compiler, and if the file cannot be written.
@@ -34,18 +36,26 @@ pub fn fmu(request: &UnitRequest, output: Output) -> Result<u8, Failure> {
         let what = format!("`{}` does not end with .fmu", path_in_line(&request.out));
         return Err(Failure::request(what, "importing tools know a unit by this ending: write --out disk.fmu"));
     }
+    let version = match request.fmi.as_str() {
+        "2" | "2.0" => Version::Two,
+        "3" | "3.0" => Version::Three,
+        other => {
+            let what = format!("there are no units by FMI {other}");
+            return Err(Failure::request(what, "write --fmi 2 or --fmi 3"));
+        }
+    };
     let varied = read_scene_with(&request.scene, &request.set)?;
-    let unit = Fmu::new(&varied.model.model, &varied.scene)?;
+    let unit = Fmu::new(&varied.model.model, &varied.scene, version)?;
     for name in &unit.left_out {
         warn(&format!("`{name}` is left out: it needs a reaction, which the equations of a unit do not have"));
     }
     let binary = if request.only_sources { None } else { Some(compiled(&unit)?) };
-    let bytes = archive(&unit, binary.as_deref()).map_err(|error| archive_failed(&request.out, error))?;
+    let bytes = archive(&unit, version, binary.as_deref()).map_err(|error| archive_failed(&request.out, error))?;
     files::write(&request.out, &bytes)?;
-    let platform = binary.as_ref().map(|_| platform());
+    let platform = binary.as_ref().map(|_| platform(version));
     let value = json!({
         "file": path_in_line(&request.out),
-        "fmi": "3.0",
+        "fmi": version.number(),
         "identifier": unit.identifier,
         "platform": platform,
         "directional_derivatives": unit.has_slopes,
@@ -63,13 +73,17 @@ fn archive_failed(out: &Path, error: zip::result::ZipError) -> Failure {
     Failure::Output(path_in_line(out), std::io::Error::other(error))
 }
 
-/// Name of this platform in units.
-fn platform() -> String {
+/// Name of this platform in units of a version.
+fn platform(version: Version) -> String {
     let system = match std::env::consts::OS {
         "macos" => "darwin",
         system => system,
     };
-    format!("{}-{system}", std::env::consts::ARCH)
+    match (version, system) {
+        (Version::Three, _) => format!("{}-{system}", std::env::consts::ARCH),
+        (Version::Two, "windows") => "win64".to_owned(),
+        (Version::Two, _) => format!("{system}64"),
+    }
 }
 
 /// Compiles the sources of a unit into a shared library, and returns its bytes. The compiler is that of the environment
@@ -104,7 +118,7 @@ fn is_source(name: &str) -> bool {
 }
 
 /// Bytes of the archive: description, sources and binary. Equal units have equal bytes.
-fn archive(unit: &Fmu, binary: Option<&[u8]>) -> zip::result::ZipResult<Vec<u8>> {
+fn archive(unit: &Fmu, version: Version, binary: Option<&[u8]>) -> zip::result::ZipResult<Vec<u8>> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     let options = SimpleFileOptions::default().last_modified_time(DateTime::default());
     let mut add = |name: String, bytes: &[u8]| {
@@ -114,20 +128,26 @@ fn archive(unit: &Fmu, binary: Option<&[u8]>) -> zip::result::ZipResult<Vec<u8>>
     add("modelDescription.xml".to_owned(), unit.description.as_bytes())?;
     if let Some(binary) = binary {
         let ending = std::env::consts::DLL_EXTENSION;
-        add(format!("binaries/{}/{}.{ending}", platform(), unit.identifier), binary)?;
+        add(format!("binaries/{}/{}.{ending}", platform(version), unit.identifier), binary)?;
     }
     for (name, text) in &unit.sources {
         add(format!("sources/{name}"), text.as_bytes())?;
     }
-    let sources = unit.sources.iter().map(|(name, _)| name).filter(|name| is_source(name));
-    let list: String =
-        sources.map(|name| format!("      <SourceFile name=\"{name}\"/>\n")).collect::<Vec<_>>().concat();
-    let build = format!(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiBuildDescription fmiVersion=\"3.0\">\n  <BuildConfiguration \
-         modelIdentifier=\"{}\">\n    <SourceFileSet language=\"C99\">\n{list}    </SourceFileSet>\n  \
-         </BuildConfiguration>\n</fmiBuildDescription>\n",
-        unit.identifier
-    );
-    add("sources/buildDescription.xml".to_owned(), build.as_bytes())?;
+    if version == Version::Three {
+        add("sources/buildDescription.xml".to_owned(), build_description(unit).as_bytes())?;
+    }
     Ok(zip.finish()?.into_inner())
+}
+
+/// Text of the list of sources by which importing tools compile a unit by FMI 3.0.
+fn build_description(unit: &Fmu) -> String {
+    let sources = unit.sources.iter().map(|(name, _)| name).filter(|name| is_source(name));
+    let list: Vec<String> = sources.map(|name| format!("      <SourceFile name=\"{name}\"/>\n")).collect();
+    format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiBuildDescription fmiVersion=\"3.0\">\n  <BuildConfiguration \
+         modelIdentifier=\"{}\">\n    <SourceFileSet language=\"C99\">\n{}    </SourceFileSet>\n  \
+         </BuildConfiguration>\n</fmiBuildDescription>\n",
+        unit.identifier,
+        list.concat()
+    )
 }

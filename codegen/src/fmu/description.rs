@@ -1,4 +1,4 @@
-//! Text of `modelDescription.xml`.
+//! Text of `modelDescription.xml` by FMI 3.0, and the parts that FMI 2.0 has as well.
 
 use super::token;
 use super::variables::{Role, Variable, Variables};
@@ -15,13 +15,12 @@ const INITIAL: &str = "InitialUnknown";
 /// Text of the description of a scene's unit.
 pub fn text(identifier: &str, module: &Module<'_>, scene: &Scene, variables: &Variables, has_slopes: bool) -> String {
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    let (model, list) = (module.model(), &variables.list);
-    let title = if scene.title.is_empty() { model.title.clone() } else { format!("{}: {}", model.title, scene.title) };
+    let list = &variables.list;
     let _ = writeln!(
         out,
         "<fmiModelDescription fmiVersion=\"3.0\" modelName=\"{}\" instantiationToken=\"{}\" description=\"{}\" \
          generationTool=\"Tripos\" variableNamingConvention=\"flat\">",
-        escaped(&title),
+        escaped(&title(module, scene)),
         token(module, scene),
         escaped(&format!("{} {}", scene.about, module.origin))
     );
@@ -35,13 +34,7 @@ pub fn text(identifier: &str, module: &Module<'_>, scene: &Scene, variables: &Va
         "  <CoSimulation modelIdentifier=\"{identifier}\" {states}{slopes} canHandleVariableCommunicationStepSize=\"true\"/>"
     );
     units(&mut out, list);
-    let (start, stop) = scene.span;
-    let _ = writeln!(
-        out,
-        "  <DefaultExperiment startTime=\"{start:?}\" stopTime=\"{stop:?}\" tolerance=\"{:?}\" stepSize=\"{:?}\"/>",
-        scene.integration.rtol,
-        (stop - start) / 500.0
-    );
+    experiment(&mut out, scene);
     out.push_str("  <ModelVariables>\n");
     for variable in list {
         element(&mut out, variable);
@@ -52,8 +45,25 @@ pub fn text(identifier: &str, module: &Module<'_>, scene: &Scene, variables: &Va
     out
 }
 
+/// Title of the model and the scene.
+pub fn title(module: &Module<'_>, scene: &Scene) -> String {
+    let title = &module.model().title;
+    if scene.title.is_empty() { title.clone() } else { format!("{title}: {}", scene.title) }
+}
+
+/// Span and tolerance of the scene.
+pub fn experiment(out: &mut String, scene: &Scene) {
+    let (start, stop) = scene.span;
+    let _ = writeln!(
+        out,
+        "  <DefaultExperiment startTime=\"{start:?}\" stopTime=\"{stop:?}\" tolerance=\"{:?}\" stepSize=\"{:?}\"/>",
+        scene.integration.rtol,
+        (stop - start) / 500.0
+    );
+}
+
 /// Definitions of all units in SI.
-fn units(out: &mut String, list: &[Variable]) {
+pub fn units(out: &mut String, list: &[Variable]) {
     let units: BTreeMap<String, &Unit> =
         list.iter().filter_map(|v| Some((v.unit.as_ref()?.to_string(), v.unit.as_ref()?))).collect();
     out.push_str("  <UnitDefinitions>\n");
@@ -128,7 +138,7 @@ fn structure(out: &mut String, list: &[Variable]) {
 }
 
 /// Number as XML schemas write doubles.
-fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     if value.is_nan() {
         "NaN".to_owned()
     } else if value.is_infinite() {
@@ -139,7 +149,7 @@ fn number(value: f64) -> String {
 }
 
 /// Text as the value of an attribute.
-fn escaped(text: &str) -> String {
+pub fn escaped(text: &str) -> String {
     let mut out = String::new();
     for c in visible(&one_line(text)).trim().chars() {
         match c {

@@ -1,9 +1,11 @@
-//! Functional Mock-up Units: a scene as C sources and a model description, by FMI 3.0.
+//! Functional Mock-up Units: a scene as C sources and a model description, by FMI 2.0 or 3.0.
 //!
 //! The flow: a scene → Kane's equations, solved → the functions of the C target, with outputs and events → sources and
-//! `modelDescription.xml`. The file `fmi3.c` implements the interface for every model; `fmu_model.h` describes one.
+//! `modelDescription.xml`. The files `fmi2.c` and `fmi3.c` implement the interfaces for every model, with `fmu_core.h`;
+//! `fmu_model.h` describes one model.
 
 mod description;
+mod fmi2;
 mod functions;
 mod variables;
 
@@ -21,8 +23,36 @@ use tripos_derive::{Formulation, Model, derive};
 use tripos_traits::Direction;
 use variables::Variables;
 
-/// Text of the implementation of the interface.
-const INTERFACE: &str = include_str!("fmi3.c");
+/// Text of the work that both interfaces have in common.
+const CORE: &str = include_str!("fmu_core.h");
+
+/// Version of the interface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Version {
+    /// Version 2.0 of the interface, of 2014.
+    Two,
+    /// Version 3.0 of the interface, of 2022.
+    Three,
+}
+
+impl Version {
+    /// Number of the version, as descriptions state it.
+    #[must_use]
+    pub const fn number(self) -> &'static str {
+        match self {
+            Self::Two => "2.0",
+            Self::Three => "3.0",
+        }
+    }
+
+    /// Name and text of the source that implements the interface.
+    const fn interface(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Two => ("fmi2.c", include_str!("fmi2.c")),
+            Self::Three => ("fmi3.c", include_str!("fmi3.c")),
+        }
+    }
+}
 
 /// Largest residual of a constraint, in its own unit, that model exchange lets drift before the state is projected.
 const DRIFT: &str = "1e-9";
@@ -48,7 +78,7 @@ impl Fmu {
     /// # Errors
     /// [`Diagnostics`] if the scene has impacts, if Kane's equations cannot be derived, or if they are not solved in
     /// closed form.
-    pub fn new(model: &Model, scene: &Scene) -> Result<Self, Diagnostics> {
+    pub fn new(model: &Model, scene: &Scene, version: Version) -> Result<Self, Diagnostics> {
         if !scene.impacts.is_empty() {
             let message = "a mock-up unit has no impacts".to_owned();
             let help = "leave `[impacts]` out of the scene, or run it by `tripos simulate`";
@@ -77,8 +107,12 @@ impl Fmu {
         let variables = Variables::new(model, scene, &functions, &plan);
         let has_slopes = functions.has_slopes() && plan.has("jacobian");
         sources.push(("fmu_model.h".to_owned(), configuration(&module, scene, &functions, &variables, has_slopes)));
-        sources.push(("fmi3.c".to_owned(), INTERFACE.to_owned()));
-        let description = description::text(&identifier, &module, scene, &variables, has_slopes);
+        let (name, text) = version.interface();
+        sources.extend([("fmu_core.h", CORE), (name, text)].map(|(name, text)| (name.to_owned(), text.to_owned())));
+        let description = match version {
+            Version::Two => fmi2::text(&identifier, &module, scene, &variables, has_slopes),
+            Version::Three => description::text(&identifier, &module, scene, &variables, has_slopes),
+        };
         Ok(Self { identifier, description, sources, left_out: functions.left_out, has_slopes })
     }
 }
@@ -107,7 +141,7 @@ fn configuration(
     let (plan, e) = (module.plan, module.equations());
     let stem = format!("{}_{}", module.model_word, module.equations_word);
     let mut writer = Writer::new(&C, Comments::Written);
-    writer.comment("Description of a mechanism for the interface fmi3.c.");
+    writer.comment("Description of a mechanism for fmu_core.h.");
     writer.comment("");
     writer.origin(module.origin);
     writer.gap();

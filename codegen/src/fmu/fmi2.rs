@@ -1,0 +1,103 @@
+//! Text of `modelDescription.xml` by FMI 2.0.
+
+use super::description::{escaped, experiment, number, title, units};
+use super::token;
+use super::variables::{Role, Variable, Variables};
+use crate::languages::Module;
+use std::fmt::Write;
+use tripos_derive::scene::Scene;
+
+/// Text of the description of a scene's unit. Places in lists count from 1.
+pub fn text(identifier: &str, module: &Module<'_>, scene: &Scene, variables: &Variables, has_slopes: bool) -> String {
+    let list = &variables.list;
+    let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    let indicators = list.iter().filter(|variable| variable.role == Role::Indicator).count();
+    let _ = writeln!(
+        out,
+        "<fmiModelDescription fmiVersion=\"2.0\" modelName=\"{}\" guid=\"{}\" description=\"{}\" generationTool=\"Tripos\" \
+         variableNamingConvention=\"flat\" numberOfEventIndicators=\"{indicators}\">",
+        escaped(&title(module, scene)),
+        token(module, scene),
+        escaped(&format!("{} {}", scene.about, module.origin))
+    );
+    let slopes = if has_slopes { " providesDirectionalDerivative=\"true\"" } else { "" };
+    let states = "canGetAndSetFMUstate=\"true\" canSerializeFMUstate=\"true\"";
+    let sources = format!(
+        "<SourceFiles><File name=\"fmi2.c\"/><File name=\"{}_{}.c\"/></SourceFiles>",
+        module.model_word, module.equations_word
+    );
+    let _ = writeln!(
+        out,
+        "  <ModelExchange modelIdentifier=\"{identifier}\" {states}{slopes}>{sources}</ModelExchange>\n  \
+         <CoSimulation modelIdentifier=\"{identifier}\" {states}{slopes} \
+         canHandleVariableCommunicationStepSize=\"true\">{sources}</CoSimulation>"
+    );
+    units(&mut out, list);
+    experiment(&mut out, scene);
+    out.push_str("  <ModelVariables>\n");
+    for variable in list {
+        element(&mut out, variable);
+    }
+    out.push_str("  </ModelVariables>\n  <ModelStructure>\n");
+    let of = |wanted: fn(&Role) -> bool| list.iter().filter(move |variable| wanted(&variable.role));
+    let outputs: Vec<_> = of(|role| matches!(role, Role::Output | Role::State(true))).collect();
+    let derivatives: Vec<_> = of(|role| matches!(role, Role::Derivative(_))).collect();
+    let computed: Vec<_> = of(|role| matches!(role, Role::Derivative(_) | Role::Output)).collect();
+    unknowns(&mut out, "Outputs", &outputs, true);
+    unknowns(&mut out, "Derivatives", &derivatives, true);
+    unknowns(&mut out, "InitialUnknowns", &computed, false);
+    out.push_str("  </ModelStructure>\n</fmiModelDescription>\n");
+    out
+}
+
+/// Element of one variable.
+fn element(out: &mut String, variable: &Variable) {
+    let (causality, variability, initial) = match variable.role {
+        Role::Time => ("independent", "continuous", ""),
+        Role::Parameter => ("parameter", "tunable", " initial=\"exact\""),
+        Role::Input => ("input", "continuous", ""),
+        Role::State(true) => ("output", "continuous", " initial=\"exact\""),
+        Role::State(false) => ("local", "continuous", " initial=\"exact\""),
+        Role::Derivative(_) | Role::Indicator => ("local", "continuous", " initial=\"calculated\""),
+        Role::Output => ("output", "continuous", " initial=\"calculated\""),
+    };
+    let about = if variable.about.is_empty() {
+        String::new()
+    } else {
+        format!(" description=\"{}\"", escaped(&variable.about))
+    };
+    let _ = write!(
+        out,
+        "    <ScalarVariable name=\"{}\" valueReference=\"{}\" causality=\"{causality}\" \
+         variability=\"{variability}\"{initial}{about}><Real",
+        escaped(&variable.name),
+        variable.reference
+    );
+    if let Some(unit) = &variable.unit {
+        let _ = write!(out, " unit=\"{}\"", escaped(&unit.to_string()));
+    }
+    if let Some(start) = variable.start {
+        let _ = write!(out, " start=\"{}\"", number(start));
+    }
+    if let Role::Derivative(of) = variable.role {
+        let _ = write!(out, " derivative=\"{}\"", of + 1);
+    }
+    out.push_str("/></ScalarVariable>\n");
+}
+
+/// List of unknowns, with what they depend on if `is_known`.
+fn unknowns(out: &mut String, name: &str, list: &[&Variable], is_known: bool) {
+    if list.is_empty() {
+        return;
+    }
+    let _ = writeln!(out, "    <{name}>");
+    for variable in list {
+        let _ = write!(out, "      <Unknown index=\"{}\"", variable.reference + 1);
+        if let Some(depends_on) = variable.depends_on.as_ref().filter(|_| is_known) {
+            let places: Vec<String> = depends_on.iter().map(|reference| (reference + 1).to_string()).collect();
+            let _ = write!(out, " dependencies=\"{}\"", places.join(" "));
+        }
+        out.push_str("/>\n");
+    }
+    let _ = writeln!(out, "    </{name}>");
+}
