@@ -626,3 +626,52 @@ fn poses_are_assembled_and_systems_solved() {
         sympy::python_with(&sympy::root().join("tests/languages/requirements.txt"), "import numpy, casadi, fmpy");
     run(Command::new(python).current_dir(&c).args(["-c", script]));
 }
+
+/// Goal: the equations serve a microcontroller. Method: the documented controller in floats, compiled without a warning
+/// and run for ten seconds; and, where its compiler is installed, its size for a Cortex-M4, below 8 kB without a heap.
+#[test]
+fn a_controller_fits_a_microcontroller() {
+    let found = Command::new("gcc").arg("--version").output().is_ok_and(|output| output.status.success());
+    if is_left_out("gcc", found, "there is no gcc") {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let at = emitted("furuta", &C, folder.path());
+    std::fs::copy(sympy::root().join("docs/embedded/furuta_balance.c"), at.join("furuta_balance.c")).unwrap();
+    let sources = ["furuta_balance.c", "furuta_kane.c", "-lm"];
+    let strict = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-DTRIPOS_FLOAT", "-O2", "-o", "main"];
+    run(Command::new("gcc").current_dir(&at).args(strict).args(sources));
+    run(&mut Command::new(at.join("main")));
+    let arm = |program: &str| Command::new(format!("arm-none-eabi-{program}"));
+    let found = arm("gcc").arg("--version").output().is_ok_and(|output| output.status.success());
+    if is_left_out("arm", found, "there is no arm-none-eabi-gcc") {
+        return;
+    }
+    let target = ["-std=c99", "-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard", "-DTRIPOS_FLOAT"];
+    let small =
+        ["-Os", "-ffunction-sections", "-Wl,--gc-sections", "--specs=nano.specs", "--specs=nosys.specs", "-o", "arm"];
+    run(arm("gcc").current_dir(&at).args(target).args(small).args(sources));
+    let said = arm("size").current_dir(&at).arg("arm").output().unwrap();
+    let said = String::from_utf8_lossy(&said.stdout).into_owned();
+    let sizes: Vec<usize> =
+        said.lines().nth(1).unwrap().split_whitespace().take(2).map(|word| word.parse().unwrap()).collect();
+    assert!(sizes[0] + sizes[1] < 8192, "{said}");
+    let symbols = arm("nm").current_dir(&at).arg("arm").output().unwrap();
+    assert!(!String::from_utf8_lossy(&symbols.stdout).contains("malloc"), "the program has a heap");
+}
+
+/// Goal: the generated Python serves JAX. Method: compiled, mapped and differentiated functions against those over
+/// NumPy, in 64 bits; in thorough runs only, since JAX is large.
+#[test]
+fn jax_compiles_maps_and_differentiates() {
+    if std::env::var_os("TRIPOS_LANGUAGES").is_none() || sympy::is_left_out("JAX") {
+        return;
+    }
+    let python = sympy::python_with(&sympy::root().join("tests/languages/requirements-jax.txt"), "import jax");
+    let folder = tempfile::tempdir().unwrap();
+    for model in ["disk", "furuta", "satellite", "four_bar"] {
+        let at = emitted(model, &Python, folder.path());
+        let script = sympy::root().join("tests/languages/jax_arrays.py");
+        run(Command::new(&python).current_dir(&at).env("PYTHONPATH", ".").arg(script).arg(format!("{model}_kane")));
+    }
+}

@@ -144,6 +144,21 @@ def emitted_crate(worker, formulation, models, name=None):
     return seconds
 
 
+def emitted_c(problem, path, formulation):
+    """A C file with `rates` around the derivative that `tripos emit --language c` writes, and the seconds that emitting took."""
+    place = PLACE / "emitted-c" / problem
+    begin = time.perf_counter()
+    options = ["--language", "c", "--formulation", formulation, "--functions", "derivative"]
+    call([command(), "emit", path, "--out", place, *options], quiet=True)
+    seconds = time.perf_counter() - begin
+    source = next(place.glob(f"*_{formulation}.c"))
+    body = f"{source.stem}_derivative(p, y, y + N_, out, out + N_);"
+    text = f"#include \"{source.name}\"\nvoid rates(const double *p, const double *y, double *out)\n{{\n    {body}\n}}\n"
+    text = text.replace("N_", f"{source.stem.upper()}_COORDINATES")
+    write_text(place / "tripos.c", text)
+    return place / "tripos.c", seconds
+
+
 def emitted_library(problems):
     """The modules, and a macro that does something with the one of a name; `None` if there is none of it."""
     modules = "".join(f"pub mod {problem};\n" for problem in problems)

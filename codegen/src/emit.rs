@@ -9,7 +9,7 @@ use crate::extras::Extras;
 use crate::files::{self, WriteError};
 #[cfg(feature = "rust")]
 use crate::origin::Origin;
-use crate::origin::{EMIT, is_written_by};
+use crate::origin::{EMIT, are_of_one_model, is_written_by, origin_in};
 use crate::target::LeftOut;
 #[cfg(feature = "rust")]
 use crate::workspace::{ModuleFiles, asked_for, module_files};
@@ -123,7 +123,8 @@ impl fmt::Display for PlaceError {
     }
 }
 
-/// Makes a folder contain the files of a module, and removes other files of an earlier emission. All other files stay.
+/// Makes a folder contain the files of a module, and removes other files of an earlier emission of the same model. All
+/// other files stay.
 ///
 /// # Errors
 /// [`PlaceError`]. [`PlaceError::Foreign`] is returned before any file is changed.
@@ -147,7 +148,12 @@ pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceErr
         files::write(&path, text)?;
         placed.push(Placed::Written(file.clone()));
     }
-    for file in old.into_keys().filter(|file| !emission.files.contains_key(file)) {
+    // Files of other models stay, so that several can share a folder.
+    let own: Vec<_> = emission.files.values().filter_map(|text| origin_in(text, EMIT)).collect();
+    let is_own =
+        |text: &str| origin_in(text, EMIT).is_some_and(|old| own.iter().any(|own| are_of_one_model(own, &old)));
+    let gone = old.into_iter().filter(|(file, text)| !emission.files.contains_key(file) && is_own(text));
+    for file in gone.map(|(file, _)| file) {
         let path = folder.join(&file);
         std::fs::remove_file(&path).map_err(|error| PlaceError::Io(path, error))?;
         placed.push(Placed::Removed(file));

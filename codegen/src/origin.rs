@@ -10,6 +10,9 @@ const GENERATED: &str = "Generated from `";
 /// Beginning of the origin sentence in files that are the same for every model.
 const BESIDE: &str = "Goes with what is generated from `";
 
+/// Name of the file of a publication beside a model.
+const PUBLICATION: &str = "publication.toml";
+
 /// Characters that begin a comment in one of the languages.
 const MARKS: [&str; 4] = ["//!", "//", "#", "%"];
 
@@ -48,7 +51,7 @@ impl Origin {
 
     /// Origin sentence in files with the printed equations of the publication beside the model.
     pub fn of_publication(&self) -> String {
-        self.of("publication.toml")
+        self.of(PUBLICATION)
     }
 
     /// Origin sentence in files derived from a scene, whose path is relative to the folder of the model.
@@ -76,9 +79,25 @@ fn advice(command: &str) -> String {
 
 /// True if a command wrote the text: its header has the origin sentence in a comment before the first item.
 pub(crate) fn is_written_by(text: &str, command: &str) -> bool {
+    origin_in(text, command).is_some()
+}
+
+/// Folder and file from which a command generated the text, as its header states them; `None` if it did not write it.
+pub(crate) fn origin_in(text: &str, command: &str) -> Option<(String, String)> {
     let advice = advice(command);
     let comment = |line: &'_ str| MARKS.iter().find_map(|mark| line.strip_prefix(mark)).map(str::to_owned);
-    let mut header = text.lines().map_while(comment);
-    let starts = |line: &str| line.starts_with(GENERATED) || line.starts_with(BESIDE);
-    header.any(|line| starts(line.trim_start()) && line.ends_with(&advice))
+    let origin = |line: String| {
+        let line = line.trim_start();
+        let rest = line.strip_prefix(GENERATED).or_else(|| line.strip_prefix(BESIDE))?;
+        let path = rest.strip_suffix(&advice)?.trim_end_matches(['`', '.', ' ']);
+        let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
+        Some((folder.to_owned(), file.to_owned()))
+    };
+    text.lines().map_while(comment).find_map(origin)
+}
+
+/// True if two texts were generated from one model, or from the publication beside it.
+pub(crate) fn are_of_one_model(one: &(String, String), other: &(String, String)) -> bool {
+    let is_publication = |(_, file): &(String, String)| file == PUBLICATION;
+    one.0 == other.0 && (one.1 == other.1 || is_publication(one) || is_publication(other))
 }

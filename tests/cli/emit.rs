@@ -429,4 +429,11 @@ fn files_of_other_languages_are_readable() {
     let (_, said, _) =
         emit(&model, &out, &["--language", "matlab", "--formulation", "kane", "--functions", "kinetic_energy"]);
     assert!(said.contains("removed    swing_kane_forcing.m"), "{said}");
+
+    // Another model in the same folder leaves them alone.
+    let other = root().join("models/furuta");
+    let (status, ..) = emit(&other, &out, &["--language", "matlab", "--formulation", "kane", "--functions", "forcing"]);
+    assert!(
+        status == 0 && out.join("swing_kane_kinetic_energy.m").is_file() && out.join("furuta_kane_forcing.m").is_file()
+    );
 }

@@ -8,7 +8,7 @@ use std::io::Write;
 use std::path::Path;
 
 /// The programs that tests need beside Rust, as `TRIPOS_NEEDS` names them.
-const PROGRAMS: [&str; 6] = ["python", "node", "latex", "browser", "gcc", "octave"];
+const PROGRAMS: [&str; 7] = ["python", "node", "latex", "browser", "gcc", "octave", "arm"];
 
 /// True if this test is left out since its program was not found. Prints the reason then, and counts the test.
 ///

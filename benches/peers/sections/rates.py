@@ -15,6 +15,7 @@ OURS = next(iter(BUILDS))
 # What a call of the rows above takes; other kinds that the Tripos worker gains have rows of their own.
 ONE = "one"
 HAND = "C by hand, closed form"
+OURS_IN_C = "Tripos, C"
 GENERATED = {
     "casadi-ldl": "CasADi C, L D L'",
     "casadi-qr": "CasADi C, QR",
@@ -75,6 +76,10 @@ def started(problem, folder, builds, kinds):
     if problem == "disk" and tools.has(HAND, tools.C):
         program, compiling = build.rates_program(copied("disk_rates.c"), lengths)
         peers[HAND], seconds[HAND] = Peer(HAND, [program, states]), (0.0, compiling)
+    if tools.has(OURS_IN_C, tools.C):
+        source, emitting = build.emitted_c(problem, folder, "lagrange")
+        program, compiling = build.rates_program(source, lengths)
+        peers[OURS_IN_C], seconds[OURS_IN_C] = Peer(OURS_IN_C, [program, states]), (emitting, compiling)
     for tool, name in GENERATED.items():
         if tools.has(name, *NEEDS[tool]):
             program, seconds[name] = generated(tool, folder, lengths)

@@ -49,12 +49,7 @@ static bool is_finite(double x)
 
 static void derivatives(const State *s, const double *x, double *out)
 {
-#if HAS_DERIVATIVE
   F(derivative)(s->p, x, x + NQ, out, out + NQ);
-#else
-  F(coordinate_rates)(s->p, x, x + NQ, out);
-  F(accelerations)(s->p, x, x + NQ, out + NQ);
-#endif
 }
 
 static void outputs(const State *s, double *out)

@@ -9,17 +9,8 @@ use tripos_derive::scene::{ENERGIES, Scene, SceneEvent, SceneOutput};
 use tripos_derive::{Equations, Model};
 
 /// Functions of the equations that a unit calls.
-const CALLED: [&str; 9] = [
-    "accelerations",
-    "coordinate_rates",
-    "derivative",
-    "jacobian",
-    "parameter_jacobian",
-    "divisors",
-    "conditions",
-    "constraints",
-    "constraint_slopes",
-];
+const CALLED: [&str; 7] =
+    ["derivative", "jacobian", "parameter_jacobian", "divisors", "conditions", "constraints", "constraint_slopes"];
 
 /// Solved equations with the outputs and events of a scene.
 pub struct FmuFunctions {
@@ -79,9 +70,6 @@ impl FmuFunctions {
     pub fn plan(&self, planner: &Planner<'_>) -> ModulePlan {
         let mut plan = ModulePlan::new(planner, Some(&self.solution));
         plan.functions.retain(|function| CALLED.contains(&function.name));
-        if plan.has("derivative") {
-            plan.functions.retain(|f| !["accelerations", "coordinate_rates"].contains(&f.name));
-        }
         let own = |name: &'static str, about: &str, returns: Returns, steps: &[Definition], values: &[Value]| {
             (!values.is_empty()).then(|| planner.stepwise(name, about, Arguments::State, returns, steps, values))
         };

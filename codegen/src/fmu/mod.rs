@@ -163,7 +163,6 @@ fn configuration(
         ("NCOND", count("conditions")),
         ("NEVENT", events),
         ("NCON", count("constraints")),
-        ("HAS_DERIVATIVE", usize::from(plan.has("derivative"))),
         ("HAS_OUTPUTS", usize::from(plan.has("outputs"))),
         ("HAS_DIVISORS", usize::from(plan.has("divisors"))),
         ("HAS_CONDITIONS", usize::from(plan.has("conditions"))),

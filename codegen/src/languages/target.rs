@@ -101,7 +101,8 @@ impl Target for Modules<'_> {
     fn derived(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics> {
         let Derivation { mut arena, equations } = derivation;
         let equations = equations.written(&mut arena);
-        let solution = solution(model, &mut arena, &equations).map_err(|why| model.diagnose(&why))?;
+        let has_parameters = self.wants("parameter_jacobian");
+        let solution = solution(model, &mut arena, &equations, has_parameters).map_err(|why| model.diagnose(&why))?;
         let equations = equations
             .with_inverse_dynamics(&mut arena)
             .map_err(|why| model.diagnose(&DeriveError::Unsolved(why.into())))?;
@@ -119,17 +120,21 @@ impl Target for Modules<'_> {
 }
 
 impl Modules<'_> {
+    /// True if a function is to be written.
+    fn wants(&self, name: &str) -> bool {
+        self.functions.is_empty() || self.functions.iter().any(|wanted| wanted == name)
+    }
+
     fn add(&mut self, planner: &Planner<'_>, solution: Option<&Solution>, origin: &str) {
         let name = planner.equations.name(planner.model);
         let mut plan = ModulePlan::new(planner, solution);
-        let is_wanted = |name: &str| self.functions.is_empty() || self.functions.iter().any(|wanted| wanted == name);
         let can_write = |composite: &Composite| {
             composite.needs().iter().all(|needed| plan.has(needed)) && composite.suits(planner.equations)
         };
         let composites = self.dialect.composites().iter().copied().filter(can_write);
-        let composites: Vec<Composite> = composites.filter(|composite| is_wanted(composite.name())).collect();
+        let composites: Vec<Composite> = composites.filter(|composite| self.wants(composite.name())).collect();
         let needed: Vec<&str> = composites.iter().flat_map(|composite| composite.needs()).copied().collect();
-        plan.functions.retain(|function| is_wanted(function.name) || needed.contains(&function.name));
+        plan.functions.retain(|function| self.wants(function.name) || needed.contains(&function.name));
         let own = composites.iter().map(|composite| composite.name());
         for name in plan.functions.iter().map(|function| function.name).chain(own) {
             if !self.written.contains(&name) {
@@ -149,15 +154,25 @@ impl Modules<'_> {
     }
 }
 
-/// Accelerations in closed form with their slopes; `None` if the model does not determine them in closed form.
-fn solution(model: &Model, arena: &mut Arena, equations: &Equations) -> Result<Option<Solution>, DeriveError> {
+/// Accelerations in closed form with their slopes, along the parameters too if `has_parameters`; `None` if the model does
+/// not determine them in closed form.
+fn solution(
+    model: &Model,
+    arena: &mut Arena,
+    equations: &Equations,
+    has_parameters: bool,
+) -> Result<Option<Solution>, DeriveError> {
     let by_state = match Solved::new(arena, equations) {
         Ok(solved) => solved,
         Err(Unsolved::Singular(_)) => return Ok(None),
         Err(why) => return Err(DeriveError::Unsolved(why)),
     };
     let solved = &by_state.accelerations;
-    let by_parameters = parameter_jacobian(arena, &mut Simplifier::default(), equations, solved, &model.p())
-        .map_err(|why| DeriveError::Unsolved(why.into()))?;
+    let by_parameters = if has_parameters {
+        parameter_jacobian(arena, &mut Simplifier::default(), equations, solved, &model.p())
+            .map_err(|why| DeriveError::Unsolved(why.into()))?
+    } else {
+        None
+    };
     Ok(Some(Solution { by_state, by_parameters }))
 }

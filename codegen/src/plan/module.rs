@@ -5,7 +5,7 @@ use super::formulation::{
     kinematics_and_energies, linear_system, parameter_jacobian, redundant_constraints, residual,
 };
 use super::function::{Arguments, Function, Planner, Returns, Value};
-use super::motion::{MOST_TOGETHER, needs_reaction};
+use super::motion::needs_reaction;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::mechanics::{Jacobian, Solved};
@@ -78,7 +78,7 @@ impl ModulePlan {
         }
         if let Some(solution) = solution {
             let steps = &solution.by_state.accelerations.steps;
-            functions.extend((steps.len() <= MOST_TOGETHER).then(|| derivative(planner, steps)));
+            functions.push(derivative(planner, steps));
             functions.extend(jacobian(planner, &solution.by_state));
             functions.extend(solution.by_parameters.as_ref().map(|slopes| parameter_jacobian(planner, slopes)));
         }

@@ -10,7 +10,7 @@ use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::steps::Definition;
 
 /// Most steps of accelerations for which q̇ and v̇ are also computed together, in one function.
-pub(super) const MOST_TOGETHER: usize = 400;
+const MOST_TOGETHER: usize = 400;
 
 /// Quantity that a run watches: a condition that holds as long as it is positive, or an event where it is zero.
 #[derive(Clone, Debug)]
