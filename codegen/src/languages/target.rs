@@ -154,8 +154,8 @@ impl Modules<'_> {
     }
 }
 
-/// Accelerations in closed form with their slopes, along the parameters too if `has_parameters`; `None` if the model does
-/// not determine them in closed form.
+/// Accelerations in closed form with their slopes, along the parameters too if `has_parameters`; `None` if the model
+/// does not determine them in closed form.
 fn solution(
     model: &Model,
     arena: &mut Arena,
