@@ -35,6 +35,7 @@ mod limits;
 mod material_points;
 mod mutations;
 mod named;
+mod named_files;
 mod near_points;
 mod notations;
 mod oblique_axes;

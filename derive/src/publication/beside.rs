@@ -33,6 +33,26 @@ pub fn load_beside(path: &Path, model: &mut Model) -> Result<Option<Publication>
     super::load(&crate::diagnostic::Source::read(&found)?, model).map(Some)
 }
 
+/// Reads a file that a publication names beside it. Links are refused: a name means a file of this folder.
+#[cfg(feature = "files")]
+pub(super) fn read_named(path: &Path) -> Result<crate::diagnostic::Source, Diagnostics> {
+    if std::fs::symlink_metadata(path).is_ok_and(|found| found.file_type().is_symlink()) {
+        let source = crate::diagnostic::Source::from_text(&path.to_string_lossy(), "");
+        let link =
+            crate::diagnostic::Diagnostic::of_file("this is a link", "put the file itself beside the publication");
+        return Err(Diagnostics::new(source, vec![link]));
+    }
+    crate::diagnostic::Source::read(path)
+}
+
+/// No file, since the program has no access to files.
+#[cfg(not(feature = "files"))]
+pub(super) fn read_named(path: &Path) -> Result<crate::diagnostic::Source, Diagnostics> {
+    let source = crate::diagnostic::Source::from_text(&path.to_string_lossy(), "");
+    let why = crate::diagnostic::Diagnostic::of_file("this program reads no files", "copy the formulas");
+    Err(Diagnostics::new(source, vec![why]))
+}
+
 /// No publication, since the program has no access to files.
 ///
 /// # Errors
@@ -42,11 +62,35 @@ pub fn load_beside(_path: &Path, _model: &mut Model) -> Result<Option<Publicatio
     Ok(None)
 }
 
-/// Hash of the text of the publication file in the folder of a model file; empty if none can be read.
+/// Hash of the publication file in the folder of a model file, with the files that it names; empty if none can be read.
 #[must_use]
 #[cfg(feature = "files")]
 pub fn hash_beside(path: &Path) -> String {
-    std::fs::read_to_string(beside(path)).map(|text| crate::model::text_hash(&text)).unwrap_or_default()
+    let Ok(mut text) = std::fs::read_to_string(beside(path)) else { return String::new() };
+    for name in named(&text) {
+        if let Ok(file) = read_named(&path.with_file_name(name)) {
+            text.push_str(&file.text);
+        }
+    }
+    crate::model::text_hash(&text)
+}
+
+/// Names of the files that a publication file names, each once.
+#[cfg(feature = "files")]
+fn named(text: &str) -> Vec<String> {
+    use toml::de::{DeTable, DeValue};
+    let (table, _) = DeTable::parse_recoverable(text);
+    let mut names = std::collections::BTreeSet::new();
+    let mut tables = vec![table.get_ref()];
+    for (_, value) in table.get_ref() {
+        if let DeValue::Array(list) = value.get_ref() {
+            tables.extend(list.iter().filter_map(|entry| entry.get_ref().as_table()));
+        }
+    }
+    let names_file =
+        |table: &&DeTable<'_>| table.get("file").and_then(|file| file.get_ref().as_str().map(str::to_owned));
+    names.extend(tables.iter().filter_map(names_file).filter(|name| !name.contains(['/', '\\'])));
+    names.into_iter().collect()
 }
 
 /// Empty hash, since the program has no access to files.

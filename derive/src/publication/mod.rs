@@ -47,9 +47,12 @@
 mod beside;
 mod entries;
 mod linear;
+mod locals;
 mod matrix;
+mod named_files;
 mod names;
 mod near;
+mod printed;
 mod read;
 mod row_text;
 mod spelling;
@@ -57,7 +60,7 @@ mod words;
 
 pub use beside::{beside, hash_beside, is_beside, load_beside};
 pub use names::Names;
-pub use read::load;
+pub use read::{load, load_with};
 pub(crate) use row_text::row_text;
 
 use crate::algebra::Expr;

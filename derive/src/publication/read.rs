@@ -2,9 +2,10 @@
 //!
 //! Every error is reported once, at its cause; `None` always means that an error stands in the reader.
 
+use super::named_files::{Files, notation_of_file};
 use super::spelling::notations;
 use super::words::Words;
-use super::{Approximation, Publication};
+use super::{Approximation, Publication, beside};
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
@@ -17,8 +18,10 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Keys at the top of a publication file.
-pub const KEYS: [&str; 16] = [
+pub const KEYS: [&str; 18] = [
     "schema",
+    "file",
+    "macros",
     "equation",
     "definition",
     "system",
@@ -45,6 +48,19 @@ const MAX_ERRORS: usize = 1000;
 /// # Errors
 /// [`Diagnostics`] with every error of the publication file.
 pub fn load(source: &Source, model: &mut Model) -> Result<Publication, Diagnostics> {
+    let folder = source.path.parent().map(std::path::Path::to_owned).unwrap_or_default();
+    load_with(source, model, &|name| beside::read_named(&folder.join(name)))
+}
+
+/// Reads a publication for its model, with a reader of the files that the publication names beside it.
+///
+/// # Errors
+/// [`Diagnostics`] with every error of the publication file and of the files that it names.
+pub fn load_with(
+    source: &Source,
+    model: &mut Model,
+    read: &dyn Fn(&str) -> Result<Source, Diagnostics>,
+) -> Result<Publication, Diagnostics> {
     let (mut reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
     if table.is_empty() {
@@ -65,10 +81,12 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Publication, Diagnosti
         near: None,
         ids: FxHashMap::default(),
         values: FxHashMap::default(),
+        files: Files::new(read),
     };
     let title = loading.text(table, "title").unwrap_or_default();
     let reference = loading.text(table, "source").unwrap_or_default();
     let names = loading.names(table);
+    loading.files_of(table);
     loading.notation = loading.notation(table);
     let abbreviations = loading.abbreviations(table);
     loading.near = loading.near(table);
@@ -90,12 +108,18 @@ pub struct Loading<'a, 'm> {
     pub ids: FxHashMap<String, Range<usize>>,
     /// Byte range at which each set states a value of a quantity.
     pub values: FxHashMap<(String, Expr), Range<usize>>,
+    /// Files that the publication names.
+    pub files: Files<'m>,
 }
 
 impl<'a> Loading<'a, '_> {
     /// Notation that a table states; without one, that of the publication file.
     pub fn notation(&mut self, table: &'a DeTable<'a>) -> Notation {
-        let Some(value) = self.reader.get(table, "notation") else { return self.notation };
+        let Some(value) = self.reader.get(table, "notation") else {
+            // The name of a file tells its language.
+            let file = self.reader.get(table, "file").and_then(|file| file.get_ref().as_str());
+            return file.and_then(notation_of_file).unwrap_or(self.notation);
+        };
         let Some(name) = self.reader.string(value, "`notation`") else { return self.notation };
         Notation::named(&name.text).unwrap_or_else(|| {
             let message = format!("there is no notation `{}`", shown(&name.text));
@@ -108,6 +132,10 @@ impl<'a> Loading<'a, '_> {
     pub fn formula(&mut self, formula: &Located, notation: Notation) -> Option<Expr> {
         if self.reader.errors.len() > MAX_ERRORS {
             return None;
+        }
+        if notation == Notation::Latex && !self.reader.is_made(formula) {
+            let expanded = self.without_macros(formula)?;
+            return self.words.formula(&mut self.reader, &mut self.model.arena, &expanded, notation);
         }
         self.words.formula(&mut self.reader, &mut self.model.arena, formula, notation)
     }
