@@ -25,6 +25,7 @@ mod expressions;
 #[path = "common/figures.rs"]
 mod figures;
 mod flows;
+mod found_coordinates;
 mod frames;
 mod given_potentials;
 mod identification;

@@ -3,6 +3,8 @@
 //! The equations of the cart with a rod are written by hand. They are right where a test says `equal`, and have one
 //! slip where it says `different`.
 
+#![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
+
 use crate::printed_forms::CART;
 use expect_test::{Expect, expect};
 use tripos_derive::diagnostic::{Diagnostics, Source};

@@ -1,6 +1,8 @@
 //! The publication file in the folder of a model file; none if the program has no access to files.
 
 use super::Publication;
+#[cfg(feature = "files")]
+use super::files::read_named;
 use crate::diagnostic::Diagnostics;
 use crate::model::Model;
 use std::path::{Path, PathBuf};
@@ -31,26 +33,6 @@ pub fn load_beside(path: &Path, model: &mut Model) -> Result<Option<Publication>
         return Ok(None);
     }
     super::load(&crate::diagnostic::Source::read(&found)?, model).map(Some)
-}
-
-/// Reads a file that a publication names beside it. Links are refused: a name means a file of this folder.
-#[cfg(feature = "files")]
-pub(super) fn read_named(path: &Path) -> Result<crate::diagnostic::Source, Diagnostics> {
-    if std::fs::symlink_metadata(path).is_ok_and(|found| found.file_type().is_symlink()) {
-        let source = crate::diagnostic::Source::from_text(&path.to_string_lossy(), "");
-        let link =
-            crate::diagnostic::Diagnostic::of_file("this is a link", "put the file itself beside the publication");
-        return Err(Diagnostics::new(source, vec![link]));
-    }
-    crate::diagnostic::Source::read(path)
-}
-
-/// No file, since the program has no access to files.
-#[cfg(not(feature = "files"))]
-pub(super) fn read_named(path: &Path) -> Result<crate::diagnostic::Source, Diagnostics> {
-    let source = crate::diagnostic::Source::from_text(&path.to_string_lossy(), "");
-    let why = crate::diagnostic::Diagnostic::of_file("this program reads no files", "copy the formulas");
-    Err(Diagnostics::new(source, vec![why]))
 }
 
 /// No publication, since the program has no access to files.

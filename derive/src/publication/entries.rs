@@ -183,7 +183,7 @@ impl<'a> Loading<'a, '_> {
             }
             Kind::System => self.system(item).map(EntryKind::System),
             Kind::Listing => self.listing(item).map(EntryKind::Listing),
-            Kind::Initial => self.initial(item).map(EntryKind::Initial),
+            Kind::Initial => self.initial(item),
         };
         let id = id?;
         let entry = Entry {
@@ -233,8 +233,11 @@ impl<'a> Loading<'a, '_> {
                 };
                 let (quantity, value) = (self.quantity(&name), self.formula(&formula, item.notation));
                 // One reason for an unknown quantity is enough.
-                let quantity = quantity?;
-                entries.push(value.map(|printed| EntryKind::Equation { quantity, printed, text: formula.text }));
+                let own = self.in_own_coordinates(item, &quantity?, value.unwrap_or(Expr::ZERO));
+                entries.push(own.filter(|_| value.is_some()).map(|(quantity, printed)| {
+                    let text = formula.text;
+                    EntryKind::Equation { quantity, printed, text }
+                }));
             }
             list.push(entries.into_iter().collect::<Option<Vec<_>>>());
         }
@@ -338,10 +341,11 @@ impl<'a> Loading<'a, '_> {
         let quantity = self.required_text(item, "quantity").and_then(|name| self.quantity(&name));
         let printed = printed.map(|formula| right_side(&formula));
         let formula = printed.as_ref().and_then(|f| self.formula(f, item.notation));
-        Some(EntryKind::Equation { quantity: quantity?, printed: formula?, text: printed?.text })
+        let (quantity, value) = self.in_own_coordinates(item, &quantity?, formula?)?;
+        Some(EntryKind::Equation { quantity, printed: value, text: printed?.text })
     }
 
-    fn initial(&mut self, item: &Item<'a>) -> Option<Initial> {
+    fn initial(&mut self, item: &Item<'a>) -> Option<EntryKind> {
         let set = self.required_text(item, "set");
         let quantity = self.required_text(item, "quantity").and_then(|name| self.initial_quantity(name));
         let printed = self.required_formula(item, "printed");
@@ -355,7 +359,11 @@ impl<'a> Loading<'a, '_> {
         }
         self.values.insert((set.clone(), symbol), name.span);
         let decimals = decimals(&text);
-        Some(Initial { set, quantity: symbol, name: name.text, value: value?, text, decimals })
+        if self.words.is_renamed(&name.text) {
+            // A number of the publication's own variable.
+            return Some(EntryKind::Definition { text });
+        }
+        Some(EntryKind::Initial(Initial { set, quantity: symbol, name: name.text, value: value?, text, decimals }))
     }
 
     /// Name and symbol of a parameter, a coordinate, a coordinate's derivative or a speed; reports another name.

@@ -51,8 +51,8 @@ impl<'a> Loading<'a, '_> {
         let frame = self.frame(item, formulation);
         let unknowns = self.required_array(item, "unknowns", "[\"u1'\", \"u2'\"]");
         let unknowns = unknowns.and_then(|(array, span)| {
-            let mut known = formulation?.unknowns(self.model);
-            known.extend(self.accelerations(array));
+            let mut known = self.accelerations(array);
+            known.extend(formulation?.unknowns(self.model));
             let (what, of) = ("an unknown", formulation?.name());
             self.members(array, &span, &known, &format!("{what} of {of}"))
         });
@@ -187,10 +187,9 @@ impl<'a> Loading<'a, '_> {
         }
         let (array, span) = self.required_array(item, "unknowns", "[\"u1'\", \"u2'\"]")?;
         let known = formulation.unknowns(self.model);
-        let mut names = known.clone();
-        let own = self.accelerations(array);
-        let has_own = !own.is_empty();
-        names.extend(own);
+        let mut names = self.accelerations(array);
+        let has_own = !names.is_empty();
+        names.extend(known.clone());
         let (stated, _) = self.members(array, &span, &names, &format!("an unknown of {}", formulation.name()))?;
         let all: Vec<Expr> = residuals.iter().map(|(e, _)| *e).collect();
         let parts = self.model.arena.reachable(&all);
@@ -316,9 +315,11 @@ impl<'a> Loading<'a, '_> {
                     .map(Some)
             }),
         };
-        let ((state, state_names, moving), (derivative, derivative_texts)) = (state?, derivative?);
+        let ((state, state_names, _), (derivative, derivative_texts)) = (state?, derivative?);
         let (matrix, matrix_texts) = matrix?.unzip();
         let formulation = formulation?;
+        let (state, derivative, matrix) = self.own_state(&state_names, (state, derivative, matrix), item)?;
+        let moving = (0..state.len()).filter(|at| formulation.variables(self.model).contains(&state[*at])).collect();
         Some(Listing { formulation, state, state_names, derivative, derivative_texts, moving, matrix, matrix_texts })
     }
 

@@ -1,68 +1,20 @@
 //! Files that a publication names: equations of a LaTeX file by their labels, and variables that a program assigns.
 
 use super::entries::Item;
+use super::files::notation_of_file;
 use super::locals::{Local, Locals};
 use super::matrix::cells;
-use super::printed::{
-    Choice, Macros, Paper, Problem, Statement, Traced, is_access, is_number, statements, without_comments,
-};
+use super::printed::{Choice, Paper, Problem, Statement, Traced, is_access, is_number, statements, without_comments};
 use super::read::Loading;
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
-use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
+use crate::diagnostic::{Diagnostic, Source, shown};
 use crate::read::Located;
-use rustc_hash::FxHashMap;
 use std::sync::Arc;
 use toml::de::DeTable;
 
 /// Most characters of the name of a file.
 const MAX_NAME: usize = 100;
-/// Endings of the names of files, each with the notation of their formulas.
-const ENDINGS: [(&str, Notation); 10] = [
-    ("tex", Notation::Latex),
-    ("ltx", Notation::Latex),
-    ("py", Notation::Python),
-    ("m", Notation::Matlab),
-    ("c", Notation::C),
-    ("h", Notation::C),
-    ("cc", Notation::C),
-    ("cpp", Notation::C),
-    ("cxx", Notation::C),
-    ("hpp", Notation::C),
-];
-
-/// Files that a publication names, as far as they were read. `None` marks a file with a reported error.
-pub struct Files<'r> {
-    read: &'r dyn Fn(&str) -> Result<Source, Diagnostics>,
-    /// Name of the file for entries that name none.
-    usual: Option<Located>,
-    /// Macros for formulas that are copied into the publication file.
-    macros: Macros,
-    sources: FxHashMap<String, Option<Arc<Source>>>,
-    papers: FxHashMap<String, Option<Arc<Paper>>>,
-    /// Variables of programs by the file, the part of it and the notation.
-    programs: FxHashMap<(String, String, &'static str), Option<Arc<Locals>>>,
-}
-
-impl<'r> Files<'r> {
-    pub fn new(read: &'r dyn Fn(&str) -> Result<Source, Diagnostics>) -> Self {
-        Self {
-            read,
-            usual: None,
-            macros: Macros::default(),
-            sources: FxHashMap::default(),
-            papers: FxHashMap::default(),
-            programs: FxHashMap::default(),
-        }
-    }
-}
-
-/// Notation of the formulas of a file, by the ending of its name; `None` for another ending.
-pub fn notation_of_file(name: &str) -> Option<Notation> {
-    let (_, ending) = name.rsplit_once('.')?;
-    ENDINGS.iter().find(|(known, _)| *known == ending).map(|(_, notation)| *notation)
-}
-
 impl<'a> Loading<'a, '_> {
     /// Reads the file and the macros that the publication file states at its top.
     pub fn files_of(&mut self, table: &'a DeTable<'a>) {
@@ -268,7 +220,8 @@ impl<'a> Loading<'a, '_> {
         }
         let name = targets[0].clone();
         if is_number(&right.text) && operator.is_none() && self.words.meaning(&name).is_some_and(|(_, is)| is) {
-            // A program's number of a parameter of the model is a value, and changes no formula.
+            // A program's number of a parameter of the model is a value, and changes no formula. The mark that it has one
+            // is no name of a variable.
             if self.words.locals.has(&name) || self.words.locals.has(&format!("{name} = ")) {
                 self.set(&name, unread(&name, "it gets two values"));
             } else {

@@ -2,10 +2,10 @@
 //!
 //! Every error is reported once, at its cause; `None` always means that an error stands in the reader.
 
-use super::named_files::{Files, notation_of_file};
+use super::files::{Files, notation_of_file, read_named};
 use super::spelling::notations;
 use super::words::Words;
-use super::{Approximation, Publication, beside};
+use super::{Approximation, Publication};
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
@@ -49,7 +49,20 @@ const MAX_ERRORS: usize = 1000;
 /// [`Diagnostics`] with every error of the publication file.
 pub fn load(source: &Source, model: &mut Model) -> Result<Publication, Diagnostics> {
     let folder = source.path.parent().map(std::path::Path::to_owned).unwrap_or_default();
-    load_with(source, model, &|name| beside::read_named(&folder.join(name)))
+    load_with(source, model, &|name| read_named(&folder.join(name)))
+}
+
+/// Reads a publication for its model, with a table of coordinates in the place of its own `[coordinates]`.
+///
+/// # Errors
+/// [`Diagnostics`] with every error of the publication file.
+pub fn load_in(
+    source: &Source,
+    model: &mut Model,
+    coordinates: &[(String, String)],
+) -> Result<Publication, Diagnostics> {
+    let folder = source.path.parent().map(std::path::Path::to_owned).unwrap_or_default();
+    load_all(source, model, &|name| read_named(&folder.join(name)), Some(coordinates))
 }
 
 /// Reads a publication for its model, with a reader of the files that the publication names beside it.
@@ -60,6 +73,15 @@ pub fn load_with(
     source: &Source,
     model: &mut Model,
     read: &dyn Fn(&str) -> Result<Source, Diagnostics>,
+) -> Result<Publication, Diagnostics> {
+    load_all(source, model, read, None)
+}
+
+fn load_all(
+    source: &Source,
+    model: &mut Model,
+    read: &dyn Fn(&str) -> Result<Source, Diagnostics>,
+    stated: Option<&[(String, String)]>,
 ) -> Result<Publication, Diagnostics> {
     let (mut reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
@@ -82,6 +104,8 @@ pub fn load_with(
         ids: FxHashMap::default(),
         values: FxHashMap::default(),
         files: Files::new(read),
+        stated,
+        coordinates: Vec::new(),
     };
     let title = loading.text(table, "title").unwrap_or_default();
     let reference = loading.text(table, "source").unwrap_or_default();
@@ -89,10 +113,12 @@ pub fn load_with(
     loading.files_of(table);
     loading.notation = loading.notation(table);
     let abbreviations = loading.abbreviations(table);
+    loading.names_are_of_the_model(&names);
     loading.near = loading.near(table);
     let entries = loading.entries(table);
     loading.reader.finish()?;
-    Ok(Publication { source: source.clone(), title, reference, abbreviations, names, entries })
+    let coordinates = loading.coordinates;
+    Ok(Publication { coordinates, source: source.clone(), title, reference, abbreviations, names, entries })
 }
 
 /// State of reading a publication file: the file, the model, and the names and entries read so far.
@@ -110,6 +136,10 @@ pub struct Loading<'a, 'm> {
     pub values: FxHashMap<(String, Expr), Range<usize>>,
     /// Files that the publication names.
     pub files: Files<'m>,
+    /// Coordinates in the place of those that the publication file states.
+    stated: Option<&'m [(String, String)]>,
+    /// Coordinates and speeds of the publication that the model does not have.
+    coordinates: Vec<(String, Expr)>,
 }
 
 impl<'a> Loading<'a, '_> {
@@ -213,13 +243,37 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Reads `[coordinates]`: coordinates and speeds of the publication as formulas in those of the model. Their time
-    /// derivatives follow.
-    fn coordinates(&mut self, section: Vec<Field<'a>>) {
-        for (name, value) in section {
-            let formula = self.reader.formula(value, &format!("`{}`", shown(&name.text)));
+    /// derivatives follow. A name of the model gets another meaning after all formulas are read.
+    fn coordinates(&mut self, list: Vec<(Located, Option<Located>)>) {
+        let mut renamed = Vec::new();
+        for (name, formula) in list {
             let formula = formula.and_then(|f| self.formula(&f, Notation::default()));
-            self.words.declare_moving(&mut self.reader, &mut self.model.arena, &name, formula);
+            if self.words.is_motion(&name.text) {
+                renamed.push((name, formula));
+                continue;
+            }
+            let arena = &mut self.model.arena;
+            let declared = self.words.declare_moving(&mut self.reader, arena, &name, formula);
+            self.coordinates.extend(formula.filter(|_| declared).map(|e| (name.text, e)));
         }
+        for (name, formula) in renamed {
+            self.words.redefine(&mut self.reader, &mut self.model.arena, &name, formula);
+        }
+    }
+
+    /// Names and formulas of the coordinates of the publication.
+    fn stated_coordinates(&mut self, table: &'a DeTable<'a>) -> Vec<(Located, Option<Located>)> {
+        if let Some(stated) = self.stated {
+            let whole = self.reader.get(table, "coordinates").map_or(0..0, Spanned::span);
+            let located = |text: &String| Located { text: text.clone(), span: whole.clone(), exact: false };
+            return stated.iter().map(|(name, formula)| (located(name), Some(located(formula)))).collect();
+        }
+        let section = self.section(table, "coordinates", "alpha = \"q2 - q1\"");
+        let formulas = section.into_iter().map(|(name, value)| {
+            let formula = self.reader.formula(value, &format!("`{}`", shown(&name.text)));
+            (name, formula)
+        });
+        formulas.collect()
     }
 
     /// Reads `[abbreviations]`: names of formulas in the model's names and earlier abbreviations.
@@ -228,7 +282,7 @@ impl<'a> Loading<'a, '_> {
         for (name, _) in &section {
             self.words.announce(&name.text);
         }
-        let own = self.section(table, "coordinates", "alpha = \"q2 - q1\"");
+        let own = self.stated_coordinates(table);
         for (name, _) in &own {
             self.words.announce(&name.text);
         }

@@ -47,6 +47,8 @@ pub struct Words {
     clock: Clock,
     /// Variables of the program that the formulas of an entry are about.
     pub locals: Arc<Locals>,
+    /// Names of coordinates and speeds of the model that have another meaning in the publication.
+    renamed: Vec<String>,
     /// Names of coordinates, for variables of programs that name their rates.
     coordinates: Vec<String>,
 }
@@ -91,6 +93,7 @@ impl Words {
             expansion: 0,
             clock: Clock::new(model),
             locals: Arc::default(),
+            renamed: Vec::new(),
             coordinates: model.coordinates.iter().map(|c| c.name.clone()).collect(),
         };
         for p in &model.parameters {
@@ -142,6 +145,39 @@ impl Words {
             }
         }
         is_declared
+    }
+
+    /// True if a name is that of a coordinate or speed of the model.
+    pub fn is_motion(&self, name: &str) -> bool {
+        matches!(self.known.get(name), Some(Word::Model("coordinate" | "speed", _)))
+    }
+
+    /// Gives the name of a coordinate or speed of the model another meaning, with its time derivatives.
+    pub fn redefine(&mut self, reader: &mut Reader<'_>, arena: &mut Arena, name: &Located, value: Option<Expr>) {
+        if let Some(first) = self.places.get(&name.text) {
+            let message = format!("`{}` is declared twice", name.text);
+            let twice = Diagnostic::new(name.span.clone(), message, "rename one of the two");
+            reader.errors.push(twice.with_other(first.clone(), "first declared here"));
+            return;
+        }
+        self.places.insert(name.text.clone(), name.span.clone());
+        let (mut value, mut primed) = (value, name.text.clone());
+        for _ in 0..=PRIMES {
+            let is_known = self.known.contains_key(&primed);
+            match value {
+                Some(value) => self.insert(&primed, Word::Declared(value)),
+                None if is_known => self.insert(&primed, Word::Spoiled),
+                None => {}
+            }
+            value = value.and_then(|e| self.clock.rate(arena, e).ok());
+            primed.push('\'');
+        }
+        self.renamed.push(name.text.clone());
+    }
+
+    /// True if a name of the model, primes aside, has another meaning in the publication.
+    pub fn is_renamed(&self, name: &str) -> bool {
+        self.renamed.iter().any(|renamed| renamed == name.trim_end_matches('\''))
     }
 
     /// Values of a declared name that may stand for an acceleration, such as `alpha''`.

@@ -1,6 +1,6 @@
 //! Equations of a LaTeX file by their labels.
 
-use super::macros::{Macros, group_end, without_comments};
+use super::macros::{Macros, group_end, near, without_comments};
 use super::traced::{Problem, Traced};
 use crate::diagnostic::nearest;
 use std::ops::Range;
@@ -13,6 +13,11 @@ const SINGLE: [&str; 4] = ["equation", "displaymath", "multline", "math"];
 const INNER: [&str; 6] = ["split", "aligned", "gathered", "alignedat", "multlined", "cases"];
 /// Commands of which a macro may be made that begins or ends an environment.
 const STRUCTURE: [&str; 6] = ["begin", "end", "[", "]", "label", "tag"];
+/// Most lines of one environment.
+const MAX_LINES: usize = 1000;
+/// Most bytes of a label, and most labels, that advice for an unknown label names.
+const MAX_LABEL: usize = 100;
+const MAX_LABELS: usize = 1000;
 /// Most bytes of one printed formula.
 const MAX_FORMULA: usize = 100_000;
 
@@ -53,7 +58,7 @@ impl Paper {
         let mut macros = Macros::default();
         let rest = macros.take(&without_comments(text));
         let structure = macros.with_commands(&STRUCTURE);
-        let text = macros.expand(&rest, &|name| structure.iter().any(|known| known == name))?;
+        let text = macros.expand(&rest, &|name| structure.contains(name))?;
         let displays = displays(&text.text);
         Ok(Self { text, macros, displays })
     }
@@ -67,7 +72,8 @@ impl Paper {
                 return Err(format!("the label stands at {} displayed formulas: name each once", found.len()));
             }
             let labels = self.displays.iter().flat_map(|d| &d.equations).flat_map(|lines| &lines.labels);
-            return Err(nearest(label, labels.map(String::as_str)));
+            let labels = labels.map(String::as_str).filter(|label| label.len() <= MAX_LABEL).take(MAX_LABELS);
+            return Err(nearest(label, labels));
         };
         let chosen = display.equations.iter().filter(|lines| choice == Choice::Display || has(lines));
         Ok(chosen.map(|lines| self.formula(lines)).collect())
@@ -101,7 +107,7 @@ impl Paper {
 /// Name of the environment that a `\begin{` or `\end{` at `at` names, without its star, and the end of the mark.
 fn environment(text: &str, at: usize, mark: &str) -> Option<(String, usize)> {
     let rest = text[at..].strip_prefix(mark)?;
-    let close = rest.find('}').filter(|close| *close < 40)?;
+    let close = near(rest, 0, '}').filter(|close| *close < 40)?;
     Some((rest[..close].to_owned(), at + mark.len() + close + 1))
 }
 
@@ -233,7 +239,7 @@ fn inside(text: &str, body: &Range<usize>) -> Option<Range<usize>> {
         start = group_end(text, start)?;
     }
     if text[start..].starts_with('[') {
-        start += text[start..].find(']')? + 1;
+        start += near(text, start, ']')? + 1;
     }
     let end_mark = format!("\\end{{{name}}}");
     let end = start + text[start..body.end].find(&end_mark)?;
@@ -261,12 +267,12 @@ fn outside(text: &str, range: &Range<usize>, mut each: impl FnMut(usize, &str) -
             b'}' => depth = depth.saturating_sub(1),
             b'\\' if rest.starts_with("\\begin{") => {
                 depth += 1;
-                at += "\\begin{".len() + rest.find('}').map_or(0, |close| close + 1 - "\\begin{".len());
+                at += "\\begin{".len() + near(rest, 0, '}').map_or(0, |close| close + 1 - "\\begin{".len());
                 continue;
             }
             b'\\' if rest.starts_with("\\end{") => {
                 depth = depth.saturating_sub(1);
-                at += rest.find('}').map_or(1, |close| close + 1);
+                at += near(rest, 0, '}').map_or(1, |close| close + 1);
                 continue;
             }
             b'\\' => at += rest[1..].chars().next().map_or(0, char::len_utf8),
@@ -282,18 +288,23 @@ fn rows(text: &str, range: Range<usize>) -> Vec<Range<usize>> {
     outside(text, &range, |at, rest| {
         if rest.starts_with("\\\\") {
             let star = at + 2 + usize::from(text[at + 2..range.end].starts_with('*'));
-            let distance = text[star..range.end].starts_with('[').then(|| text[star..range.end].find(']'));
-            cuts.push((at, star + distance.flatten().map_or(0, |close| close + 1)));
+            let distance = text[star..range.end].starts_with('[').then(|| near(text, star, ']'));
+            cuts.push((at, (star + distance.flatten().map_or(0, |close| close + 1)).min(range.end)));
         }
         true
     });
     let mut list = Vec::new();
     let mut from = range.start;
     for (at, next) in cuts {
+        // A mark inside of the distance of rows parts nothing.
+        if at < from {
+            continue;
+        }
         list.push(from..at);
         from = next;
     }
     list.push(from..range.end);
+    list.truncate(MAX_LINES);
     list.retain(|row| !is_blank(&text[row.clone()]) || !labels(&text[row.clone()]).is_empty());
     list
 }
@@ -375,8 +386,10 @@ mod tests {
 
     #[test]
     fn bombs_are_refused() {
-        let doubled: String = (1..30).map(|k| format!("\\newcommand{{\\{0}{0}{1}}}{{1}}", 'a', k)).collect();
-        assert!(Paper::read(&doubled).is_ok());
+        let pair = |c: u8| format!("\\newcommand{{\\x{}}}{{\\x{1}\\x{1}}}", char::from(c), char::from(c + 1));
+        let doubled: Vec<String> = (b'a'..b'y').map(pair).collect();
+        let paper = Paper::read(&format!("{}\\[ \\xa \\label{{x}} \\]", doubled.concat())).unwrap();
+        assert!(paper.equations("x", Choice::Labelled).unwrap().is_err());
         for text in [
             r"\newcommand{\a}{\a}\begin{equation}\a\label{x}\end{equation}",
             r"\def\a{x\a\a}\begin{equation}\a\label{x}\end{equation}",
@@ -394,5 +407,34 @@ mod tests {
             let paper = Paper::read(text).unwrap();
             let _ = paper.equations("x", Choice::Labelled);
         }
+    }
+
+    #[test]
+    fn large_texts_cost_bounded_time() {
+        let begun = std::time::Instant::now();
+        for part in [
+            "\\a",
+            "{",
+            "\\[",
+            "\\begin{align}",
+            "$$",
+            "\\\\[",
+            "\\label{",
+            "\\\\[x\\\\]y",
+            "\\newcommand\\a{",
+            "\\begin{",
+            "\\label{",
+            "\\def\\a",
+            "\\def\\a{\\a}",
+            "a&\\\\",
+            "%",
+            "=",
+        ] {
+            let many = part.repeat(400_000 / part.len());
+            let text = format!("\\begin{{align}}{many}\\label{{x}}\\end{{align}}");
+            let found = Paper::read(&text).map(|paper| paper.equations("x", Choice::Labelled).is_ok());
+            drop(found);
+        }
+        assert!(begun.elapsed().as_secs() < 20, "{:?}", begun.elapsed());
     }
 }

@@ -2,7 +2,7 @@
 
 use super::traced::{Problem, Traced};
 use crate::diagnostic::shown;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 
 /// Most macros that are replaced in one text.
@@ -11,6 +11,12 @@ const MAX_CALLS: usize = 10_000;
 const MAX_ADDED: usize = 1_000_000;
 /// Most macros that may stand inside one another.
 const MAX_NESTING: usize = 100;
+/// Most macros between a macro and the environment that it begins.
+const MAX_ROUNDS: usize = 20;
+/// Most bytes of a group in braces.
+const LONGEST_GROUP: usize = 20_000;
+/// Most characters of a short text, such as the name of an environment or an argument in brackets.
+const NEAR: usize = 200;
 /// Most bytes of a macro's own text.
 const MAX_BODY: usize = 10_000;
 
@@ -82,10 +88,17 @@ pub fn without_comments(text: &str) -> Traced {
     out
 }
 
-/// End of the group whose brace is at `open`, behind its closing brace; `None` if it is never closed.
+/// End of the group whose brace is at `open`, behind its closing brace; `None` if it is not closed within some 20 000
+/// bytes.
 pub fn group_end(text: &str, open: usize) -> Option<usize> {
+    group_end_within(text, open, LONGEST_GROUP)
+}
+
+/// End of the group whose brace is at `open`, behind its closing brace; `None` if it is not closed within so many
+/// bytes.
+pub fn group_end_within(text: &str, open: usize, limit: usize) -> Option<usize> {
     let (mut depth, mut at) = (0_usize, open);
-    let bytes = text.as_bytes();
+    let bytes = &text.as_bytes()[..text.len().min(open.saturating_add(limit))];
     while at < bytes.len() {
         match bytes[at] {
             b'\\' => at += 1,
@@ -101,6 +114,11 @@ pub fn group_end(text: &str, open: usize) -> Option<usize> {
         at += 1;
     }
     None
+}
+
+/// Distance from `at` to the next mark of this kind; `None` if none is near.
+pub fn near(text: &str, at: usize, mark: char) -> Option<usize> {
+    text[at..].char_indices().take(NEAR).find(|(_, c)| *c == mark).map(|(distance, _)| distance)
 }
 
 /// First byte from `at` on that is no space.
@@ -181,7 +199,7 @@ impl Macros {
             return Some(Definition { name: called, made: definition, end: at + 1 + other.len() });
         }
         if name == "def" {
-            let open = at + text[at..].find('{')?;
+            let open = at + near(text, at, '{')?;
             let pattern: String = text[at..open].chars().filter(|c| !c.is_whitespace()).collect();
             made.arguments = pattern.matches('#').count();
             let plain: Vec<String> = (1..=made.arguments).map(|k| format!("#{k}")).collect();
@@ -191,7 +209,7 @@ impl Macros {
             at = behind_space(text, at);
             let mut optional = 0;
             while text[at..].starts_with('[') {
-                let close = at + text[at..].find(']')?;
+                let close = at + near(text, at, ']')?;
                 let inside = text[at + 1..close].trim();
                 match (optional, inside.parse::<usize>()) {
                     (0, Ok(count)) if count <= 9 => made.arguments = count,
@@ -215,29 +233,34 @@ impl Macros {
 
     /// Definition of a name that holds at byte `at` of the file: the last one before it.
     fn of(&self, name: &str, at: usize) -> Option<&Macro> {
-        self.known.get(name)?.iter().rev().find(|made| self.everywhere || made.from <= at)
+        let list = self.known.get(name)?;
+        let end = if self.everywhere { list.len() } else { list.partition_point(|made| made.from <= at) };
+        list.get(end.checked_sub(1)?)
     }
 
     /// Names of macros whose text has one of these commands, in it or in a macro that it calls.
-    pub fn with_commands(&self, commands: &[&str]) -> Vec<String> {
-        let mut found: Vec<String> = Vec::new();
-        loop {
+    pub fn with_commands(&self, commands: &[&str]) -> FxHashSet<String> {
+        let mut found: FxHashSet<String> = FxHashSet::default();
+        for _ in 0..MAX_ROUNDS {
             let before = found.len();
+            let mut new = Vec::new();
             for (name, list) in &self.known {
                 let calls = |body: &str| {
                     body.match_indices('\\').any(|(at, _)| {
                         let called = command_at(body, at);
-                        commands.contains(&called) || found.iter().any(|name| name == called)
+                        commands.contains(&called) || found.contains(called)
                     })
                 };
                 if !found.contains(name) && list.iter().any(|made| made.body.as_deref().is_some_and(calls)) {
-                    found.push(name.clone());
+                    new.push(name.clone());
                 }
             }
+            found.extend(new);
             if found.len() == before {
-                return found;
+                break;
             }
         }
+        found
     }
 
     /// Text with the macros replaced that `wanted` accepts by name.
@@ -377,7 +400,7 @@ impl Expansion<'_> {
     fn optional(&mut self) -> Option<Traced> {
         let (text, at) = self.stack.last_mut()?;
         let open = behind_space(&text.text, *at);
-        let close = text.text[open..].starts_with('[').then(|| text.text[open..].find(']'))??;
+        let close = text.text[open..].starts_with('[').then(|| near(&text.text, open, ']'))??;
         *at = open + close + 1;
         Some(text.part(open + 1..open + close))
     }

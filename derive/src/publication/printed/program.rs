@@ -6,6 +6,10 @@ use std::ops::Range;
 
 /// Most assignments of one part of a program that are read.
 const MAX_STATEMENTS: usize = 5000;
+/// Most characters of the list of arguments of a function.
+const LONGEST: usize = 2000;
+/// Most variables that one assignment sets to one value.
+const MAX_CHAIN: usize = 20;
 /// Words that begin a statement which is no assignment.
 const KEYWORDS: [&str; 19] = [
     "if",
@@ -133,11 +137,12 @@ fn function(text: &str, notation: Notation, name: &str) -> Option<Range<usize>> 
         for (at, _) in text.match_indices(name) {
             let whole = !text[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
             let behind = text[at + name.len()..].trim_start();
-            let Some(close) = behind.strip_prefix('(').and_then(|rest| rest.find(')')) else { continue };
+            let near = |rest: &str| rest.char_indices().take(LONGEST).find(|(_, c)| *c == ')').map(|(at, _)| at);
+            let Some(close) = behind.strip_prefix('(').and_then(near) else { continue };
             let after = text.len() - behind.len() + 1 + close + 1;
             if whole && text[after..].trim_start().starts_with('{') {
                 let open = after + text[after..].find('{')?;
-                return Some(open + 1..super::macros::group_end(text, open)? - 1);
+                return Some(open + 1..super::macros::group_end_within(text, open, text.len())? - 1);
             }
         }
         return None;
@@ -186,13 +191,13 @@ fn cleared(text: &str, notation: Notation) -> String {
         let rest = &text[at..];
         let line = rest.find('\n').unwrap_or(rest.len());
         let until = |mark: &str, from: usize| rest[from..].find(mark).map_or(rest.len(), |end| from + end + mark.len());
-        let starts_line = out.rsplit('\n').next().is_none_or(|line| line.trim().is_empty());
+        let starts_line = || out.trim_end_matches([' ', '\t']).chars().next_back().is_none_or(|c| c == '\n');
         let hidden = match notation {
             Notation::Python if c == '#' => line,
             Notation::Python if rest.starts_with("\"\"\"") => until("\"\"\"", 3),
             Notation::Python if rest.starts_with("'''") => until("'''", 3),
             Notation::Matlab if c == '%' => line,
-            Notation::C if rest.starts_with("//") || (c == '#' && starts_line) => line,
+            Notation::C if rest.starts_with("//") || (c == '#' && starts_line()) => line,
             Notation::C if rest.starts_with("/*") => until("*/", 2),
             _ => 0,
         };
@@ -207,10 +212,10 @@ fn cleared(text: &str, notation: Notation) -> String {
             at += (line + 1).min(rest.len());
             continue;
         }
-        let before = out.trim_end_matches(' ').chars().next_back();
+        let before = || out.trim_end_matches(' ').chars().next_back();
         let transposes = notation == Notation::Matlab
             && c == '\''
-            && before.is_some_and(|c| c.is_alphanumeric() || matches!(c, '_' | ')' | ']' | '}' | '\'' | '.'));
+            && before().is_some_and(|c| c.is_alphanumeric() || matches!(c, '_' | ')' | ']' | '}' | '\'' | '.'));
         if matches!(c, '"' | '\'') && !transposes {
             let end = rest[1..line.max(1)].find(c).map_or(1, |end| end + 2);
             out.push_str(&rest[..end]);
@@ -227,6 +232,7 @@ fn cleared(text: &str, notation: Notation) -> String {
 fn parted(text: &str, range: Range<usize>, notation: Notation) -> Vec<(Range<usize>, bool)> {
     let mut list = Vec::new();
     let (mut depth, mut blocks, mut from, mut base) = (0_usize, 0_usize, range.start, None);
+    let mut was_nested = false;
     let mut end = |from: usize, to: usize, blocks: &mut usize| {
         let part = &text[from..to];
         let start = from + part.len() - part.trim_start().len();
@@ -235,12 +241,17 @@ fn parted(text: &str, range: Range<usize>, notation: Notation) -> Vec<(Range<usi
             return;
         }
         let word = text[statement.clone()].split(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap_or("");
-        let line = text[..start].rfind('\n').map_or(0, |line| line + 1);
-        let indent = start - line;
+        let line = text[from..start].rfind('\n').map(|line| from + line + 1);
+        let line = line.or((from == range.start).then_some(from)).or(text[..from].ends_with('\n').then_some(from));
         let mut nested = *blocks > 0 || KEYWORDS.contains(&word);
         if notation == Notation::Python {
-            nested |= indent > *base.get_or_insert(indent) && text[line..start].trim().is_empty();
+            nested |= match line {
+                Some(line) => start - line > *base.get_or_insert(start - line),
+                // Statements of one line are run together.
+                None => was_nested,
+            };
         }
+        was_nested = nested;
         if notation == Notation::Matlab {
             match word {
                 "if" | "for" | "while" | "switch" | "try" | "parfor" => *blocks += 1,
@@ -331,6 +342,9 @@ fn read(text: &str, range: Range<usize>, is_nested: bool, notation: Notation, li
         bytes.get(at + 1) == Some(&b'=') || (at > 0 && matches!(bytes[at - 1], b'=' | b'<' | b'>' | b'!' | b'~'))
     };
     let signs: Vec<usize> = marks(own, '=').into_iter().filter(|at| !is_comparison(*at)).collect();
+    if signs.len() > MAX_CHAIN && notation != Notation::C {
+        return;
+    }
     let (Some(first), Some(last)) = (signs.first().copied(), signs.last().copied()) else { return };
     // Several variables of one declaration in C.
     let declares = own[..first].trim().contains(' ') && notation == Notation::C;
@@ -427,6 +441,27 @@ mod tests {
         for text in ["-x", "2*x", "s[0] + a", "wrap(theta)", "f(x)", "a-b", "f(-x)"] {
             assert!(!is_access(text), "{text}");
         }
+    }
+
+    #[test]
+    fn statements_of_one_line_share_its_condition() {
+        let text = "a = 1; b = 2\nif a: c = 3; d = 4\ne = 5\nif b:\n    f = 6; g = 7\nh = 8";
+        let nested = read(text, Notation::Python, None).into_iter().filter(|s| s.2).map(|s| s.0).collect::<Vec<_>>();
+        // The line `if a: c = 3` reads as an assignment of its last name.
+        assert_eq!(nested[1..], ["d", "f", "g"], "{nested:?}");
+    }
+
+    #[test]
+    fn large_texts_cost_bounded_time() {
+        let begun = std::time::Instant::now();
+        for part in ["a;", "a(", "a = ", "{", "'", " ", "#", "a,", "a = 1;", "if ", "\n"] {
+            let text = part.repeat(400_000 / part.len());
+            for notation in [Notation::Python, Notation::Matlab, Notation::C] {
+                let _ = statements(&text, notation, None);
+                let _ = statements(&text, notation, Some("a"));
+            }
+        }
+        assert!(begun.elapsed().as_secs() < 20, "{:?}", begun.elapsed());
     }
 
     #[test]
