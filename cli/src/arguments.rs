@@ -163,6 +163,9 @@ pub enum Command {
         model: PathBuf,
         /// A publication file (docs/publication.md), or the newer of two models
         other: PathBuf,
+        /// Find the coordinates that the publication means: other signs, zeros, orders, absolute for relative angles
+        #[arg(long)]
+        find_coordinates: bool,
         /// Print JSON
         #[arg(long)]
         json: bool,

@@ -91,8 +91,8 @@ impl fmt::Display for Failure {
 /// Every error of these files as JSON, with its place if it has one.
 fn places(files: &[Diagnostics]) -> Vec<Value> {
     let of = |file: &Diagnostics| {
-        let path = file.source.path.display().to_string();
         let place = |d: &Diagnostic| {
+            let path = file.file(d).path.display().to_string();
             let (line, column) = file.place(d).unzip();
             json!({ "file": path, "line": line, "column": column, "message": d.message, "help": d.help })
         };

@@ -2,11 +2,11 @@
 
 use crate::failure::Failure;
 use tripos::Mechanism;
-use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::{Difference, diff};
+use tripos_derive::diagnostic::{Diagnostics, Source};
+use tripos_derive::diff::{CoordinateTable, Difference, diff};
 use tripos_derive::mechanics::{Derivations, derive_all};
 use tripos_derive::prove::{Proof, prove};
-use tripos_derive::publication::{Publication, load};
+use tripos_derive::publication::{Publication, load, load_in};
 
 /// A publication with its verdicts, and the derived equations that they are about.
 pub struct Judged {
@@ -28,8 +28,23 @@ impl Judged {
     /// # Errors
     /// [`Failure`] with every error of the publication file, or if the model cannot be derived.
     pub fn new(model: &Mechanism, source: &Source) -> Result<Self, Failure> {
+        Self::read(model, &|model| load(source, model))
+    }
+
+    /// Reads a publication with a table of coordinates in the place of its own, and judges it.
+    ///
+    /// # Errors
+    /// [`Failure`] with every error of the publication file, or if the model cannot be derived.
+    pub fn new_in(model: &Mechanism, source: &Source, coordinates: &CoordinateTable) -> Result<Self, Failure> {
+        Self::read(model, &|model| load_in(source, model, coordinates))
+    }
+
+    fn read(
+        model: &Mechanism,
+        load: &dyn Fn(&mut Mechanism) -> Result<Publication, Diagnostics>,
+    ) -> Result<Self, Failure> {
         let mut model = model.clone();
-        let publication = load(source, &mut model)?;
+        let publication = load(&mut model)?;
         let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
         let proof = prove(&model, &mut derivations);
         let difference = diff(&model, &mut derivations, &publication, &proof);

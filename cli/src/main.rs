@@ -80,7 +80,10 @@ fn run(command: Command) -> Result<u8, Failure> {
             let format = if json { arguments::Format::Json } else { format };
             commands::derive::derive(&model, by.as_deref(), form, (format, fragment))
         }
-        Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
+        Command::Diff { model, other, find_coordinates: true, json } => {
+            commands::diff::coordinates::diff_in_found_coordinates(&model, &other, json)
+        }
+        Command::Diff { model, other, json, .. } => commands::diff::diff(&model, &other, json),
         Command::Shelf { folder, out, json } => {
             commands::shelf::shelf(folder.as_deref(), out.as_deref(), Output::of_flag(json))
         }

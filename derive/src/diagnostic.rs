@@ -9,6 +9,7 @@ use std::ops::Range;
 #[cfg(feature = "files")]
 use std::path::Path;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// A text file as read, with the name it is reported under.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -92,19 +93,21 @@ pub struct Diagnostic {
     pub other: Option<(Range<usize>, String)>,
     /// Advice for correcting the error.
     pub help: Option<String>,
+    /// File of the error; `None` for the file that was read, which names all others.
+    pub file: Option<Arc<Source>>,
 }
 
 impl Diagnostic {
     /// Creates an error at a byte range of the file.
     #[must_use]
     pub fn new(span: Range<usize>, message: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { message: message.into(), span: Some(span), other: None, help: Some(help.into()) }
+        Self { message: message.into(), span: Some(span), other: None, help: Some(help.into()), file: None }
     }
 
     /// Creates an error of the file as a whole, without a place.
     #[must_use]
     pub fn of_file(message: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { message: message.into(), span: None, other: None, help: Some(help.into()) }
+        Self { message: message.into(), span: None, other: None, help: Some(help.into()), file: None }
     }
 
     /// Adds a second place in the file, with its label.
@@ -128,7 +131,7 @@ impl Diagnostics {
     /// Collects the errors of one file, sorts them by place and drops repetitions.
     #[must_use]
     pub fn new(source: Source, mut list: Vec<Diagnostic>) -> Self {
-        list.sort_by_key(|d| d.span.as_ref().map_or(0, |s| s.start));
+        list.sort_by_key(|d| (d.file.as_ref().map(|file| file.path.clone()), d.span.as_ref().map_or(0, |s| s.start)));
         list.dedup();
         Self { source, list }
     }
@@ -136,8 +139,14 @@ impl Diagnostics {
     /// Line and column of an error, in characters from 1; `None` for an error of the file as a whole.
     #[must_use]
     pub fn place(&self, diagnostic: &Diagnostic) -> Option<(usize, usize)> {
-        let excerpt = Excerpt::new(&self.source.text, diagnostic.span.as_ref()?);
+        let excerpt = Excerpt::new(&self.file(diagnostic).text, diagnostic.span.as_ref()?);
         Some((excerpt.line, excerpt.column))
+    }
+
+    /// File of an error: the one that was read, or one that it names.
+    #[must_use]
+    pub fn file<'a>(&'a self, diagnostic: &'a Diagnostic) -> &'a Source {
+        diagnostic.file.as_deref().unwrap_or(&self.source)
     }
 
     #[cfg(feature = "files")]
@@ -156,12 +165,12 @@ const MARGIN: usize = 160;
 
 impl fmt::Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let path = path_in_line(&self.source.path);
         for (at, diagnostic) in self.list.iter().take(MAX_SHOWN).enumerate() {
             if at > 0 {
                 writeln!(f, "\n")?;
             }
-            f.write_str(&visible(&render(&path, &self.source.text, diagnostic)))?;
+            let file = self.file(diagnostic);
+            f.write_str(&visible(&render(&path_in_line(&file.path), &file.text, diagnostic)))?;
         }
         if self.list.len() > MAX_SHOWN {
             write!(f, "\n\nand {} more errors", self.list.len() - MAX_SHOWN)?;

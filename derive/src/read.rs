@@ -7,6 +7,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
 use crate::plain::{by_number, called, is_blank, is_forbidden, one_line};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
+use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -43,13 +44,25 @@ pub struct Reader<'a> {
     pub errors: Vec<Diagnostic>,
     /// Messages recorded by `error_once`: position in `errors`, and number of places so far.
     repeated: FxHashMap<String, (usize, usize)>,
+    /// Texts that were made from parts of this file or of files that it names.
+    made: Vec<Made>,
+}
+
+/// Text that was made from parts of a file. Its bytes have numbers behind those of the file that is read.
+struct Made {
+    /// Number of the first byte.
+    start: usize,
+    /// File that the parts come from; `None` for the file that is read.
+    file: Option<Arc<Source>>,
+    /// Place in that file of each byte.
+    places: Vec<(u32, u32)>,
 }
 
 impl<'a> Reader<'a> {
     /// Creates a reader of a file, without errors.
     #[must_use]
     pub fn new(source: &'a Source) -> Self {
-        Self { source, errors: Vec::new(), repeated: FxHashMap::default() }
+        Self { source, errors: Vec::new(), repeated: FxHashMap::default(), made: Vec::new() }
     }
 
     /// Parses a TOML file. Reports every duplicate key, the first syntax error, and forbidden characters.
@@ -142,7 +155,58 @@ impl<'a> Reader<'a> {
         if self.errors.is_empty() {
             return Ok(());
         }
-        Err(Diagnostics::new(self.source.clone(), std::mem::take(&mut self.errors)))
+        let errors = std::mem::take(&mut self.errors).into_iter().map(|error| self.placed(error)).collect();
+        Err(Diagnostics::new(self.source.clone(), errors))
+    }
+
+    /// Gives a text that was made from parts of a file a place: an error in the text points at the part. `places` has
+    /// the place in the file of each byte of the text.
+    pub fn made(&mut self, file: Option<Arc<Source>>, text: String, places: Vec<(u32, u32)>) -> Located {
+        let start = self.made.last().map_or(self.source.text.len() + 1, |made| made.start + made.places.len() + 1);
+        let span = start..start + text.len();
+        self.made.push(Made { start, file, places });
+        Located { text, span, exact: true }
+    }
+
+    /// True if a text was made from parts of a file.
+    #[must_use]
+    pub fn is_made(&self, text: &Located) -> bool {
+        text.span.start > self.source.text.len()
+    }
+
+    /// Error whose place is in a file, in the place of one in a text that was made.
+    fn placed(&self, mut error: Diagnostic) -> Diagnostic {
+        if error.file.is_some() {
+            return error;
+        }
+        if let Some((span, file)) = error.span.as_ref().and_then(|span| self.place_of(span)) {
+            (error.span, error.file) = (Some(span), file);
+        }
+        if let Some((span, _)) = error.other.as_mut()
+            && span.start > self.source.text.len()
+        {
+            match self.place_of(span) {
+                Some((place, file)) if file == error.file => *span = place,
+                // The second place is in another file than the first.
+                _ => error.other = None,
+            }
+        } else if error.file.is_some() {
+            error.other = None;
+        }
+        error
+    }
+
+    /// Place in a file of a range of a text that was made; `None` for a range of the file that is read.
+    fn place_of(&self, span: &Range<usize>) -> Option<(Range<usize>, Option<Arc<Source>>)> {
+        let at = self.made.partition_point(|made| made.start <= span.start).checked_sub(1)?;
+        let made = &self.made[at];
+        let last = made.places.len();
+        let from = (span.start - made.start).min(last);
+        let inside = &made.places[from..(span.end.max(span.start) - made.start).clamp(from, last)];
+        let bounds = inside.iter().copied().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+        let bounds = bounds.or_else(|| made.places.get(from).map(|place| (place.0, place.0)));
+        let bounds = bounds.or_else(|| made.places.last().map(|place| (place.1, place.1))).unwrap_or_default();
+        Some((bounds.0 as usize..bounds.1 as usize, made.file.clone()))
     }
 
     /// Records an error at a byte range of the file.

@@ -25,6 +25,7 @@ mod expressions;
 #[path = "common/figures.rs"]
 mod figures;
 mod flows;
+mod found_coordinates;
 mod frames;
 mod given_potentials;
 mod identification;
@@ -35,6 +36,7 @@ mod limits;
 mod material_points;
 mod mutations;
 mod named;
+mod named_files;
 mod near_points;
 mod notations;
 mod oblique_axes;

@@ -13,7 +13,7 @@ use tripos_derive::prove::prove;
 use tripos_derive::publication;
 
 /// Cart of mass M on a rail, and a rod of mass m with its mass centre at the distance l from the pin.
-const CART: &str = r#"
+pub const CART: &str = r#"
 name = "Cart with a rod"
 [parameters]
 M = { unit = "kg", value = 2, positive = true }

@@ -227,14 +227,6 @@ fn an_entry_of_the_matrix_that_contains_an_unknown_is_refused() {
         "unknowns = [",
         "equations = [\"x'' = 0\"]\nunknowns = [",
         &expect![[r#"
-        error: `unknowns` beside `equations`
-          --> publication.toml:36:12
-           |
-        36 | unknowns = ["x''", "q''"]
-           |            ^^^^^^^^^^^^^^
-           |
-           = help: a system is either `equations`, or `unknowns`, `matrix` and `right`
-
         error: `matrix` beside `equations`
           --> publication.toml:37:10
            |

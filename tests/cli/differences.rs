@@ -189,3 +189,31 @@ fn models_of_joints_are_compared_whatever_their_files_are_called() {
     assert!(status == 1 && said.contains("c*u_track"), "{said}{err}");
     assert_eq!(tripos_in(folder.path(), &["diff", "one.toml", "one.toml"]).0, 0);
 }
+
+/// Goal: a derivation with another zero of an angle is right in its own coordinates, which can be copied.
+#[test]
+fn the_coordinates_of_a_publication_are_found() {
+    let folder = tempfile::tempdir().unwrap();
+    let model = root().join("publications/gantry_crane/model.toml");
+    std::fs::copy(model, folder.path().join("model.toml")).unwrap();
+    let potential = "[[equation]]\nid = \"V\"\nsection = \"1\"\nquantity = \"V\"\nprinted = \"m*g*l*cos(theta)\"\n";
+    let row = "[[equation]]\nid = \"1\"\nsection = \"1\"\n\
+               printed = \"(M + m)*x'' - m*l*theta''*cos(theta) + m*l*theta'^2*sin(theta) = F\"\n";
+    let find = |text: &str, other: &str| {
+        std::fs::write(folder.path().join("publication.toml"), text).unwrap();
+        tripos_in(folder.path(), &["diff", "model.toml", other, "--find-coordinates"])
+    };
+    let both = format!("{potential}{row}");
+    let (status, out, err) = find(&both, "publication.toml");
+    assert_eq!((status, err.as_str()), (0, ""), "{out}");
+    let table = "[coordinates]\ntheta = \"pi + theta\"\n";
+    assert!(out.contains(table) && out.contains("2 of 2 are right, 0 before"), "{out}");
+    // The table in the publication gives the same verdict.
+    let (status, out, _) = find(&format!("{table}{both}"), "publication.toml");
+    assert!(status == 0 && out.contains("None makes more formulas right"), "{out}");
+    // The potential alone does not tell the sign of the angle.
+    let (status, out, _) = find(potential, "publication.toml");
+    assert!(status == 1 && out.contains("in each of 2 choices") && out.contains("None of them is better"), "{out}");
+    let (status, _, err) = find(potential, "model.toml");
+    assert!(status == 2 && err.contains("this file is a model"), "{err}");
+}

@@ -1,5 +1,6 @@
 //! `tripos diff`: comparison of a model with a published derivation, or with an edited model.
 
+pub mod coordinates;
 mod models;
 mod roots;
 
@@ -29,13 +30,25 @@ pub fn diff(model: &Path, other: &Path, as_json: bool) -> Result<u8, Failure> {
     if is_model(&source) {
         return models::diff(&model, &tripos_derive::model::load(&source)?, as_json);
     }
-    let Judged { model, publication, mut derivations, proof, difference } = Judged::new(&model, &source)?;
+    let judged = Judged::new(&model, &source)?;
+    show(judged, as_json, None)
+}
+
+/// Prints the verdicts on a publication. Words about its coordinates stand in front: as text, and as JSON.
+fn show(judged: Judged, as_json: bool, coordinates: Option<(String, Value)>) -> Result<u8, Failure> {
+    let Judged { model, publication, mut derivations, proof, difference } = judged;
     difference.write_names(&proof, &mut derivations);
     let arena = &derivations.kinematics.arena;
+    let (words, value) = coordinates.unzip();
     if as_json {
-        print_json(&json_of(&model, arena, &difference))?;
+        let mut json = json_of(&model, arena, &difference);
+        if let Some(value) = value {
+            json["coordinates"] = value;
+        }
+        print_json(&json)?;
     } else {
-        print(&text_of(&model, &publication.title, arena, &difference))?;
+        let text = text_of(&model, &publication.title, arena, &difference);
+        print(&format!("{}{text}", words.unwrap_or_default()))?;
     }
     Ok(if difference.is_clean() { 0 } else { status::NO })
 }

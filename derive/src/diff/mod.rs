@@ -4,6 +4,7 @@
 //! Every entry is judged on its own: symbols of the text stand for derived values, so an error counts once, where it is
 //! made. Nothing is repaired or guessed. The only free quantity is the factor of each row of a linear system.
 
+mod coordinates;
 mod edits;
 pub mod equations;
 mod formulas;
@@ -13,6 +14,7 @@ mod repairs;
 mod roots;
 mod states;
 
+pub use coordinates::{CoordinateSearch, CoordinateTable, find_coordinates};
 pub use edits::declared::{Declaration, Edit, Property, Section};
 pub use edits::models::{Change, Derived, ModelDifference, diff_models};
 pub use edits::scenes::{Setting, diff_scenes};

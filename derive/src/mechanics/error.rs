@@ -289,7 +289,8 @@ impl Model {
     pub fn diagnose(&self, error: &DeriveError) -> Diagnostics {
         let (name, help) = error.place_and_help();
         let span = name.and_then(|n| self.declared.get(n).cloned());
-        let diagnostic = Diagnostic { message: error.to_string(), span, other: None, help: Some(help.to_owned()) };
+        let diagnostic =
+            Diagnostic { message: error.to_string(), span, other: None, help: Some(help.to_owned()), file: None };
         Diagnostics::new(self.source.clone(), vec![diagnostic])
     }
 }

@@ -1,6 +1,8 @@
 //! The publication file in the folder of a model file; none if the program has no access to files.
 
 use super::Publication;
+#[cfg(feature = "files")]
+use super::files::read_named;
 use crate::diagnostic::Diagnostics;
 use crate::model::Model;
 use std::path::{Path, PathBuf};
@@ -42,11 +44,35 @@ pub fn load_beside(_path: &Path, _model: &mut Model) -> Result<Option<Publicatio
     Ok(None)
 }
 
-/// Hash of the text of the publication file in the folder of a model file; empty if none can be read.
+/// Hash of the publication file in the folder of a model file, with the files that it names; empty if none can be read.
 #[must_use]
 #[cfg(feature = "files")]
 pub fn hash_beside(path: &Path) -> String {
-    std::fs::read_to_string(beside(path)).map(|text| crate::model::text_hash(&text)).unwrap_or_default()
+    let Ok(mut text) = std::fs::read_to_string(beside(path)) else { return String::new() };
+    for name in named(&text) {
+        if let Ok(file) = read_named(&path.with_file_name(name)) {
+            text.push_str(&file.text);
+        }
+    }
+    crate::model::text_hash(&text)
+}
+
+/// Names of the files that a publication file names, each once.
+#[cfg(feature = "files")]
+fn named(text: &str) -> Vec<String> {
+    use toml::de::{DeTable, DeValue};
+    let (table, _) = DeTable::parse_recoverable(text);
+    let mut names = std::collections::BTreeSet::new();
+    let mut tables = vec![table.get_ref()];
+    for (_, value) in table.get_ref() {
+        if let DeValue::Array(list) = value.get_ref() {
+            tables.extend(list.iter().filter_map(|entry| entry.get_ref().as_table()));
+        }
+    }
+    let names_file =
+        |table: &&DeTable<'_>| table.get("file").and_then(|file| file.get_ref().as_str().map(str::to_owned));
+    names.extend(tables.iter().filter_map(names_file).filter(|name| !name.contains(['/', '\\'])));
+    names.into_iter().collect()
 }
 
 /// Empty hash, since the program has no access to files.

@@ -1,6 +1,7 @@
 //! Entries of a publication: the keys common to all, and entries with a single formula.
 
 use super::matrix::cells;
+use super::printed::Choice;
 use super::read::{KEYS, Loading};
 use super::{Entry, EntryKind, Initial};
 use crate::algebra::Expr;
@@ -41,19 +42,28 @@ const KINDS: [(Kind, &str, &str); 6] = [
 /// Keys that an entry of this kind may have: those of every entry, then its own.
 fn keys(kind: Kind) -> Vec<&'static str> {
     let own: &[&str] = match kind {
-        Kind::Equation => &["quantity", "printed", "formulation", "frame"],
-        Kind::Matrix => &["quantity", "printed"],
+        Kind::Equation => &["quantity", "printed", "label", "line", "formulation", "frame"],
+        Kind::Matrix => &["quantity", "printed", "label", "line"],
         Kind::Definition => &["printed"],
-        Kind::System => {
-            &["formulation", "frame", "equations", "unknowns", "matrix", "right", "matrix_ids", "right_ids"]
-        }
+        Kind::System => &[
+            "formulation",
+            "frame",
+            "equations",
+            "label",
+            "labels",
+            "unknowns",
+            "matrix",
+            "right",
+            "matrix_ids",
+            "right_ids",
+        ],
         Kind::Listing => &["formulation", "state", "derivative", "matrix"],
         Kind::Initial => &["set", "quantity", "printed"],
     };
     let formulas: &[&str] = match kind {
         Kind::Definition => &[],
         Kind::Initial => &["notation"],
-        Kind::Equation | Kind::Matrix | Kind::System | Kind::Listing => &["notation", "about", "order"],
+        Kind::Equation | Kind::Matrix | Kind::System | Kind::Listing => &["notation", "file", "part", "about", "order"],
     };
     [&["id", "section", "repaired", "note"], formulas, own].concat()
 }
@@ -130,7 +140,16 @@ impl<'a> Loading<'a, '_> {
         entries
     }
 
+    /// Reads an entry; its formulas may use the variables of the program that it names.
     fn entry(&mut self, kind: Kind, item: &Item<'a>) -> Option<Read> {
+        let program = self.program(item);
+        self.words.locals = program.unwrap_or_default();
+        let read = self.entry_of(kind, item);
+        self.words.locals = std::sync::Arc::default();
+        read
+    }
+
+    fn entry_of(&mut self, kind: Kind, item: &Item<'a>) -> Option<Read> {
         self.reader.allow(item.table, item.what, &keys(kind));
         let id = self.id(item);
         let section = self.required_text(item, "section");
@@ -164,7 +183,7 @@ impl<'a> Loading<'a, '_> {
             }
             Kind::System => self.system(item).map(EntryKind::System),
             Kind::Listing => self.listing(item).map(EntryKind::Listing),
-            Kind::Initial => self.initial(item).map(EntryKind::Initial),
+            Kind::Initial => self.initial(item),
         };
         let id = id?;
         let entry = Entry {
@@ -188,7 +207,7 @@ impl<'a> Loading<'a, '_> {
     /// Reads a quantity with two indices, or a vector, whose entries are printed together, row by row.
     fn matrix_entries(&mut self, item: &Item<'a>) -> Option<Vec<Vec<EntryKind>>> {
         let quantity = self.required_text(item, "quantity");
-        let printed = self.required_text(item, "printed")?;
+        let printed = self.printed(item)?;
         let rows = match cells(&printed.text, item.notation) {
             Ok(rows) => rows,
             Err(why) => {
@@ -214,8 +233,11 @@ impl<'a> Loading<'a, '_> {
                 };
                 let (quantity, value) = (self.quantity(&name), self.formula(&formula, item.notation));
                 // One reason for an unknown quantity is enough.
-                let quantity = quantity?;
-                entries.push(value.map(|printed| EntryKind::Equation { quantity, printed, text: formula.text }));
+                let own = self.in_own_coordinates(item, &quantity?, value.unwrap_or(Expr::ZERO));
+                entries.push(own.filter(|_| value.is_some()).map(|(quantity, printed)| {
+                    let text = formula.text;
+                    EntryKind::Equation { quantity, printed, text }
+                }));
             }
             list.push(entries.into_iter().collect::<Option<Vec<_>>>());
         }
@@ -226,6 +248,41 @@ impl<'a> Loading<'a, '_> {
     pub fn required_text(&mut self, item: &Item<'a>, key: &str) -> Option<Located> {
         let value = self.reader.need(item.table, key, item.what, &item.span)?;
         self.reader.string(value, &format!("`{key}`"))
+    }
+
+    /// Printed formula: that under `printed`, or that of a label in a file.
+    fn printed(&mut self, item: &Item<'a>) -> Option<Located> {
+        let Some(label) = self.reader.get(item.table, "label") else {
+            if let Some(line) = self.reader.get(item.table, "line") {
+                self.reader.error(line.span(), "`line` without `label`", "`line` counts the equations of a label");
+            }
+            return self.required_formula(item, "printed");
+        };
+        if let Some(printed) = self.reader.get(item.table, "printed") {
+            let help = "a formula is printed here, or it stands at a label of a file";
+            self.reader.error(printed.span(), "`printed` beside `label`", help);
+        }
+        let label = self.reader.string(label, "`label`")?;
+        let mut list = self.labelled(item, &label, Choice::Labelled)?;
+        let count = list.len();
+        let at = match self.reader.get(item.table, "line") {
+            None if count == 1 => 0,
+            None => {
+                let message = format!("the label `{}` has {count} equations", shown(&label.text));
+                self.reader.error(label.span, message, format!("choose one: line = 1 to line = {count}"));
+                return None;
+            }
+            Some(line) => match line.get_ref() {
+                DeValue::Integer(n) => n.as_str().parse().unwrap_or(0_usize).wrapping_sub(1),
+                _ => usize::MAX,
+            },
+        };
+        if at >= count {
+            let span = self.reader.get(item.table, "line").map_or(label.span, toml::Spanned::span);
+            self.reader.error(span, "there is no such line", format!("write a number from 1 to {count}"));
+            return None;
+        }
+        Some(list.swap_remove(at))
     }
 
     /// Formula under a key that must be present.
@@ -267,7 +324,10 @@ impl<'a> Loading<'a, '_> {
     /// Reads an entry `[[equation]]`: the printed value of a quantity, or an equation of motion if no quantity, or 0,
     /// is stated.
     fn equation(&mut self, item: &Item<'a>) -> Option<EntryKind> {
-        let printed = self.required_formula(item, "printed");
+        let printed = self.printed(item);
+        if printed.is_none() && self.reader.get(item.table, "label").is_some() {
+            return None;
+        }
         let is_zero = |value: &toml::Spanned<DeValue<'a>>| match value.get_ref() {
             DeValue::String(name) => name.trim() == "0",
             DeValue::Integer(n) => n.as_str() == "0",
@@ -281,10 +341,11 @@ impl<'a> Loading<'a, '_> {
         let quantity = self.required_text(item, "quantity").and_then(|name| self.quantity(&name));
         let printed = printed.map(|formula| right_side(&formula));
         let formula = printed.as_ref().and_then(|f| self.formula(f, item.notation));
-        Some(EntryKind::Equation { quantity: quantity?, printed: formula?, text: printed?.text })
+        let (quantity, value) = self.in_own_coordinates(item, &quantity?, formula?)?;
+        Some(EntryKind::Equation { quantity, printed: value, text: printed?.text })
     }
 
-    fn initial(&mut self, item: &Item<'a>) -> Option<Initial> {
+    fn initial(&mut self, item: &Item<'a>) -> Option<EntryKind> {
         let set = self.required_text(item, "set");
         let quantity = self.required_text(item, "quantity").and_then(|name| self.initial_quantity(name));
         let printed = self.required_formula(item, "printed");
@@ -298,7 +359,11 @@ impl<'a> Loading<'a, '_> {
         }
         self.values.insert((set.clone(), symbol), name.span);
         let decimals = decimals(&text);
-        Some(Initial { set, quantity: symbol, name: name.text, value: value?, text, decimals })
+        if self.words.is_renamed(&name.text) {
+            // A number of the publication's own variable.
+            return Some(EntryKind::Definition { text });
+        }
+        Some(EntryKind::Initial(Initial { set, quantity: symbol, name: name.text, value: value?, text, decimals }))
     }
 
     /// Name and symbol of a parameter, a coordinate, a coordinate's derivative or a speed; reports another name.

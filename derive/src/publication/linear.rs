@@ -1,6 +1,7 @@
 //! Entries of a publication with many formulas: linear systems, and programs that compute the derivative of a state.
 
 use super::entries::Item;
+use super::printed::Choice;
 use super::read::Loading;
 use super::row_text::row_text;
 use super::{Listing, System};
@@ -42,15 +43,16 @@ impl<'a> Loading<'a, '_> {
     /// Reads an entry `[[system]]`: a linear system, matrix · unknowns = right, or equations that are linear in the
     /// unknowns.
     pub fn system(&mut self, item: &Item<'a>) -> Option<System> {
-        if self.reader.get(item.table, "equations").is_some() {
+        let keys = ["equations", "label", "labels"];
+        if keys.iter().any(|key| self.reader.get(item.table, key).is_some()) {
             return self.system_of_equations(item);
         }
         let formulation = self.formulation(item);
         let frame = self.frame(item, formulation);
         let unknowns = self.required_array(item, "unknowns", "[\"u1'\", \"u2'\"]");
         let unknowns = unknowns.and_then(|(array, span)| {
-            let mut known = formulation?.unknowns(self.model);
-            known.extend(self.accelerations(array));
+            let mut known = self.accelerations(array);
+            known.extend(formulation?.unknowns(self.model));
             let (what, of) = ("an unknown", formulation?.name());
             self.members(array, &span, &known, &format!("{what} of {of}"))
         });
@@ -128,7 +130,7 @@ impl<'a> Loading<'a, '_> {
 
     /// Reads a system that is printed as equations, each linear in the accelerations and reactions.
     fn system_of_equations(&mut self, item: &Item<'a>) -> Option<System> {
-        for key in ["unknowns", "matrix", "right", "matrix_ids", "right_ids"] {
+        for key in ["matrix", "right", "matrix_ids", "right_ids"] {
             if let Some(value) = self.reader.get(item.table, key) {
                 let help = "a system is either `equations`, or `unknowns`, `matrix` and `right`";
                 self.reader.error(value.span(), format!("`{key}` beside `equations`"), help);
@@ -136,18 +138,68 @@ impl<'a> Loading<'a, '_> {
         }
         let formulation = self.formulation(item);
         let frame = self.frame(item, formulation);
-        let (array, _) = self.required_array(item, "equations", "[\"m*x'' = -k*x\"]")?;
-        let residuals: Vec<Option<(Expr, String)>> = array
-            .iter()
-            .map(|value| {
-                let formula = self.reader.formula(value, "an equation")?;
+        let equations = self.equations(item)?;
+        let residuals: Vec<Option<(Expr, String)>> = equations
+            .into_iter()
+            .map(|formula| {
                 let residual = self.residual(&formula, item.notation)?;
                 Some((residual, formula.text))
             })
             .collect();
         let residuals = residuals.into_iter().collect::<Option<Vec<_>>>()?;
+        self.solved_for(item, formulation?, &residuals)?;
         let span = item.span.clone();
         self.rows(formulation?, frame.ok()?, residuals, &span, false)
+    }
+
+    /// Equations of a system: those under `equations`, or those of labels in a file. One `label` means all equations
+    /// of the environment in which it stands.
+    fn equations(&mut self, item: &Item<'a>) -> Option<Vec<Located>> {
+        let stated: Vec<&str> =
+            ["equations", "label", "labels"].into_iter().filter(|k| self.reader.get(item.table, k).is_some()).collect();
+        if let [_, second, ..] = stated[..] {
+            let span = self.reader.get(item.table, second).map_or_else(|| item.span.clone(), Spanned::span);
+            let help = "equations are printed here, or they stand at labels of a file";
+            self.reader.error(span, format!("`{second}` beside `{}`", stated[0]), help);
+            return None;
+        }
+        if let Some(label) = self.reader.get(item.table, "label") {
+            let label = self.reader.string(label, "`label`")?;
+            return self.labelled(item, &label, Choice::Display);
+        }
+        if self.reader.get(item.table, "labels").is_some() {
+            let (array, _) = self.required_array(item, "labels", "[\"eq:1\", \"eq:2\"]")?;
+            let labels: Vec<_> = array.iter().map(|value| self.reader.string(value, "a label")).collect();
+            let found = labels.into_iter().map(|label| self.labelled(item, &label?, Choice::Labelled));
+            let found: Vec<_> = found.collect();
+            return Some(found.into_iter().collect::<Option<Vec<_>>>()?.concat());
+        }
+        let (array, _) = self.required_array(item, "equations", "[\"m*x'' = -k*x\"]")?;
+        let list: Vec<_> = array.iter().map(|value| self.reader.formula(value, "an equation")).collect();
+        list.into_iter().collect()
+    }
+
+    /// Checks the `unknowns` that stand beside equations: each is one of the formulation, and the equations contain no
+    /// other.
+    fn solved_for(&mut self, item: &Item<'a>, formulation: Formulation, residuals: &[(Expr, String)]) -> Option<()> {
+        if self.reader.get(item.table, "unknowns").is_none() {
+            return Some(());
+        }
+        let (array, span) = self.required_array(item, "unknowns", "[\"u1'\", \"u2'\"]")?;
+        let known = formulation.unknowns(self.model);
+        let mut names = self.accelerations(array);
+        let has_own = !names.is_empty();
+        names.extend(known.clone());
+        let (stated, _) = self.members(array, &span, &names, &format!("an unknown of {}", formulation.name()))?;
+        let all: Vec<Expr> = residuals.iter().map(|(e, _)| *e).collect();
+        let parts = self.model.arena.reachable(&all);
+        let other = |(_, symbol): &&(String, Expr)| parts.binary_search(symbol).is_ok() && !stated.contains(symbol);
+        if let Some((name, _)) = known.iter().find(other).filter(|_| !has_own) {
+            let message = format!("the equations contain the unknown `{name}`, too");
+            self.reader.error(span, message, "name it among `unknowns`, or leave `unknowns` out");
+            return None;
+        }
+        Some(())
     }
 
     /// Reads an equation of motion `left = right`, or a formula that is zero, as a system of one row. Without a stated
@@ -263,9 +315,11 @@ impl<'a> Loading<'a, '_> {
                     .map(Some)
             }),
         };
-        let ((state, state_names, moving), (derivative, derivative_texts)) = (state?, derivative?);
+        let ((state, state_names, _), (derivative, derivative_texts)) = (state?, derivative?);
         let (matrix, matrix_texts) = matrix?.unzip();
         let formulation = formulation?;
+        let (state, derivative, matrix) = self.own_state(&state_names, (state, derivative, matrix), item)?;
+        let moving = (0..state.len()).filter(|at| formulation.variables(self.model).contains(&state[*at])).collect();
         Some(Listing { formulation, state, state_names, derivative, derivative_texts, moving, matrix, matrix_texts })
     }
 

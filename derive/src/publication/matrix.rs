@@ -74,6 +74,9 @@ fn latex(text: &str) -> Result<Vec<Vec<Range<usize>>>, &'static str> {
 
 /// Entries of `[a, b; c, d]`, `[a b; c d]` or `[[a, b], [c, d]]`, with anything in front, such as `np.array(`.
 fn brackets(text: &str) -> Result<Vec<Vec<Range<usize>>>, &'static str> {
+    if let Some(rows) = stacked(text) {
+        return rows;
+    }
     let open = text.find('[').ok_or("the matrix has no `[`, as in [a, b; c, d] or [[a, b], [c, d]]")?;
     let close = text.rfind(']').filter(|close| *close > open).ok_or("the `[` of the matrix is never closed")?;
     let inside = open + 1..close;
@@ -97,6 +100,44 @@ fn brackets(text: &str) -> Result<Vec<Vec<Range<usize>>>, &'static str> {
         rows.push(row_of(text, part.start + from + 1..part.start + to));
     }
     Ok(rows)
+}
+
+/// Entries of `vertcat(horzcat(a, b), horzcat(c, d))`, of `horzcat(vertcat(a, c), vertcat(b, d))`, or of a vector
+/// written by one of the two; `None` for a text without them.
+fn stacked(text: &str) -> Option<Result<Vec<Vec<Range<usize>>>, &'static str>> {
+    let names = ["vertcat(", "horzcat("];
+    let trimmed = |range: Range<usize>| {
+        let part = &text[range.clone()];
+        let start = range.start + part.len() - part.trim_start().len();
+        start..start + part.trim().len()
+    };
+    // Name and arguments of a call that a range consists of, modules in front aside.
+    let call = |range: Range<usize>| {
+        let range = trimmed(range);
+        let (at, name) = names.iter().filter_map(|name| Some((text[range.clone()].find(name)?, *name))).min()?;
+        let is_module =
+            text[range.start..range.start + at].chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '.'));
+        let inside = range.start + at + name.len()..range.end.checked_sub(1)?;
+        let closes = is_module && text[range].ends_with(')') && inside.start <= inside.end;
+        closes.then(|| (name, split(text, inside, |c| c == ',')))
+    };
+    let (outer, parts) = call(0..text.len())?;
+    let lists: Vec<Vec<Range<usize>>> = parts
+        .into_iter()
+        .filter(|part| !text[part.clone()].trim().is_empty())
+        .map(|part| match call(part.clone()) {
+            Some((inner, list)) if inner != outer => list,
+            _ => vec![part],
+        })
+        .collect();
+    if outer == "vertcat(" {
+        return Some(Ok(lists));
+    }
+    let height = lists.first().map_or(0, Vec::len);
+    if lists.iter().any(|column| column.len() != height) {
+        return Some(Err("the columns of the matrix differ in length"));
+    }
+    Some(Ok((0..height).map(|row| lists.iter().map(|column| column[row].clone()).collect()).collect()))
 }
 
 /// Entries of one row: between commas, else between spaces as MATLAB reads them.
@@ -159,6 +200,12 @@ mod tests {
         let expected = Ok(vec![vec!["a + b".to_owned(), "0".to_owned()], vec!["f(x, y)".to_owned(), "-c".to_owned()]]);
         for text in ["[a + b, 0; f(x, y), -c]", "[a + b 0; f(x, y) -c]", "[a + b, 0\n f(x, y), -c]"] {
             assert_eq!(read(text, Notation::Matlab), expected, "{text}");
+        }
+        for text in [
+            "ca.vertcat(ca.horzcat(a + b, 0), ca.horzcat(f(x, y), -c))",
+            "horzcat(vertcat(a + b, f(x, y)), vertcat(0, -c))",
+        ] {
+            assert_eq!(read(text, Notation::Python), expected, "{text}");
         }
         for text in ["np.array([[a + b, 0], [f(x, y), -c]])", "Matrix([[a + b, 0], [f(x, y), -c],])"] {
             assert_eq!(read(text, Notation::Python), expected, "{text}");

@@ -46,10 +46,15 @@
 
 mod beside;
 mod entries;
+mod files;
 mod linear;
+mod locals;
 mod matrix;
+mod named_files;
 mod names;
 mod near;
+mod own_coordinates;
+mod printed;
 mod read;
 mod row_text;
 mod spelling;
@@ -57,7 +62,7 @@ mod words;
 
 pub use beside::{beside, hash_beside, is_beside, load_beside};
 pub use names::Names;
-pub use read::load;
+pub use read::{load, load_in, load_with};
 pub(crate) use row_text::row_text;
 
 use crate::algebra::Expr;
@@ -77,6 +82,8 @@ pub struct Publication {
     pub reference: String,
     /// Shorthand of the printed text, in the order of the publication file: (name, formula).
     pub abbreviations: Vec<(String, Expr)>,
+    /// Coordinates and speeds of the printed text that the model does not have: (name, formula).
+    pub coordinates: Vec<(String, Expr)>,
     /// Symbols of the printed text for derived quantities: (name, quantity, symbol in the formulas).
     pub names: Vec<(String, Quantity, Expr)>,
     /// Entries, in the order of the publication file.

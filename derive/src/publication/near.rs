@@ -31,6 +31,11 @@ impl<'a> Loading<'a, '_> {
         let point = self.reader.table(value, "`about`", "about = { q1 = 0, u3 = \"w\" }")?;
         let mut values = Vec::new();
         for (name, value) in self.reader.entries(point) {
+            if self.words.is_renamed(&name.text) {
+                let message = format!("`{}` is the publication's own in this file", shown(&name.text));
+                self.reader.error(name.span, message, "give its coordinate a name that the model does not have");
+                continue;
+            }
             let formula = self.reader.formula(value, &format!("`{}`", shown(&name.text)));
             let symbol = self.stays(&name);
             let value = formula.and_then(|f| self.of_parameters(&f));

@@ -2,6 +2,7 @@
 //!
 //! Every error is reported once, at its cause; `None` always means that an error stands in the reader.
 
+use super::files::{Files, notation_of_file, read_named};
 use super::spelling::notations;
 use super::words::Words;
 use super::{Approximation, Publication};
@@ -17,8 +18,10 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Keys at the top of a publication file.
-pub const KEYS: [&str; 16] = [
+pub const KEYS: [&str; 18] = [
     "schema",
+    "file",
+    "macros",
     "equation",
     "definition",
     "system",
@@ -45,6 +48,41 @@ const MAX_ERRORS: usize = 1000;
 /// # Errors
 /// [`Diagnostics`] with every error of the publication file.
 pub fn load(source: &Source, model: &mut Model) -> Result<Publication, Diagnostics> {
+    let folder = source.path.parent().map(std::path::Path::to_owned).unwrap_or_default();
+    load_with(source, model, &|name| read_named(&folder.join(name)))
+}
+
+/// Reads a publication for its model, with a table of coordinates in the place of its own `[coordinates]`.
+///
+/// # Errors
+/// [`Diagnostics`] with every error of the publication file.
+pub fn load_in(
+    source: &Source,
+    model: &mut Model,
+    coordinates: &[(String, String)],
+) -> Result<Publication, Diagnostics> {
+    let folder = source.path.parent().map(std::path::Path::to_owned).unwrap_or_default();
+    load_all(source, model, &|name| read_named(&folder.join(name)), Some(coordinates))
+}
+
+/// Reads a publication for its model, with a reader of the files that the publication names beside it.
+///
+/// # Errors
+/// [`Diagnostics`] with every error of the publication file and of the files that it names.
+pub fn load_with(
+    source: &Source,
+    model: &mut Model,
+    read: &dyn Fn(&str) -> Result<Source, Diagnostics>,
+) -> Result<Publication, Diagnostics> {
+    load_all(source, model, read, None)
+}
+
+fn load_all(
+    source: &Source,
+    model: &mut Model,
+    read: &dyn Fn(&str) -> Result<Source, Diagnostics>,
+    stated: Option<&[(String, String)]>,
+) -> Result<Publication, Diagnostics> {
     let (mut reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
     if table.is_empty() {
@@ -65,16 +103,22 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Publication, Diagnosti
         near: None,
         ids: FxHashMap::default(),
         values: FxHashMap::default(),
+        files: Files::new(read),
+        stated,
+        coordinates: Vec::new(),
     };
     let title = loading.text(table, "title").unwrap_or_default();
     let reference = loading.text(table, "source").unwrap_or_default();
     let names = loading.names(table);
+    loading.files_of(table);
     loading.notation = loading.notation(table);
     let abbreviations = loading.abbreviations(table);
+    loading.names_are_of_the_model(&names);
     loading.near = loading.near(table);
     let entries = loading.entries(table);
     loading.reader.finish()?;
-    Ok(Publication { source: source.clone(), title, reference, abbreviations, names, entries })
+    let coordinates = loading.coordinates;
+    Ok(Publication { coordinates, source: source.clone(), title, reference, abbreviations, names, entries })
 }
 
 /// State of reading a publication file: the file, the model, and the names and entries read so far.
@@ -90,12 +134,22 @@ pub struct Loading<'a, 'm> {
     pub ids: FxHashMap<String, Range<usize>>,
     /// Byte range at which each set states a value of a quantity.
     pub values: FxHashMap<(String, Expr), Range<usize>>,
+    /// Files that the publication names.
+    pub files: Files<'m>,
+    /// Coordinates in the place of those that the publication file states.
+    stated: Option<&'m [(String, String)]>,
+    /// Coordinates and speeds of the publication that the model does not have.
+    coordinates: Vec<(String, Expr)>,
 }
 
 impl<'a> Loading<'a, '_> {
     /// Notation that a table states; without one, that of the publication file.
     pub fn notation(&mut self, table: &'a DeTable<'a>) -> Notation {
-        let Some(value) = self.reader.get(table, "notation") else { return self.notation };
+        let Some(value) = self.reader.get(table, "notation") else {
+            // The name of a file tells its language.
+            let file = self.reader.get(table, "file").and_then(|file| file.get_ref().as_str());
+            return file.and_then(notation_of_file).unwrap_or(self.notation);
+        };
         let Some(name) = self.reader.string(value, "`notation`") else { return self.notation };
         Notation::named(&name.text).unwrap_or_else(|| {
             let message = format!("there is no notation `{}`", shown(&name.text));
@@ -108,6 +162,10 @@ impl<'a> Loading<'a, '_> {
     pub fn formula(&mut self, formula: &Located, notation: Notation) -> Option<Expr> {
         if self.reader.errors.len() > MAX_ERRORS {
             return None;
+        }
+        if notation == Notation::Latex && !self.reader.is_made(formula) {
+            let expanded = self.without_macros(formula)?;
+            return self.words.formula(&mut self.reader, &mut self.model.arena, &expanded, notation);
         }
         self.words.formula(&mut self.reader, &mut self.model.arena, formula, notation)
     }
@@ -185,13 +243,37 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Reads `[coordinates]`: coordinates and speeds of the publication as formulas in those of the model. Their time
-    /// derivatives follow.
-    fn coordinates(&mut self, section: Vec<Field<'a>>) {
-        for (name, value) in section {
-            let formula = self.reader.formula(value, &format!("`{}`", shown(&name.text)));
+    /// derivatives follow. A name of the model gets another meaning after all formulas are read.
+    fn coordinates(&mut self, list: Vec<(Located, Option<Located>)>) {
+        let mut renamed = Vec::new();
+        for (name, formula) in list {
             let formula = formula.and_then(|f| self.formula(&f, Notation::default()));
-            self.words.declare_moving(&mut self.reader, &mut self.model.arena, &name, formula);
+            if self.words.is_motion(&name.text) {
+                renamed.push((name, formula));
+                continue;
+            }
+            let arena = &mut self.model.arena;
+            let declared = self.words.declare_moving(&mut self.reader, arena, &name, formula);
+            self.coordinates.extend(formula.filter(|_| declared).map(|e| (name.text, e)));
         }
+        for (name, formula) in renamed {
+            self.words.redefine(&mut self.reader, &mut self.model.arena, &name, formula);
+        }
+    }
+
+    /// Names and formulas of the coordinates of the publication.
+    fn stated_coordinates(&mut self, table: &'a DeTable<'a>) -> Vec<(Located, Option<Located>)> {
+        if let Some(stated) = self.stated {
+            let whole = self.reader.get(table, "coordinates").map_or(0..0, Spanned::span);
+            let located = |text: &String| Located { text: text.clone(), span: whole.clone(), exact: false };
+            return stated.iter().map(|(name, formula)| (located(name), Some(located(formula)))).collect();
+        }
+        let section = self.section(table, "coordinates", "alpha = \"q2 - q1\"");
+        let formulas = section.into_iter().map(|(name, value)| {
+            let formula = self.reader.formula(value, &format!("`{}`", shown(&name.text)));
+            (name, formula)
+        });
+        formulas.collect()
     }
 
     /// Reads `[abbreviations]`: names of formulas in the model's names and earlier abbreviations.
@@ -200,7 +282,7 @@ impl<'a> Loading<'a, '_> {
         for (name, _) in &section {
             self.words.announce(&name.text);
         }
-        let own = self.section(table, "coordinates", "alpha = \"q2 - q1\"");
+        let own = self.stated_coordinates(table);
         for (name, _) in &own {
             self.words.announce(&name.text);
         }

@@ -1,6 +1,7 @@
 //! Symbols that a publication writes for the names of a model: those of `[symbols]`, and the usual LaTeX form of a
 //! name.
 
+use super::locals::{Locals, local_name, local_number};
 use crate::algebra::text::notation::{Notation, Spell, Symbol, Unknown, ascii_names, is_index, read_symbol};
 use crate::algebra::text::print::latex_name;
 use crate::diagnostic::shown;
@@ -113,6 +114,10 @@ impl Spellings {
 /// Replaces the symbols of one formula by names.
 pub struct Speller<'a> {
     pub spellings: &'a Spellings,
+    /// Variables of the program that the formula belongs to.
+    pub locals: &'a Locals,
+    /// Names of the model's coordinates.
+    pub coordinates: &'a [String],
     /// True if the last error may occur at many places of the file.
     pub repeated: bool,
 }
@@ -120,6 +125,11 @@ pub struct Speller<'a> {
 impl Spell for Speller<'_> {
     fn knows(&self, symbol: &Symbol) -> bool {
         !self.spellings.latex_names(symbol).is_empty()
+    }
+
+    fn is_coordinate(&self, symbol: &Symbol) -> bool {
+        let names = self.spellings.latex_names(symbol);
+        names.len() == 1 && self.coordinates.contains(&names[0])
     }
 
     fn latex(&mut self, symbol: &Symbol, run: &str) -> Result<String, Unknown> {
@@ -144,11 +154,20 @@ impl Spell for Speller<'_> {
     }
 
     fn variable(&mut self, name: &str) -> Result<String, Unknown> {
+        if let Some(number) = self.locals.number(name) {
+            return Ok(local_name(number));
+        }
         if let Some(name) = self.spellings.variable(name) {
             return Ok(name);
         }
-        if is_name(name) {
-            return Ok(name.to_owned());
+        if is_name(name) && local_number(name).is_none() {
+            let is_known = self.spellings.has(name);
+            let mut rates = rates_of(name);
+            rates.retain(|(stem, _)| !is_known && self.coordinates.iter().any(|c| c == stem));
+            return Ok(match rates[..] {
+                [(stem, primes)] => format!("{stem}{}", "'".repeat(primes)),
+                _ => name.to_owned(),
+            });
         }
         let mut names = ascii_names(name);
         if let Some(at) = names.iter().position(|name| self.spellings.has(name)) {
@@ -158,6 +177,26 @@ impl Spell for Speller<'_> {
         let help = format!("say in [symbols] what it stands for, as in {} = \"u1\"", quoted(name));
         Err((format!("unknown name `{}`", shown(name)), Some(help)))
     }
+}
+
+/// Names, each with the order of a derivative, that a variable of a program may be called for, such as `theta_dot`,
+/// `xddot`, `dq1` or `dx_dt`. The names may be no coordinates.
+fn rates_of(name: &str) -> Vec<(&str, usize)> {
+    let over = name.strip_prefix('d').and_then(|rest| rest.strip_suffix("_dt").or_else(|| rest.strip_suffix("dt")));
+    let twice = name.strip_prefix("d2").and_then(|rest| rest.strip_suffix("_dt2").or_else(|| rest.strip_suffix("dt2")));
+    let forms = [
+        (name.strip_suffix("_ddot"), 2),
+        (name.strip_suffix("ddot"), 2),
+        (name.strip_prefix("ddot_"), 2),
+        (twice, 2),
+        (name.strip_suffix("_dot"), 1),
+        (name.strip_suffix("dot"), 1),
+        (name.strip_prefix("dot_"), 1),
+        (over, 1),
+        (name.strip_prefix("dd"), 2),
+        (name.strip_prefix('d'), 1),
+    ];
+    forms.into_iter().filter_map(|(stem, order)| Some((stem.filter(|stem| !stem.is_empty())?, order))).collect()
 }
 
 /// Text of a TOML key in quotes.

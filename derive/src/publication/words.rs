@@ -1,8 +1,9 @@
 //! Meanings of the names in formulas of a publication.
 
+use super::locals::{Local, Locals, local_number};
 use super::spelling::{Speller, Spellings, Stated};
 use crate::algebra::term::calculus::Differential;
-use crate::algebra::text::notation::{Notation, translate};
+use crate::algebra::text::notation::{Notation, Spell, translate};
 use crate::algebra::text::parse::{ParseError, is_reserved, parse_published};
 use crate::algebra::{Arena, Expr, Node};
 use crate::diagnostic::{Diagnostic, nearest, shown};
@@ -10,6 +11,7 @@ use crate::model::{Model, TIME};
 use crate::read::{Located, Reader};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Most characters of a name that a publication file declares.
 const MAX_LENGTH: usize = 60;
@@ -43,6 +45,12 @@ pub struct Words {
     /// Number of terms that abbreviations have added to formulas so far.
     expansion: usize,
     clock: Clock,
+    /// Variables of the program that the formulas of an entry are about.
+    pub locals: Arc<Locals>,
+    /// Names of coordinates and speeds of the model that have another meaning in the publication.
+    renamed: Vec<String>,
+    /// Names of coordinates, for variables of programs that name their rates.
+    coordinates: Vec<String>,
 }
 
 /// Time derivatives of the symbols of a model.
@@ -84,6 +92,9 @@ impl Words {
             spellings: Spellings::default(),
             expansion: 0,
             clock: Clock::new(model),
+            locals: Arc::default(),
+            renamed: Vec::new(),
+            coordinates: model.coordinates.iter().map(|c| c.name.clone()).collect(),
         };
         for p in &model.parameters {
             words.insert(&p.name, Word::Model("parameter", p.symbol));
@@ -134,6 +145,39 @@ impl Words {
             }
         }
         is_declared
+    }
+
+    /// True if a name is that of a coordinate or speed of the model.
+    pub fn is_motion(&self, name: &str) -> bool {
+        matches!(self.known.get(name), Some(Word::Model("coordinate" | "speed", _)))
+    }
+
+    /// Gives the name of a coordinate or speed of the model another meaning, with its time derivatives.
+    pub fn redefine(&mut self, reader: &mut Reader<'_>, arena: &mut Arena, name: &Located, value: Option<Expr>) {
+        if let Some(first) = self.places.get(&name.text) {
+            let message = format!("`{}` is declared twice", name.text);
+            let twice = Diagnostic::new(name.span.clone(), message, "rename one of the two");
+            reader.errors.push(twice.with_other(first.clone(), "first declared here"));
+            return;
+        }
+        self.places.insert(name.text.clone(), name.span.clone());
+        let (mut value, mut primed) = (value, name.text.clone());
+        for _ in 0..=PRIMES {
+            let is_known = self.known.contains_key(&primed);
+            match value {
+                Some(value) => self.insert(&primed, Word::Declared(value)),
+                None if is_known => self.insert(&primed, Word::Spoiled),
+                None => {}
+            }
+            value = value.and_then(|e| self.clock.rate(arena, e).ok());
+            primed.push('\'');
+        }
+        self.renamed.push(name.text.clone());
+    }
+
+    /// True if a name of the model, primes aside, has another meaning in the publication.
+    pub fn is_renamed(&self, name: &str) -> bool {
+        self.renamed.iter().any(|renamed| renamed == name.trim_end_matches('\''))
     }
 
     /// Values of a declared name that may stand for an acceleration, such as `alpha''`.
@@ -246,7 +290,7 @@ impl Words {
         match self.read(arena, formula, notation, &mut spoiled, &mut repeated) {
             Ok(e) => (!spoiled && reader.is_computable(arena, formula, e)).then_some(e),
             Err(error) => {
-                let (span, help) = (formula.part(error.span), error.help.unwrap_or_default());
+                let (span, help) = (self.place(formula, &error), error.help.unwrap_or_default());
                 if repeated {
                     reader.error_once(span, error.message, help);
                 } else {
@@ -254,6 +298,35 @@ impl Words {
                 }
                 None
             }
+        }
+    }
+
+    /// Reads a formula of a program without reporting its error.
+    pub fn local(&mut self, arena: &mut Arena, formula: &Located, notation: Notation) -> Local {
+        let (mut spoiled, mut repeated) = (false, false);
+        match self.read(arena, formula, notation, &mut spoiled, &mut repeated) {
+            Ok(e) if !spoiled => Local::Value(e),
+            Ok(_) => {
+                Local::Unread(formula.span.clone(), "it uses a name that is declared wrongly".into(), String::new())
+            }
+            Err(error) => Local::Unread(self.place(formula, &error), error.message, error.help.unwrap_or_default()),
+        }
+    }
+
+    /// Place of an error of a formula: that of the assignment that it is about, if there is one.
+    fn place(&self, formula: &Located, error: &ParseError) -> Range<usize> {
+        self.locals.unread(&error.message).unwrap_or_else(|| formula.part(error.span.clone()))
+    }
+
+    /// Meaning of a variable of a program by the model and the publication file, without the program's assignments;
+    /// true behind it if it is a parameter. `None` if it has no meaning there.
+    pub fn meaning(&self, name: &str) -> Option<(Expr, bool)> {
+        let (none, coordinates) = (Locals::default(), self.coordinates.as_slice());
+        let mut speller = Speller { spellings: &self.spellings, locals: &none, coordinates, repeated: false };
+        match self.known.get(&speller.variable(name).ok()?)? {
+            Word::Model(noun, e) => Some((*e, *noun == "parameter")),
+            Word::Declared(e) => Some((*e, false)),
+            Word::Later | Word::Spoiled => None,
         }
     }
 
@@ -267,7 +340,9 @@ impl Words {
         spoiled: &mut bool,
         repeated: &mut bool,
     ) -> Result<Expr, ParseError> {
-        let mut speller = Speller { spellings: &self.spellings, repeated: false };
+        let locals = Arc::clone(&self.locals);
+        let coordinates = self.coordinates.as_slice();
+        let mut speller = Speller { spellings: &self.spellings, locals: &locals, coordinates, repeated: false };
         let plain = translate(&formula.text, notation, &mut speller).inspect_err(|_| *repeated = speller.repeated)?;
         let (known, spellings, expansion) = (&self.known, &self.spellings, &mut self.expansion);
         let clock = &mut self.clock;
@@ -277,6 +352,20 @@ impl Words {
             // Other notations have replaced their symbols already.
             let stated = spellings.variable(name).filter(|_| notation == Notation::Tripos);
             let name = stated.as_deref().unwrap_or(name);
+            if let Some(local) = local_number(name).and_then(|number| locals.value(number)) {
+                return match local {
+                    Local::Value(e) => {
+                        *expansion += width(arena, *e);
+                        if *expansion > MAX_EXPANSION {
+                            *repeated = true;
+                            let help = "name a part of the program that has fewer assignments";
+                            return Err(("the assignments make these formulas too long".to_owned(), Some(help.into())));
+                        }
+                        Ok(*e)
+                    }
+                    Local::Unread(_, message, help) => Err((message.clone(), Some(help.clone()))),
+                };
+            }
             match known.get(name).copied() {
                 Some(Word::Model(_, e)) => Ok(e),
                 Some(Word::Declared(e)) => {

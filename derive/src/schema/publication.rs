@@ -22,11 +22,20 @@ const ABOUT: Key =
     key("about", Named(&Formula), "the point near which formulas hold, as { q1 = 0, u3 = \"w\" }; {} for everywhere");
 const ORDER: Key = key("order", Whole(1), "up to which order in the deviations from that point: 1 if nothing is said");
 
+const FILE: Key =
+    key("file", Text, "a file beside this one: paper.tex, or a program such as model.m, model.py, model.c");
+const PART: Key =
+    key("part", Text, "of a program: a function, lines as in 12-40, or NAME of `begin NAME` and `end NAME`");
+const LABEL: Key = key("label", Text, "of an equation of the file, in the place of what is printed");
+const LINE: Key = key("line", Whole(1), "which equation of the label, from 1");
+
 /// Keys of a publication file at its top level.
 pub(crate) const KEYS: &[Key] = &[
     VERSION,
     key("title", Text, "the title of the publication"),
     key("source", Text, "where it is from"),
+    key("file", Text, "the file of labels and parts of entries that name none; its macros hold for all formulas"),
+    key("macros", Text, "definitions of macros, such as \\newcommand{\\w}{\\omega}"),
     NOTATION,
     ABOUT,
     ORDER,
@@ -48,10 +57,14 @@ const EQUATION: &[Key] = &[
     REPAIRED,
     NOTE,
     NOTATION,
+    FILE,
+    PART,
     ABOUT,
     ORDER,
     key("quantity", Text, "the derived quantity, such as v(P) @ A [1]; nothing for an equation of motion"),
-    needed("printed", Formula, "as it is printed"),
+    key("printed", Formula, "as it is printed, or the name of a variable of the program"),
+    LABEL,
+    LINE,
     key("formulation", Word(FORMULATIONS), "what an equation of motion is compared with"),
     key("frame", Text, "the frame of the components of a Newton-Euler equation"),
 ];
@@ -62,10 +75,14 @@ const WHOLE_MATRIX: &[Key] = &[
     REPAIRED,
     NOTE,
     NOTATION,
+    FILE,
+    PART,
     ABOUT,
     ORDER,
     needed("quantity", Text, "a quantity with indices, without them, such as M or I(disk) @ B"),
-    needed("printed", Text, "the whole matrix, as in [a, b; c, d]"),
+    key("printed", Text, "the whole matrix, as in [a, b; c, d]"),
+    LABEL,
+    LINE,
 ];
 
 const DEFINITION: &[Key] = &[ID, SECTION, REPAIRED, NOTE, needed("printed", Text, "as it is printed")];
@@ -76,11 +93,15 @@ const SYSTEM: &[Key] = &[
     REPAIRED,
     NOTE,
     NOTATION,
+    FILE,
+    PART,
     ABOUT,
     ORDER,
     FORMULATION,
     key("frame", Text, "the frame of the components of a Newton-Euler system"),
     key("equations", FORMULAS, "its rows as equations, in the place of unknowns, matrix and right"),
+    key("label", Text, "of an environment of the file whose equations are the rows"),
+    key("labels", List(&Text), "of equations of the file that are the rows"),
     key("unknowns", List(&Text), "what it is solved for"),
     key("matrix", MATRIX, "its rows"),
     key("right", FORMULAS, "the right-hand side"),
@@ -94,6 +115,8 @@ const LISTING: &[Key] = &[
     REPAIRED,
     NOTE,
     NOTATION,
+    FILE,
+    PART,
     ABOUT,
     ORDER,
     FORMULATION,

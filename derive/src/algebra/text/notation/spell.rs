@@ -10,6 +10,11 @@ pub trait Spell {
     /// True if a symbol of LaTeX, its dots aside, has a name.
     fn knows(&self, symbol: &Symbol) -> bool;
 
+    /// True if a symbol of LaTeX stands for a coordinate.
+    fn is_coordinate(&self, _symbol: &Symbol) -> bool {
+        false
+    }
+
     /// The name of a symbol of LaTeX.
     ///
     /// `run` is the word that the symbol forms with the letters around it, empty if they form none.

@@ -158,7 +158,7 @@ impl Formula<'_, '_> {
         let first = self.cursor.at;
         let is_number = |mark: Option<&Mark>| matches!(mark, Some(Mark::Number(_)));
         let is_pi = |mark: Option<&Mark>| matches!(mark, Some(Mark::Command(name)) if name == "pi");
-        let mut only_numbers = true;
+        let (mut only_numbers, mut is_coordinate) = (true, false);
         loop {
             let mark = self.cursor.peek();
             let begins = matches!(mark, Some(Mark::Number(_) | Mark::Letter(_) | Mark::Command(_)));
@@ -169,6 +169,7 @@ impl Formula<'_, '_> {
                 self.out.push("*", self.cursor.here());
             }
             let number = is_number(mark) || is_pi(mark);
+            is_coordinate = self.begins_coordinate();
             self.factor()?;
             only_numbers &= number;
             if !number || is_number(self.cursor.peek()) {
@@ -184,7 +185,18 @@ impl Formula<'_, '_> {
             let help = format!("write \\{name}(…)");
             return Err(wrong(place.clone(), format!("`{name}` needs an argument"), &help));
         }
-        self.end_of_argument(name, only_numbers)
+        // Nobody multiplies a coordinate inside of a function: \sin\theta(…) is (sin θ)·(…).
+        let ends = is_coordinate && matches!(self.cursor.peek(), Some(Mark::Char('(' | '[')));
+        if ends { Ok(()) } else { self.end_of_argument(name, only_numbers) }
+    }
+
+    /// True if the symbol of a coordinate comes next.
+    fn begins_coordinate(&mut self) -> bool {
+        let before = self.cursor.clone();
+        let spell = &mut *self.spell;
+        let found = self.cursor.symbol(&|symbol| spell.knows(symbol));
+        self.cursor = before;
+        matches!(found, Ok(Some((symbol, _))) if self.spell.is_coordinate(&symbol))
     }
 
     /// True if a symbol comes next; the name of a function is no symbol.

@@ -1,0 +1,86 @@
+//! `tripos diff --find-coordinates`: the coordinates that a publication means.
+
+use super::show;
+use crate::failure::Failure;
+use crate::judged::Judged;
+use crate::workspace::{model_file, read_model};
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::path::Path;
+use tripos_derive::diagnostic::Source;
+use tripos_derive::diff::{CoordinateSearch, CoordinateTable, find_coordinates};
+use tripos_derive::model::is_model;
+
+/// Searches for the coordinates of a publication, and prints its verdicts in them; exit status 1 if an entry is wrong.
+/// If several choices are equally good, they are listed, and the verdicts are those in the coordinates that the
+/// publication states.
+pub fn diff_in_found_coordinates(model: &Path, other: &Path, as_json: bool) -> Result<u8, Failure> {
+    let model = read_model(model)?;
+    let source = Source::read(&model_file(other))?;
+    if is_model(&source) {
+        let what = "--find-coordinates is about a publication, and this file is a model";
+        return Err(Failure::request(what, "name a publication file, or leave out --find-coordinates"));
+    }
+    let mut stated = Judged::new(&model, &source)?;
+    let search = find_coordinates(&stated.model, &mut stated.derivations, &stated.publication).map_err(|why| {
+        let help = "state the coordinates of the publication in [coordinates]";
+        Failure::request(format!("the coordinates cannot be searched for: {why}"), help)
+    })?;
+    let about = (words(&search), value(&search));
+    match search.best.as_slice() {
+        [table] => show(Judged::new_in(&model, &source, table)?, as_json, Some(about)),
+        _ => show(Judged::new(&model, &source)?, as_json, Some(about)),
+    }
+}
+
+fn words(search: &CoordinateSearch) -> String {
+    let CoordinateSearch { compared, as_stated, most, best, tried } = search;
+    let mut out = format!("{tried} choices of coordinates were tried, in numbers, with {compared} formulas.\n");
+    match best.as_slice() {
+        [] => {
+            let _ =
+                writeln!(out, "None makes more formulas right than the coordinates stated: {as_stated} of {compared}.");
+        }
+        [one] => {
+            let _ = writeln!(
+                out,
+                "{most} of {compared} are right, {as_stated} before, in these coordinates:\n\n{}",
+                table(one)
+            );
+            out.push_str("The verdicts are proved in these coordinates.\n");
+        }
+        several => {
+            let _ = writeln!(
+                out,
+                "{most} of {compared} are right, {as_stated} before, in each of {} choices:",
+                several.len()
+            );
+            for one in several {
+                let _ = writeln!(out, "\n{}", table(one));
+            }
+            out.push_str("None of them is better. The verdicts are those in the coordinates stated.\n");
+        }
+    }
+    out.push('\n');
+    out
+}
+
+/// Table `[coordinates]` as a publication file states it.
+fn table(table: &CoordinateTable) -> String {
+    let lines = table.iter().map(|(name, formula)| format!("{name} = \"{formula}\"\n"));
+    format!("[coordinates]\n{}", lines.collect::<String>())
+}
+
+fn value(search: &CoordinateSearch) -> Value {
+    let table = |table: &CoordinateTable| {
+        let pairs = table.iter().map(|(name, formula)| (name.clone(), json!(formula)));
+        Value::Object(pairs.collect())
+    };
+    json!({
+        "compared": search.compared,
+        "as_stated": search.as_stated,
+        "most": search.most,
+        "tried": search.tried,
+        "best": search.best.iter().map(table).collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,560 @@
+//! Search for the coordinates that a publication means: under other signs, other zeros, another order, or absolute for
+//! relative angles.
+//!
+//! The search compares numbers only, and proves nothing. The publication is then read and judged in the coordinates
+//! that were found.
+
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::text::print::text;
+use crate::algebra::value::evaluate::Tape;
+use crate::algebra::{Arena, Expr};
+use crate::mechanics::{Derivations, Energy, Quantities, Quantity, QuantityKind};
+use crate::model::{Coordinate, Model, TIME};
+use crate::publication::{EntryKind, Listing, Publication, System};
+
+/// Most choices of coordinates that are tried.
+const MOST: usize = 20_000;
+/// Most choices that are listed if several are equally good.
+const LISTED: usize = 8;
+/// Number of states in which formulas are compared.
+const STATES: usize = 3;
+/// Relative difference below which two numbers count as equal.
+const NEAR: f64 = 1e-9;
+/// Number of coordinates up to which all orders and all changes of them are tried.
+const FEW: usize = 3;
+
+/// Coordinates of a publication as formulas in those of the model: (name, formula), as `[coordinates]` states them.
+pub type CoordinateTable = Vec<(String, String)>;
+
+/// Result of a search for the coordinates of a publication.
+#[derive(Clone, Debug)]
+pub struct CoordinateSearch {
+    /// Number of formulas that were compared.
+    pub compared: usize,
+    /// Number of formulas that are right in the coordinates that the publication states.
+    pub as_stated: usize,
+    /// Number of formulas that are right in the best coordinates.
+    pub most: usize,
+    /// Best choices of coordinates, those with the fewest changes first, without those that differ by a symmetry of the
+    /// model. Empty if the coordinates of the publication are as good.
+    pub best: Vec<CoordinateTable>,
+    /// Number of choices that were tried.
+    pub tried: usize,
+}
+
+/// Change of coordinates: each coordinate of the publication as a sum of coordinates of the model and quarter turns.
+#[derive(Clone)]
+struct Change {
+    rows: Vec<Vec<i8>>,
+    quarters: Vec<i8>,
+    /// Number of places at which the change differs from none.
+    size: usize,
+}
+
+impl Change {
+    /// This change after another one.
+    fn after(&self, other: &Self) -> Self {
+        let n = self.rows.len();
+        let product = |i: usize, of: &dyn Fn(usize) -> i8| (0..n).map(|k| self.rows[i][k] * of(k)).sum::<i8>();
+        let rows = (0..n).map(|i| (0..n).map(|j| product(i, &|k| other.rows[k][j])).collect()).collect();
+        let quarters = (0..n).map(|i| product(i, &|k| other.quarters[k]) + self.quarters[i]).collect();
+        Self { rows, quarters, size: 0 }
+    }
+}
+
+impl PartialEq for Change {
+    /// True if two changes are the same up to whole turns.
+    fn eq(&self, other: &Self) -> bool {
+        let turns = |(a, b): (&i8, &i8)| (a - b).rem_euclid(4) == 0;
+        self.rows == other.rows && self.quarters.iter().zip(&other.quarters).all(turns)
+    }
+}
+
+/// Comparison of one printed formula, in numbers.
+enum Check {
+    /// Printed value, and the value that it should have.
+    Value { printed: Tape, expected: Expected, up_to_constant: bool },
+    /// Printed equation: left − right, which is zero if it is right.
+    Zero(Tape),
+}
+
+/// Value that a printed formula should have.
+enum Expected {
+    /// Variable of the publication, with its number among the inputs of tapes.
+    Variable(usize),
+    /// Quantity that is the same in all coordinates.
+    Derived(Tape),
+}
+
+/// Searches for the coordinates under which most formulas of a publication are right.
+///
+/// # Errors
+/// Reason why no search is possible for this model or publication.
+pub fn find_coordinates(
+    model: &Model,
+    derivations: &mut Derivations,
+    publication: &Publication,
+) -> Result<CoordinateSearch, String> {
+    if !model.loops.is_empty() || !model.closed.is_empty() {
+        return Err("equations between the coordinates of the model tie them together".to_owned());
+    }
+    let mut quantities = Quantities::new(model, derivations);
+    let numbers = Numbers::new(&mut quantities)?;
+    let checks = numbers.checks(&mut quantities, publication);
+    if checks.is_empty() {
+        return Err("no formula of the publication can be compared in numbers".to_owned());
+    }
+    let moving = moving(model, &quantities.derivations.kinematics.arena, &printed(model, publication))?;
+    let changes = changes(model, &moving);
+    let counts: Vec<usize> = changes.iter().map(|change| numbers.right(&checks, change)).collect();
+    let most = counts.iter().copied().max().unwrap_or(0);
+    let as_stated = counts.first().copied().unwrap_or(0);
+    let best = if as_stated == most {
+        Vec::new()
+    } else {
+        let found = changes.iter().zip(&counts).filter(|(_, count)| **count == most);
+        let found = numbers.distinct(&changes, found.map(|(change, _)| change));
+        let arena = &mut quantities.derivations.kinematics.arena;
+        found.into_iter().map(|change| table(model, arena, publication, change)).collect::<Result<_, _>>()?
+    };
+    Ok(CoordinateSearch { compared: checks.len(), as_stated, most, best, tried: changes.len() })
+}
+
+/// States of the model, in numbers, and tapes for the variables of a publication.
+struct Numbers {
+    /// Symbols that are the inputs of every tape: parameters; q, q' and q'' of each coordinate; u and u' of each speed.
+    inputs: Vec<Expr>,
+    parameters: usize,
+    coordinates: usize,
+    /// Values of the inputs in each state, for the model's own variables.
+    states: Vec<Vec<f64>>,
+    /// Speeds and their time derivatives, in q, q' and q''.
+    speeds: Tape,
+    /// Accelerations q'', and the kinetic energy, in q and u.
+    motion: Tape,
+}
+
+impl Numbers {
+    fn new(quantities: &mut Quantities<'_>) -> Result<Self, String> {
+        let model = quantities.model;
+        let mut inputs = model.p();
+        let parameters = inputs.len();
+        inputs.extend(model.coordinates.iter().flat_map(|c| [c.symbol, c.rate, c.second_rate]));
+        inputs.extend(model.speeds.iter().flat_map(|s| [s.symbol, s.rate]));
+        let rates = model.kinematic_equations.rates.clone();
+        let mut motion = rates;
+        for c in &model.coordinates {
+            motion.push(quantities.solved(c.second_rate)?);
+        }
+        for s in &model.speeds {
+            motion.push(quantities.solved(s.rate)?);
+        }
+        let kinetic = Quantity::new(QuantityKind::Energy(Energy::Kinetic), model);
+        let kinetic = quantities.value(&kinetic)?;
+        let accelerations = motion[model.coordinates.len()..2 * model.coordinates.len()].to_vec();
+        let symmetric: Vec<Expr> = accelerations.into_iter().chain([kinetic]).collect();
+        let mut speeds = Vec::new();
+        for s in &model.speeds {
+            speeds.extend([quantities.in_rates(s.symbol), quantities.in_rates(s.rate)]);
+        }
+        let arena = &quantities.derivations.kinematics.arena;
+        let unknown = "a formula of the motion has a symbol without a value";
+        let motion = Tape::new(arena, &inputs, &motion).map_err(|_| unknown.to_owned())?;
+        let symmetric = Tape::new(arena, &inputs, &symmetric).map_err(|_| unknown.to_owned())?;
+        let speeds = Tape::new(arena, &inputs, &speeds).map_err(|_| unknown.to_owned())?;
+        let coordinates = model.coordinates.len();
+        let mut seed = 1_u64;
+        let mut random = |from: f64, to: f64| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let part = u32::try_from(seed >> 32).unwrap_or(0);
+            from + (to - from) * f64::from(part) / f64::from(u32::MAX)
+        };
+        let values: Vec<f64> = (0..parameters).map(|_| random(0.5, 2.0)).collect();
+        let mut states = Vec::new();
+        for _ in 0..STATES {
+            let mut state = values.clone();
+            state.extend((0..3 * coordinates).map(|_| random(0.2, 1.3)));
+            state.extend((0..2 * model.speeds.len()).map(|_| random(0.4, 1.6)));
+            let motion = motion.evaluate(&state);
+            for at in 0..coordinates {
+                state[parameters + 3 * at + 1] = motion[at];
+                state[parameters + 3 * at + 2] = motion[coordinates + at];
+            }
+            for at in 0..model.speeds.len() {
+                state[parameters + 3 * coordinates + 2 * at + 1] = motion[2 * coordinates + at];
+            }
+            states.push(state);
+        }
+        Ok(Self { inputs, parameters, coordinates, states, speeds, motion: symmetric })
+    }
+
+    fn input(&self, symbol: Expr) -> Option<usize> {
+        self.inputs.iter().position(|input| *input == symbol)
+    }
+
+    /// State in the variables of a publication whose coordinates are changed.
+    fn changed(&self, state: &[f64], change: &Change) -> Vec<f64> {
+        let mut own = state.to_vec();
+        let place = |at: usize, order: usize| self.parameters + 3 * at + order;
+        for (at, row) in change.rows.iter().enumerate() {
+            for order in 0..3 {
+                let terms = row.iter().enumerate().filter(|(_, factor)| **factor != 0);
+                let sum: f64 = terms.map(|(from, factor)| f64::from(*factor) * state[place(from, order)]).sum();
+                let turn = f64::from(change.quarters[at]) * std::f64::consts::FRAC_PI_2;
+                own[place(at, order)] = if order == 0 { sum + turn } else { sum };
+            }
+        }
+        let speeds = self.speeds.evaluate(&own);
+        let first = self.parameters + 3 * self.coordinates;
+        own[first..].copy_from_slice(&speeds);
+        own
+    }
+
+    /// Number of formulas that are right with a change of coordinates.
+    fn right(&self, checks: &[Check], change: &Change) -> usize {
+        let own: Vec<Vec<f64>> = self.states.iter().map(|state| self.changed(state, change)).collect();
+        let is_right = |check: &&Check| match check {
+            Check::Zero(tape) => own.iter().all(|own| {
+                let scale = tape.largest_terms(own)[0].abs().max(NEAR);
+                tape.evaluate(own)[0].abs() <= NEAR * scale
+            }),
+            Check::Value { printed, expected, up_to_constant } => {
+                let mut zero = None;
+                own.iter().zip(&self.states).all(|(own, state)| {
+                    let value = printed.evaluate(own)[0];
+                    let right = match expected {
+                        Expected::Variable(at) => own[*at],
+                        Expected::Derived(tape) => tape.evaluate(state)[0],
+                    };
+                    let zero = if *up_to_constant { *zero.get_or_insert(value - right) } else { 0.0 };
+                    let scale = printed.largest_terms(own)[0].abs().max(right.abs()).max(NEAR);
+                    (value - right - zero).abs() <= NEAR * scale
+                })
+            }
+        };
+        checks.iter().filter(is_right).count()
+    }
+
+    /// Changes of which none is another one after a symmetry of the model; at most those that are listed.
+    fn distinct<'c>(&self, all: &'c [Change], found: impl Iterator<Item = &'c Change>) -> Vec<&'c Change> {
+        let symmetries: Vec<&Change> = all.iter().filter(|change| self.is_symmetry(change)).collect();
+        let mut list: Vec<&Change> = Vec::new();
+        for change in found {
+            if list.len() < LISTED && !list.iter().any(|first| symmetries.iter().any(|s| first.after(s) == *change)) {
+                list.push(change);
+            }
+        }
+        list
+    }
+
+    /// True if a change takes motions of the model to motions of equal kinetic energy.
+    fn is_symmetry(&self, change: &Change) -> bool {
+        self.states.iter().all(|state| {
+            let own = self.changed(state, change);
+            let (before, after) = (self.motion.evaluate(state), self.motion.evaluate(&own));
+            let mut wanted: Vec<f64> = (0..self.coordinates).map(|at| own[self.parameters + 3 * at + 2]).collect();
+            wanted.extend(before.last().copied());
+            after.iter().zip(&wanted).all(|(a, b)| (a - b).abs() <= NEAR * a.abs().max(b.abs()).max(NEAR))
+        })
+    }
+
+    /// Comparisons of all formulas of a publication that have values in every state.
+    fn checks(&self, quantities: &mut Quantities<'_>, publication: &Publication) -> Vec<Check> {
+        let mut list = Vec::new();
+        for entry in publication.entries.iter().filter(|entry| entry.near.is_none()) {
+            match &entry.kind {
+                EntryKind::Equation { quantity, printed, .. } => {
+                    list.extend(self.value(quantities, quantity.kind(), *printed).and_then(|expected| {
+                        let arena = &quantities.derivations.kinematics.arena;
+                        let printed = Tape::new(arena, &self.inputs, &[*printed]).ok()?;
+                        let up_to_constant = matches!(quantity.kind(), QuantityKind::Energy(e) if e.has_a_zero());
+                        Some(Check::Value { printed, expected, up_to_constant })
+                    }));
+                }
+                EntryKind::System(system) => list.extend(self.rows(quantities, system)),
+                EntryKind::Listing(listing) => list.extend(self.rates(quantities, listing)),
+                EntryKind::Definition { .. } | EntryKind::Initial(_) => {}
+            }
+        }
+        list
+    }
+
+    /// Value that a quantity should have; `None` for a quantity that depends on the choice of coordinates in another
+    /// way than its name says.
+    fn value(&self, quantities: &mut Quantities<'_>, kind: &QuantityKind, printed: Expr) -> Option<Expected> {
+        let model = quantities.model;
+        let variable = match kind {
+            QuantityKind::SecondRate(at) => model.coordinates[*at].second_rate,
+            QuantityKind::SpeedRate(at) => model.speeds[*at].rate,
+            QuantityKind::Rate(at) => model.coordinates[*at].rate,
+            QuantityKind::Speed(at) => model.speeds[*at].symbol,
+            QuantityKind::Row(..)
+            | QuantityKind::MassMatrix(..)
+            | QuantityKind::LagrangeMatrix(..)
+            | QuantityKind::Partial { .. } => return None,
+            other => {
+                let derived = quantities.value(&Quantity::new(other.clone(), model)).ok()?;
+                let kept = matches!(other, QuantityKind::Energy(Energy::Kinetic | Energy::Lagrangian));
+                let derived = if kept && quantities.mentions_rates(printed) {
+                    quantities.before_constraints(other, derived)
+                } else {
+                    derived
+                };
+                let arena = &quantities.derivations.kinematics.arena;
+                return Some(Expected::Derived(Tape::new(arena, &self.inputs, &[derived]).ok()?));
+            }
+        };
+        self.input(variable).map(Expected::Variable)
+    }
+
+    /// Comparisons of the rows of a system; rows with reactions or multipliers have none.
+    fn rows(&self, quantities: &mut Quantities<'_>, system: &System) -> Vec<Check> {
+        let arena = &mut quantities.derivations.kinematics.arena;
+        let mut list = Vec::new();
+        for (row, right) in system.matrix.iter().zip(&system.right) {
+            let mut terms: Vec<Expr> = row.iter().zip(&system.unknowns).map(|(a, x)| arena.mul(*a, *x)).collect();
+            terms.push(arena.neg(*right));
+            let residual = arena.sum(&terms);
+            list.extend(Tape::new(arena, &self.inputs, &[residual]).ok().map(Check::Zero));
+        }
+        list
+    }
+
+    /// Comparisons of the derivatives of a listing, or of its rows if it has a matrix.
+    fn rates(&self, quantities: &mut Quantities<'_>, listing: &Listing) -> Vec<Check> {
+        let model = quantities.model;
+        let rate = |symbol: Expr| {
+            let coordinate = model.coordinates.iter().find_map(|c| {
+                let pairs = [(c.symbol, c.rate), (c.rate, c.second_rate)];
+                pairs.into_iter().find(|(of, _)| *of == symbol).map(|(_, rate)| rate)
+            });
+            coordinate.or_else(|| model.speeds.iter().find(|s| s.symbol == symbol).map(|s| s.rate))
+        };
+        let arena = &mut quantities.derivations.kinematics.arena;
+        let mut list = Vec::new();
+        for (at, (symbol, derivative)) in listing.state.iter().zip(&listing.derivative).enumerate() {
+            let row = listing.moving.iter().position(|moving| *moving == at);
+            let left = match (&listing.matrix, row) {
+                (Some(matrix), Some(row)) => {
+                    let terms = matrix[row].iter().zip(&listing.moving);
+                    let terms: Option<Vec<Expr>> =
+                        terms.map(|(e, at)| Some(arena.mul(*e, rate(listing.state[*at])?))).collect();
+                    terms.map(|terms| arena.sum(&terms))
+                }
+                _ => rate(*symbol),
+            };
+            let Some(left) = left else { continue };
+            let residual = arena.sub(left, *derivative);
+            list.extend(Tape::new(arena, &self.inputs, &[residual]).ok().map(Check::Zero));
+        }
+        list
+    }
+}
+
+/// Coordinates that printed formulas mention, themselves or through their rates and speeds.
+///
+/// # Errors
+/// The name of a mentioned speed that is not the rate of one coordinate, and so has no plain change.
+fn moving(model: &Model, arena: &Arena, printed: &[Expr]) -> Result<Vec<usize>, String> {
+    let mentions = |symbol| printed.iter().any(|e| arena.mentions(*e, symbol));
+    let mut rates = Vec::new();
+    for s in model.speeds.iter().filter(|s| mentions(s.symbol) || mentions(s.rate)) {
+        if !model.coordinates.iter().any(|c| c.rate == s.definition) {
+            return Err(format!("the speed `{}` is not the rate of one coordinate", s.name));
+        }
+        rates.push(s.definition);
+    }
+    let is_used =
+        |c: &Coordinate| [c.symbol, c.rate, c.second_rate].into_iter().any(mentions) || rates.contains(&c.rate);
+    let used = model.coordinates.iter().enumerate().filter(|(_, c)| c.name != TIME && is_used(c));
+    Ok(used.map(|(at, _)| at).collect())
+}
+
+/// Terms of all printed formulas, with the variables that their quantities, unknowns and states name.
+fn printed(model: &Model, publication: &Publication) -> Vec<Expr> {
+    let mut list = Vec::new();
+    for entry in &publication.entries {
+        match &entry.kind {
+            EntryKind::Equation { quantity, printed, .. } => {
+                list.push(*printed);
+                match quantity.kind() {
+                    QuantityKind::SecondRate(at) | QuantityKind::Rate(at) => list.push(model.coordinates[*at].symbol),
+                    QuantityKind::SpeedRate(at) | QuantityKind::Speed(at) => list.push(model.speeds[*at].symbol),
+                    _ => {}
+                }
+            }
+            EntryKind::System(system) => {
+                for (row, right) in system.matrix.iter().zip(&system.right) {
+                    list.push(*right);
+                    let used = row.iter().zip(&system.unknowns).filter(|(e, _)| **e != Expr::ZERO);
+                    list.extend(used.flat_map(|(e, x)| [*e, *x]));
+                }
+            }
+            EntryKind::Listing(listing) => {
+                list.extend(listing.state.iter().chain(&listing.derivative).copied());
+                list.extend(listing.matrix.iter().flatten().flatten().copied());
+            }
+            EntryKind::Definition { .. } | EntryKind::Initial(_) => {}
+        }
+    }
+    list
+}
+
+/// Changes of the coordinates `moving` that are tried, those with the fewest changes first. The first is none.
+fn changes(model: &Model, moving: &[usize]) -> Vec<Change> {
+    let n = model.coordinates.len();
+    let is_angle = |at: usize| model.coordinates[at].unit.is_plain();
+    let angles: Vec<usize> = moving.iter().copied().filter(|at| is_angle(*at)).collect();
+    let mut forms = vec![(identity(n), 0)];
+    if angles.len() > 1 {
+        let (mut sums, mut differences) = (identity(n), identity(n));
+        for (k, at) in angles.iter().enumerate() {
+            for before in &angles[..k] {
+                sums[*at][*before] = 1;
+            }
+            if k > 0 {
+                differences[*at][angles[k - 1]] = -1;
+            }
+        }
+        forms.extend([(sums, 1), (differences, 1)]);
+    }
+    let mut list: Vec<Change> = Vec::new();
+    for order in orders(model, moving) {
+        for (form, own) in &forms {
+            for options in signs(moving, &is_angle) {
+                let (mut rows, mut quarters) = (form.clone(), vec![0; n]);
+                let mut size = own + options.iter().filter(|(sign, turn)| (*sign, *turn) != (1, 0)).count();
+                size += 2 * usize::from(order.iter().zip(moving).any(|(a, b)| a != b));
+                for ((at, from), (sign, turn)) in moving.iter().zip(&order).zip(&options) {
+                    rows[*at] = form[*from].iter().map(|factor| factor * sign).collect();
+                    quarters[*at] = *turn;
+                }
+                let change = Change { rows, quarters, size };
+                list.push(change);
+                if list.len() > 4 * MOST {
+                    break;
+                }
+            }
+        }
+    }
+    list.sort_by_key(|change| change.size);
+    list.truncate(MOST);
+    list
+}
+
+fn identity(n: usize) -> Vec<Vec<i8>> {
+    (0..n).map(|i| (0..n).map(|j| i8::from(i == j)).collect()).collect()
+}
+
+/// Orders of coordinates of equal units: all of a few coordinates, else exchanges of two.
+fn orders(model: &Model, moving: &[usize]) -> Vec<Vec<usize>> {
+    let fits = |order: &Vec<usize>| {
+        order.iter().zip(moving).all(|(a, b)| model.coordinates[*a].unit == model.coordinates[*b].unit)
+    };
+    let mut list = vec![moving.to_vec()];
+    let rounds = if moving.len() <= FEW { moving.len() } else { 2 };
+    for _ in 1..rounds {
+        for order in list.clone() {
+            for i in 0..order.len() {
+                for j in 0..i {
+                    let mut other = order.clone();
+                    other.swap(i, j);
+                    if !list.contains(&other) {
+                        list.push(other);
+                    }
+                }
+            }
+        }
+    }
+    list.retain(fits);
+    list
+}
+
+/// Signs and quarter turns of coordinates: all of a few coordinates, else of at most two, or the same of all angles.
+fn signs(moving: &[usize], is_angle: &dyn Fn(usize) -> bool) -> Vec<Vec<(i8, i8)>> {
+    let all = [(1, 0), (-1, 0), (1, 1), (1, -1), (1, 2), (-1, 1), (-1, -1), (-1, 2)];
+    let options = |at: usize| if is_angle(at) { &all[..] } else { &all[..2] };
+    let none = vec![(1, 0); moving.len()];
+    let mut list = vec![none.clone()];
+    if moving.len() <= FEW {
+        for (k, at) in moving.iter().enumerate() {
+            let before = std::mem::take(&mut list);
+            for option in options(*at) {
+                list.extend(before.iter().map(|signs| {
+                    let mut signs = signs.clone();
+                    signs[k] = *option;
+                    signs
+                }));
+            }
+        }
+        return list;
+    }
+    for option in &all[1..] {
+        let angles = moving.iter().map(|at| if is_angle(*at) { *option } else { (1, 0) });
+        list.push(angles.collect());
+    }
+    for i in 0..moving.len() {
+        for first in &options(moving[i])[1..] {
+            let mut signs = none.clone();
+            signs[i] = *first;
+            list.push(signs.clone());
+            for j in 0..i {
+                for second in &options(moving[j])[1..] {
+                    let mut signs = signs.clone();
+                    signs[j] = *second;
+                    list.push(signs);
+                }
+            }
+        }
+    }
+    list
+}
+
+/// Table `[coordinates]` of a change: the coordinates and plain speeds of the model that change, then those that the
+/// publication declares.
+fn table(
+    model: &Model,
+    arena: &mut Arena,
+    publication: &Publication,
+    change: &Change,
+) -> Result<CoordinateTable, String> {
+    let quarter = arena.pi();
+    let half = arena.ratio(1, 2);
+    let quarter = arena.mul(quarter, half);
+    let same = identity(model.coordinates.len());
+    let is_changed = |at: usize| change.rows[at] != same[at] || change.quarters[at] != 0;
+    let speed_of = |at: usize| model.speeds.iter().find(|s| s.definition == model.coordinates[at].rate);
+    let (mut pairs, mut list) = (Vec::new(), Vec::new());
+    for (at, c) in model.coordinates.iter().enumerate().filter(|(at, _)| is_changed(*at)) {
+        let mut sum = |of: &dyn Fn(usize) -> Expr, quarters: i8| {
+            let turns = arena.integer(i64::from(quarters));
+            let mut terms = vec![arena.mul(turns, quarter)];
+            for (from, factor) in change.rows[at].iter().enumerate() {
+                let factor = arena.integer(i64::from(*factor));
+                terms.push(arena.mul(factor, of(from)));
+            }
+            arena.sum(&terms)
+        };
+        let value = sum(&|from| model.coordinates[from].symbol, change.quarters[at]);
+        let rate = sum(&|from| model.coordinates[from].rate, 0);
+        let second = sum(&|from| model.coordinates[from].second_rate, 0);
+        let speed = speed_of(at).map(|speed| (speed, sum(&|from| speed_of(from).map_or(Expr::ZERO, |s| s.symbol), 0)));
+        list.push((c.name.clone(), text(arena, value)));
+        pairs.extend([(c.symbol, value), (c.rate, rate), (c.second_rate, second)]);
+        if let Some((speed, value)) = speed {
+            let plain = change.rows[at].iter().enumerate().all(|(from, f)| *f == 0 || speed_of(from).is_some());
+            if !plain {
+                return Err("a speed of the model is not the rate of one coordinate".to_owned());
+            }
+            if value != speed.symbol {
+                list.push((speed.name.clone(), text(arena, value)));
+                pairs.push((speed.symbol, value));
+            }
+        }
+    }
+    for (name, value) in &publication.coordinates {
+        let value = Substitution::new(&pairs).apply(arena, *value);
+        list.push((name.clone(), text(arena, value)));
+    }
+    Ok(list)
+}

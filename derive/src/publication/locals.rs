@@ -1,0 +1,80 @@
+//! Variables that a program assigns, while formulas of the program are read.
+
+use crate::algebra::Expr;
+use rustc_hash::FxHashMap;
+use std::ops::Range;
+
+/// Start of the names that stand, while a formula is read, for variables of a program.
+const LOCAL: &str = "_local_";
+
+/// Name that stands, while a formula is read, for the variable of a program with this number.
+pub fn local_name(number: usize) -> String {
+    format!("{LOCAL}{number}_")
+}
+
+/// Number of the variable of a program that a name stands for while a formula is read; `None` for another name.
+pub fn local_number(name: &str) -> Option<usize> {
+    name.strip_prefix(LOCAL)?.strip_suffix('_')?.parse().ok()
+}
+
+/// Variables that a program assigns, with their values.
+#[derive(Default)]
+pub struct Locals {
+    /// Number of each variable in `values`, by its name in the program.
+    numbers: FxHashMap<String, usize>,
+    values: Vec<Local>,
+}
+
+/// Value of a variable of a program.
+#[derive(Clone)]
+pub enum Local {
+    Value(Expr),
+    /// Reason why the assignment was not read: place in the reader, message and help.
+    Unread(Range<usize>, String, String),
+}
+
+impl Locals {
+    /// Assigns a variable.
+    pub fn set(&mut self, name: &str, value: Local) {
+        self.numbers.insert(name.to_owned(), self.values.len());
+        self.values.push(value);
+    }
+
+    /// Forgets a variable, so that its name has the meaning that the publication file gives it.
+    pub fn forget(&mut self, name: &str) {
+        self.numbers.remove(name);
+    }
+
+    pub fn has(&self, name: &str) -> bool {
+        self.numbers.contains_key(name)
+    }
+
+    /// Number of a variable that was assigned; `None` for another name.
+    pub fn number(&self, name: &str) -> Option<usize> {
+        self.numbers.get(name).copied()
+    }
+
+    /// Place of the assignment whose error has this message; `None` if no assignment has it.
+    pub fn unread(&self, message: &str) -> Option<Range<usize>> {
+        self.values.iter().find_map(|local| match local {
+            Local::Unread(place, unread, _) if unread == message => Some(place.clone()),
+            _ => None,
+        })
+    }
+
+    /// Names of the entries of a vector or matrix, each with the text behind the name of the whole.
+    pub fn entries(&self, whole: &str) -> Vec<(String, String)> {
+        let index = |name: &String| {
+            let index = name.strip_prefix(whole)?;
+            index.starts_with(['[', '(']).then(|| (name.clone(), index.to_owned()))
+        };
+        let mut list: Vec<_> = self.numbers.keys().filter_map(index).collect();
+        list.sort();
+        list
+    }
+
+    /// Value of a variable by its number.
+    pub fn value(&self, number: usize) -> Option<&Local> {
+        self.values.get(number)
+    }
+}

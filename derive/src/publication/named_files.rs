@@ -1,0 +1,354 @@
+//! Files that a publication names: equations of a LaTeX file by their labels, and variables that a program assigns.
+
+use super::entries::Item;
+use super::files::notation_of_file;
+use super::locals::{Local, Locals};
+use super::matrix::cells;
+use super::printed::{Choice, Paper, Problem, Statement, Traced, is_access, is_number, statements, without_comments};
+use super::read::Loading;
+use crate::algebra::Expr;
+use crate::algebra::text::notation::Notation;
+use crate::diagnostic::{Diagnostic, Source, shown};
+use crate::read::Located;
+use std::sync::Arc;
+use toml::de::DeTable;
+
+/// Most characters of the name of a file.
+const MAX_NAME: usize = 100;
+impl<'a> Loading<'a, '_> {
+    /// Reads the file and the macros that the publication file states at its top.
+    pub fn files_of(&mut self, table: &'a DeTable<'a>) {
+        if let Some(value) = self.reader.get(table, "file")
+            && let Some(name) = self.reader.string(value, "`file`")
+        {
+            if notation_of_file(&name.text) == Some(Notation::Latex) {
+                if let Some(paper) = self.paper(&name) {
+                    self.files.macros = paper.macros.at_the_end();
+                }
+            } else {
+                self.source_file(&name);
+            }
+            self.files.usual = Some(name);
+        }
+        if let Some(value) = self.reader.get(table, "macros")
+            && let Some(text) = self.reader.string(value, "`macros`")
+        {
+            let mut macros = self.files.macros.at_the_end();
+            let rest = macros.take(&without_comments(&text.text));
+            if !rest.text.trim().is_empty() {
+                let start = text.part(rest.place(0..rest.text.len()));
+                let help = "write \\newcommand{\\name}[1]{…} or \\def\\name{…}";
+                self.reader.error(start, "`macros` holds more than definitions", help);
+            }
+            self.files.macros = macros;
+        }
+    }
+
+    /// Name of the file of an entry: its own, or that at the top of the publication file.
+    fn file_of(&mut self, item: &Item<'a>) -> Option<Located> {
+        match self.reader.get(item.table, "file") {
+            Some(value) => self.reader.string(value, "`file`"),
+            None => self.files.usual.clone(),
+        }
+    }
+
+    /// Reads a file beside the publication file, once; reports a name or a file that cannot be read.
+    fn source_file(&mut self, name: &Located) -> Option<Arc<Source>> {
+        if let Some(found) = self.files.sources.get(&name.text) {
+            return found.clone();
+        }
+        let text = name.text.as_str();
+        let is_plain = text.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '-' | '.' | ' '))
+            && !text.starts_with(['.', ' '])
+            && text.len() <= MAX_NAME;
+        let read = if !is_plain || notation_of_file(text).is_none() {
+            let help = "name a file in the folder of the publication, such as paper.tex, model.m, model.py or model.c";
+            self.reader.error(name.span.clone(), format!("`{}` is no name of such a file", shown(text)), help);
+            None
+        } else {
+            match (self.files.read)(text) {
+                Ok(source) => Some(Arc::new(source)),
+                Err(errors) => {
+                    let why = errors.list.first().map(|e| e.message.clone()).unwrap_or_default();
+                    let help = errors.list.into_iter().next().and_then(|e| e.help).unwrap_or_default();
+                    self.reader.error(name.span.clone(), format!("`{text}`: {why}"), help);
+                    None
+                }
+            }
+        };
+        self.files.sources.insert(name.text.clone(), read.clone());
+        read
+    }
+
+    fn paper(&mut self, name: &Located) -> Option<Arc<Paper>> {
+        if let Some(found) = self.files.papers.get(&name.text) {
+            return found.clone();
+        }
+        let source = self.source_file(name)?;
+        let paper = match Paper::read(&source.text) {
+            Ok(paper) => Some(Arc::new(paper)),
+            Err(problem) => {
+                self.problem(Some(source), problem);
+                None
+            }
+        };
+        self.files.papers.insert(name.text.clone(), paper.clone());
+        paper
+    }
+
+    /// Reports an error at its place in a file.
+    fn problem(&mut self, file: Option<Arc<Source>>, problem: Problem) {
+        self.reader.errors.push(Diagnostic { file, ..Diagnostic::new(problem.place, problem.message, problem.help) });
+    }
+
+    /// Equations of a label in the file of an entry, as formulas without macros.
+    pub fn labelled(&mut self, item: &Item<'a>, label: &Located, choice: Choice) -> Option<Vec<Located>> {
+        let Some(name) = self.file_of(item) else {
+            self.reader.error(label.span.clone(), "a label of no file", "name the file: file = \"paper.tex\"");
+            return None;
+        };
+        if notation_of_file(&name.text) != Some(Notation::Latex) {
+            let help = "labels are of LaTeX files; name the variable of a program under `printed`";
+            self.reader.error(label.span.clone(), format!("`{}` is no LaTeX file", shown(&name.text)), help);
+            return None;
+        }
+        let (source, paper) = (self.source_file(&name)?, self.paper(&name)?);
+        match paper.equations(label.text.trim(), choice) {
+            Err(help) => {
+                let message = format!("no equation of `{}` has the label `{}`", name.text, shown(&label.text));
+                self.reader.error(label.span.clone(), message, help);
+                None
+            }
+            Ok(Err(problem)) => {
+                self.problem(Some(source), problem);
+                None
+            }
+            Ok(Ok(list)) => Some(list.into_iter().map(|formula| self.made(&source, formula)).collect()),
+        }
+    }
+
+    fn made(&mut self, source: &Arc<Source>, formula: Traced) -> Located {
+        self.reader.made(Some(Arc::clone(source)), formula.text, formula.places)
+    }
+
+    /// Formula of the publication file with the macros replaced; reports macros that cannot be.
+    pub fn without_macros(&mut self, formula: &Located) -> Option<Located> {
+        if self.files.macros.is_empty() || !formula.text.contains('\\') {
+            return Some(formula.clone());
+        }
+        let traced = if formula.exact {
+            Traced::at(&formula.text, formula.span.start)
+        } else {
+            Traced::from_place(&formula.text, &formula.span)
+        };
+        match self.files.macros.expand(&traced, &|_| true) {
+            Ok(expanded) => Some(self.reader.made(None, expanded.text, expanded.places)),
+            Err(problem) => {
+                self.problem(None, problem);
+                None
+            }
+        }
+    }
+
+    /// Variables that the program of an entry assigns; `None` if the entry names no program, or on an error.
+    pub fn program(&mut self, item: &Item<'a>) -> Option<Arc<Locals>> {
+        let own = self.reader.get(item.table, "file");
+        let part = self.reader.get(item.table, "part");
+        if own.is_none() && part.is_none() {
+            return None;
+        }
+        let part = match part {
+            Some(value) => Some(self.reader.string(value, "`part`")?),
+            None => None,
+        };
+        let Some(name) = self.file_of(item) else {
+            let span = part.map_or_else(|| item.span.clone(), |part| part.span);
+            self.reader.error(span, "a part of no file", "name the file: file = \"model.py\"");
+            return None;
+        };
+        let notation = notation_of_file(&name.text);
+        if notation == Some(Notation::Latex) {
+            if let Some(part) = part {
+                self.reader.error(part.span, "`part` is of a program", "a LaTeX file has labels: label = \"eq:1\"");
+            }
+            return None;
+        }
+        let source = self.source_file(&name)?;
+        let notation = notation?;
+        let key = (name.text.clone(), part.as_ref().map_or(String::new(), |p| p.text.clone()), notation.name());
+        if let Some(found) = self.files.programs.get(&key) {
+            return found.clone();
+        }
+        let locals = match statements(&source.text, notation, part.as_ref().map(|p| p.text.as_str())) {
+            Some(list) => {
+                for statement in list {
+                    self.assign(&source, notation, statement);
+                }
+                Some(std::mem::take(&mut self.words.locals))
+            }
+            None => {
+                let (span, what) = part.map_or_else(|| (name.span.clone(), String::new()), |p| (p.span, p.text));
+                let message = format!("`{}` has no part `{}` that can be read", name.text, shown(&what));
+                let help = "name a function, lines as in 12-40, or NAME of the comments `begin NAME` and `end NAME`";
+                self.reader.error(span, message, help);
+                None
+            }
+        };
+        self.files.programs.insert(key, locals.clone());
+        locals
+    }
+
+    /// Takes an assignment of a program into the variables that are known so far.
+    fn assign(&mut self, source: &Arc<Source>, notation: Notation, statement: Statement) {
+        let Statement { targets, operator, right, is_nested, place } = statement;
+        let line = self.reader.made(Some(Arc::clone(source)), " ".to_owned(), Traced::from_place(" ", &place).places);
+        let unread = |name: &str, why: &str| {
+            let message = format!("the assignment of `{}` was not read: {why}", shown(name));
+            Local::Unread(line.span.clone(), message, "name the part of the program that decides".to_owned())
+        };
+        if is_nested {
+            for name in &targets {
+                self.set(name, unread(name, "a condition or a loop decides about it"));
+            }
+            return;
+        }
+        if targets.len() > 1 {
+            for name in &targets {
+                self.take_declared(name, &right.text, || unread(name, "it is assigned together with others"));
+            }
+            return;
+        }
+        let name = targets[0].clone();
+        if is_number(&right.text) && operator.is_none() && self.words.meaning(&name).is_some_and(|(_, is)| is) {
+            // A program's number of a parameter of the model is a value, and changes no formula. The mark that it has one
+            // is no name of a variable.
+            if self.words.locals.has(&name) || self.words.locals.has(&format!("{name} = ")) {
+                self.set(&name, unread(&name, "it gets two values"));
+            } else {
+                self.set(&format!("{name} = "), Local::Value(Expr::ZERO));
+            }
+            return;
+        }
+        let formula = self.made(source, right);
+        let value = self.words.local(&mut self.model.arena, &formula, notation);
+        match (value, operator) {
+            (Local::Value(value), None) => self.set(&name, Local::Value(value)),
+            (Local::Value(value), Some(operator)) => self.change(&name, operator, value, &unread),
+            (Local::Unread(place, message, help), _) => {
+                let is_whole = operator.is_none() && self.entries_of(&name, &formula, notation);
+                if is_whole {
+                    return;
+                }
+                let is_first = !message.starts_with("the assignment of");
+                let message = if is_first {
+                    format!("the assignment of `{}` was not read: {message}", shown(&name))
+                } else {
+                    message
+                };
+                let wrong = || Local::Unread(place, message, help);
+                if operator.is_none() {
+                    self.take_declared(&name, &formula.text, wrong);
+                } else {
+                    self.set(&name, wrong());
+                }
+            }
+        }
+    }
+
+    fn set(&mut self, name: &str, value: Local) {
+        if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
+            locals.set(name, value);
+        }
+    }
+
+    /// Gives a variable the meaning that the publication file or the model states if the program only takes it from
+    /// elsewhere. An acceleration is always computed.
+    fn take_declared(&mut self, name: &str, right: &str, wrong: impl FnOnce() -> Local) {
+        let model = &self.model;
+        let is_acceleration =
+            |e: Expr| model.coordinates.iter().any(|c| c.second_rate == e) || model.speeds.iter().any(|s| s.rate == e);
+        let is_declared = self.words.meaning(name).is_some_and(|(e, _)| !is_acceleration(e));
+        if is_declared && is_access(right) {
+            if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
+                locals.forget(name);
+            }
+        } else {
+            self.set(name, wrong());
+        }
+    }
+
+    /// Takes an assignment such as `x += value`.
+    fn change(&mut self, name: &str, operator: char, value: Expr, unread: &dyn Fn(&str, &str) -> Local) {
+        let locals = &self.words.locals;
+        let before = match locals.number(name).and_then(|number| locals.value(number)) {
+            Some(Local::Value(e)) => Some(*e),
+            Some(Local::Unread(..)) => return,
+            None => self.words.meaning(name).map(|(e, _)| e),
+        };
+        let arena = &mut self.model.arena;
+        let changed = before.and_then(|before| match operator {
+            '+' => Some(arena.add(before, value)),
+            '-' => Some(arena.sub(before, value)),
+            '*' => Some(arena.mul(before, value)),
+            _ => None,
+        });
+        let value = changed.map_or_else(|| unread(name, "it changes an unknown value, or divides it"), Local::Value);
+        self.set(name, value);
+    }
+
+    /// Takes an assignment of a vector, a matrix or a copy of one; false if the formula is none of these.
+    fn entries_of(&mut self, name: &str, formula: &Located, notation: Notation) -> bool {
+        let copied = self.words.locals.entries(formula.text.trim());
+        if !copied.is_empty() {
+            for (from, index) in copied {
+                let value = self.words.locals.number(&from).and_then(|n| self.words.locals.value(n)).cloned();
+                if let Some(value) = value {
+                    self.set(&format!("{name}{index}"), value);
+                }
+            }
+            return true;
+        }
+        // A tuple is a list without brackets: a bracket in the place of the parenthesis changes no place.
+        let whole = formula.text.trim();
+        let is_tuple = whole.starts_with('(') && whole.ends_with(')') && whole.contains(',') && !whole.contains('[');
+        let is_bare = !is_tuple && whole.contains(',') && !whole.contains(['(', '[']);
+        let (text, shift) = match (is_tuple, is_bare) {
+            (true, _) => (format!("[{}]", &whole[1..whole.len() - 1]), 0),
+            (_, true) => (format!("[{whole}]"), 1),
+            _ => (formula.text.clone(), 0),
+        };
+        let Ok(rows) = cells(&text, notation) else { return false };
+        let is_row = rows.len() == 1;
+        let is_column = rows.iter().all(|row| row.len() == 1);
+        let first = usize::from(notation == Notation::Matlab);
+        for (i, row) in rows.iter().enumerate() {
+            for (j, cell) in row.iter().enumerate() {
+                let range = cell.start.saturating_sub(shift)..cell.end.saturating_sub(shift);
+                let entry = Located { text: text[cell.clone()].to_owned(), span: formula.part(range), exact: true };
+                let value = self.words.local(&mut self.model.arena, &entry, notation);
+                let value = match value {
+                    Local::Unread(place, message, help) if !message.starts_with("the assignment of") => {
+                        let message = format!("the assignment of `{}` was not read: {message}", shown(name));
+                        Local::Unread(place, message, help)
+                    }
+                    value => value,
+                };
+                let (i, j) = (i + first, j + first);
+                let mut names = if notation == Notation::Matlab {
+                    vec![format!("{name}({i},{j})")]
+                } else {
+                    vec![format!("{name}[{i},{j}]"), format!("{name}[{i}][{j}]")]
+                };
+                if is_row || is_column {
+                    let at = if is_row { j } else { i };
+                    let brackets = if notation == Notation::Matlab { ('(', ')') } else { ('[', ']') };
+                    names.push(format!("{name}{}{at}{}", brackets.0, brackets.1));
+                }
+                for name in names {
+                    self.set(&name, value.clone());
+                }
+            }
+        }
+        true
+    }
+}

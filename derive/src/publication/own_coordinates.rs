@@ -1,0 +1,169 @@
+//! Quantities and states of a publication in which names of the model have another meaning.
+
+use super::entries::Item;
+use super::read::Loading;
+use crate::algebra::Expr;
+use crate::diagnostic::Diagnostic;
+use crate::mechanics::{Quantity, QuantityKind, Row};
+
+/// State of a listing, its derivative, and the matrix in front of the derivative.
+pub(super) type StateParts = (Vec<Expr>, Vec<Expr>, Option<Vec<Vec<Expr>>>);
+
+impl<'a> Loading<'a, '_> {
+    /// Quantity of the model, and its value, for a printed value of a quantity that names the publication's own
+    /// coordinates; reports a quantity that is none of the model's up to its sign.
+    pub fn in_own_coordinates(
+        &mut self,
+        item: &Item<'a>,
+        quantity: &Quantity,
+        printed: Expr,
+    ) -> Option<(Quantity, Expr)> {
+        let Some((kind, is_turned)) = self.own_kind(quantity.kind()) else {
+            let span = self.reader.get(item.table, "quantity").map_or_else(|| item.span.clone(), toml::Spanned::span);
+            let message = format!("`{quantity}` is of a coordinate that is a sum of the model's");
+            let help = "print it as an equation of motion, without a quantity, such as q1'' = …";
+            self.reader.error(span, message, help);
+            return None;
+        };
+        let printed = if is_turned { self.model.arena.neg(printed) } else { printed };
+        Some((Quantity::new(kind, self.model), printed))
+    }
+
+    /// Reports names of derived quantities whose coordinate or speed has another meaning in the publication.
+    pub fn names_are_of_the_model(&mut self, names: &[(String, Quantity, Expr)]) {
+        for (name, quantity, _) in names {
+            let own = self.own_kind(quantity.kind());
+            if own.is_none_or(|(kind, is_turned)| is_turned || kind != *quantity.kind()) {
+                let message =
+                    format!("`{name}` stands for `{quantity}` of the model, which is the publication's own here");
+                let help = "give the coordinate in [coordinates] a name that the model does not have";
+                self.reader.errors.push(Diagnostic::of_file(message, help));
+            }
+        }
+    }
+
+    /// Kind of the model's quantity for one of the publication's own coordinates, and true if its sign is the other
+    /// one; `None` if there is no such quantity.
+    fn own_kind(&mut self, kind: &QuantityKind) -> Option<(QuantityKind, bool)> {
+        let q: Vec<String> = self.model.coordinates.iter().map(|c| c.name.clone()).collect();
+        let u: Vec<String> = self.model.speeds.iter().map(|s| s.name.clone()).collect();
+        Some(match kind.clone() {
+            QuantityKind::SecondRate(at) => {
+                let (at, turned) = self.turned_coordinate(&q[at])?;
+                (QuantityKind::SecondRate(at), turned)
+            }
+            QuantityKind::Rate(at) => {
+                let (at, turned) = self.turned_coordinate(&q[at])?;
+                (QuantityKind::Rate(at), turned)
+            }
+            QuantityKind::SpeedRate(at) => {
+                let (at, turned) = self.turned_speed(&u[at])?;
+                (QuantityKind::SpeedRate(at), turned)
+            }
+            QuantityKind::Speed(at) => {
+                let (at, turned) = self.turned_speed(&u[at])?;
+                (QuantityKind::Speed(at), turned)
+            }
+            QuantityKind::MassMatrix(i, j) => {
+                let ((i, a), (j, b)) = (self.turned_speed(&u[i])?, self.turned_speed(&u[j])?);
+                (QuantityKind::MassMatrix(i, j), a != b)
+            }
+            QuantityKind::LagrangeMatrix(i, j) => {
+                let ((i, a), (j, b)) = (self.turned_coordinate(&q[i])?, self.turned_coordinate(&q[j])?);
+                (QuantityKind::LagrangeMatrix(i, j), a != b)
+            }
+            QuantityKind::Row(row @ Row::LagrangeForcing, at) => {
+                let (at, turned) = self.turned_coordinate(&q[at])?;
+                (QuantityKind::Row(row, at), turned)
+            }
+            QuantityKind::Row(row, at) => {
+                let (at, turned) = self.turned_speed(&u[at])?;
+                (QuantityKind::Row(row, at), turned)
+            }
+            QuantityKind::Partial { vector, of, frame, axis, speed: at } => {
+                let (at, turned) = self.turned_speed(&u[at])?;
+                (QuantityKind::Partial { vector, of, frame, axis, speed: at }, turned)
+            }
+            other => (other, false),
+        })
+    }
+
+    /// Index of the model's coordinate whose rate the rate of this name is up to its sign, and true for the other sign.
+    fn turned_coordinate(&mut self, name: &str) -> Option<(usize, bool)> {
+        if !self.words.is_renamed(name) {
+            return self.model.coordinates.iter().position(|c| c.name == name).map(|at| (at, false));
+        }
+        let rate = self.words.declared(&format!("{name}'"))?;
+        let list: Vec<Expr> = self.model.coordinates.iter().map(|c| c.rate).collect();
+        let arena = &mut self.model.arena;
+        let turned = arena.neg(rate);
+        position(&list, rate, turned)
+    }
+
+    /// Index of the model's speed that this name stands for up to its sign, and true for the other sign.
+    fn turned_speed(&mut self, name: &str) -> Option<(usize, bool)> {
+        if !self.words.is_renamed(name) {
+            return self.model.speeds.iter().position(|s| s.name == name).map(|at| (at, false));
+        }
+        let value = self.words.declared(name)?;
+        let list: Vec<Expr> = self.model.speeds.iter().map(|s| s.symbol).collect();
+        let turned = self.model.arena.neg(value);
+        position(&list, value, turned)
+    }
+
+    /// State of a listing in the model's variables, with its derivative and matrix; reports a variable that is none of
+    /// the model's up to its sign and zero.
+    pub(super) fn own_state(&mut self, names: &[String], parts: StateParts, item: &Item<'a>) -> Option<StateParts> {
+        let (mut state, mut derivative, mut matrix) = parts;
+        let mut turned_moving = Vec::new();
+        for (at, name) in names.iter().enumerate() {
+            if !self.words.is_renamed(name) {
+                continue;
+            }
+            let stem = name.trim_end_matches('\'');
+            let is_speed = self.model.speeds.iter().any(|s| s.name == stem);
+            let found = if is_speed { self.turned_speed(stem) } else { self.turned_coordinate(stem) };
+            let Some((to, turned)) = found else {
+                let span = self.reader.get(item.table, "state").map_or_else(|| item.span.clone(), toml::Spanned::span);
+                let message = format!("`{name}` is a sum of the model's variables");
+                self.reader.error(span, message, "a state has one variable of the model each");
+                return None;
+            };
+            state[at] = if is_speed {
+                self.model.speeds[to].symbol
+            } else if stem == name {
+                self.model.coordinates[to].symbol
+            } else {
+                self.model.coordinates[to].rate
+            };
+            if turned {
+                turned_moving.push(at);
+            }
+        }
+        // A turned variable has a turned derivative; with a matrix, its column is turned.
+        let moving: Vec<usize> =
+            (0..names.len()).filter(|at| names[*at].ends_with('\'') || self.is_speed(&names[*at])).collect();
+        for at in turned_moving {
+            let column = moving.iter().position(|k| *k == at);
+            match (&mut matrix, column) {
+                (Some(matrix), Some(column)) => {
+                    for row in matrix.iter_mut() {
+                        row[column] = self.model.arena.neg(row[column]);
+                    }
+                }
+                _ => derivative[at] = self.model.arena.neg(derivative[at]),
+            }
+        }
+        Some((state, derivative, matrix))
+    }
+
+    fn is_speed(&self, name: &str) -> bool {
+        self.model.speeds.iter().any(|s| s.name == name)
+    }
+}
+
+/// Position of a value in a list, or of the value with the other sign, with true behind it.
+fn position(list: &[Expr], value: Expr, turned: Expr) -> Option<(usize, bool)> {
+    let of = |e: Expr| list.iter().position(|one| *one == e);
+    of(value).map(|at| (at, false)).or_else(|| of(turned).map(|at| (at, true)))
+}

@@ -1,0 +1,440 @@
+//! Equations of a LaTeX file by their labels.
+
+use super::macros::{Macros, group_end, near, without_comments};
+use super::traced::{Problem, Traced};
+use crate::diagnostic::nearest;
+use std::ops::Range;
+
+/// Environments of which every line is an equation of its own.
+const LINES: [&str; 6] = ["align", "gather", "eqnarray", "flalign", "alignat", "xalignat"];
+/// Environments of one equation.
+const SINGLE: [&str; 4] = ["equation", "displaymath", "multline", "math"];
+/// Environments inside those, with lines.
+const INNER: [&str; 6] = ["split", "aligned", "gathered", "alignedat", "multlined", "cases"];
+/// Commands of which a macro may be made that begins or ends an environment.
+const STRUCTURE: [&str; 6] = ["begin", "end", "[", "]", "label", "tag"];
+/// Most lines of one environment.
+const MAX_LINES: usize = 1000;
+/// Most bytes of a label, and most labels, that advice for an unknown label names.
+const MAX_LABEL: usize = 100;
+const MAX_LABELS: usize = 1000;
+/// Most bytes of one printed formula.
+const MAX_FORMULA: usize = 100_000;
+
+/// A LaTeX file without comments and definitions, and its macros.
+pub struct Paper {
+    text: Traced,
+    pub macros: Macros,
+    displays: Vec<Display>,
+}
+
+/// A displayed formula: its lines, and the labels of each.
+struct Display {
+    equations: Vec<Lines>,
+}
+
+/// Lines of one equation.
+struct Lines {
+    /// Left side that stands in earlier lines, for a line that begins with `=`.
+    left: Vec<Range<usize>>,
+    pieces: Vec<Range<usize>>,
+    labels: Vec<String>,
+    has_relation: bool,
+    /// Place of a line that may belong to this equation or to the next one.
+    unclear: Option<usize>,
+}
+
+/// Choice of equations of a file.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Choice {
+    /// Only those that have the label.
+    Labelled,
+    /// All of the environment in which the label stands.
+    Display,
+}
+
+impl Paper {
+    pub fn read(text: &str) -> Result<Self, Problem> {
+        let mut macros = Macros::default();
+        let rest = macros.take(&without_comments(text));
+        let structure = macros.with_commands(&STRUCTURE);
+        let text = macros.expand(&rest, &|name| structure.contains(name))?;
+        let displays = displays(&text.text);
+        Ok(Self { text, macros, displays })
+    }
+
+    /// Equations with a label, as formulas without macros. The error is advice for a label that is not found.
+    pub fn equations(&self, label: &str, choice: Choice) -> Result<Result<Vec<Traced>, Problem>, String> {
+        let has = |lines: &Lines| lines.labels.iter().any(|l| l == label);
+        let found: Vec<&Display> = self.displays.iter().filter(|d| d.equations.iter().any(has)).collect();
+        let [display] = found[..] else {
+            if found.len() > 1 {
+                return Err(format!("the label stands at {} displayed formulas: name each once", found.len()));
+            }
+            let labels = self.displays.iter().flat_map(|d| &d.equations).flat_map(|lines| &lines.labels);
+            let labels = labels.map(String::as_str).filter(|label| label.len() <= MAX_LABEL).take(MAX_LABELS);
+            return Err(nearest(label, labels));
+        };
+        let chosen = display.equations.iter().filter(|lines| choice == Choice::Display || has(lines));
+        Ok(chosen.map(|lines| self.formula(lines)).collect())
+    }
+
+    fn formula(&self, lines: &Lines) -> Result<Traced, Problem> {
+        let mut formula = Traced::default();
+        if let Some(at) = lines.unclear {
+            let message = "does this line go on with the equation above, or begin the one below?";
+            let help = "copy the equation into the publication file, under `printed`";
+            return Err(Problem::new(self.text.place(at..at + 1), message, help));
+        }
+        for range in lines.left.iter().chain(&lines.pieces) {
+            let part = without_marks(&self.text.part(range.clone()));
+            if !formula.text.is_empty() {
+                let place = part.place(0..0);
+                formula.push(" ", &place);
+            }
+            formula.push_part(&part, 0..part.text.len());
+        }
+        let formula = self.macros.expand(&formula, &|_| true)?.in_one_line();
+        if formula.text.len() > MAX_FORMULA {
+            let message = format!("the formula has more than {MAX_FORMULA} characters");
+            let start = formula.place(0..1);
+            return Err(Problem::new(start, message, "print it in parts, with abbreviations"));
+        }
+        Ok(formula)
+    }
+}
+
+/// Name of the environment that a `\begin{` or `\end{` at `at` names, without its star, and the end of the mark.
+fn environment(text: &str, at: usize, mark: &str) -> Option<(String, usize)> {
+    let rest = text[at..].strip_prefix(mark)?;
+    let close = near(rest, 0, '}').filter(|close| *close < 40)?;
+    Some((rest[..close].to_owned(), at + mark.len() + close + 1))
+}
+
+/// Displayed formulas of a text, in its order.
+fn displays(text: &str) -> Vec<Display> {
+    let (mut list, mut at) = (Vec::new(), 0);
+    while let Some(found) = text[at..].find(['\\', '$']) {
+        at += found;
+        let rest = &text[at..];
+        let (end_mark, start, has_lines) = if rest.starts_with("$$") {
+            ("$$".to_owned(), at + 2, false)
+        } else if rest.starts_with("\\[") {
+            ("\\]".to_owned(), at + 2, false)
+        } else if let Some((name, end)) = environment(text, at, "\\begin{") {
+            let plain = name.trim_end_matches('*');
+            if !LINES.contains(&plain) && !SINGLE.contains(&plain) {
+                at = end;
+                continue;
+            }
+            // The number of columns of an alignat is no part of it.
+            let columns = plain.ends_with("alignat") && text[end..].starts_with('{');
+            let start = if columns { group_end(text, end).unwrap_or(end) } else { end };
+            (format!("\\end{{{name}}}"), start, LINES.contains(&plain))
+        } else {
+            let escaped = rest.starts_with('\\').then(|| rest[1..].chars().next().map_or(0, char::len_utf8));
+            at += 1 + escaped.unwrap_or(0);
+            continue;
+        };
+        let Some(length) = text[start..].find(&end_mark) else { break };
+        let body = start..start + length;
+        at = body.end + end_mark.len();
+        list.push(display(text, body, has_lines));
+    }
+    list
+}
+
+/// Parts a displayed formula into its equations.
+fn display(text: &str, body: Range<usize>, has_lines: bool) -> Display {
+    let inner = if has_lines { None } else { inside(text, &body) };
+    let rows = match &inner {
+        Some(inner) => rows(text, inner.clone()),
+        None if has_lines => rows(text, body.clone()),
+        None => vec![body.clone()],
+    };
+    let mut equations: Vec<Lines> = Vec::new();
+    let mut left: Vec<Range<usize>> = Vec::new();
+    for (at, row) in rows.iter().enumerate() {
+        let own = labels(&text[row.clone()]);
+        let before = relation(text, row).map(|at| row.start..at);
+        let above = at.checked_sub(1).map(|above| &text[rows[above].clone()]);
+        let goes_on = begins_with_sign(&text[row.clone()]) || above.is_some_and(ends_with_sign);
+        let joins = match (&before, equations.last()) {
+            (_, None) => false,
+            // The equation above has no `=` so far.
+            (_, Some(last)) if !last.has_relation => true,
+            (None, _) => goes_on,
+            (Some(_), _) => false,
+        };
+        if joins {
+            let last = equations.last_mut().expect("an equation above");
+            // A number ends an equation, and a line without a number may begin the next one.
+            let numbered = above.is_some_and(|above| !is_without_number(above));
+            let followed = at + 1 < rows.len();
+            if has_lines && last.has_relation && numbered && followed && is_without_number(&text[row.clone()]) {
+                last.unclear = Some(row.start);
+            }
+            if let Some(before) = before {
+                last.has_relation = true;
+                left = last.pieces.iter().cloned().chain([before]).collect();
+            }
+            last.pieces.push(row.clone());
+            last.labels.extend(own);
+            continue;
+        }
+        let has_relation = before.is_some();
+        let is_chain = before.as_ref().is_some_and(|before| is_blank(&text[before.clone()]));
+        if let Some(before) = before.filter(|_| !is_chain) {
+            left = vec![before];
+        }
+        let left = if is_chain { left.clone() } else { Vec::new() };
+        equations.push(Lines { left, pieces: vec![row.clone()], labels: own, has_relation, unclear: None });
+    }
+    if !has_lines {
+        let shared = labels(&text[body]);
+        for lines in &mut equations {
+            lines.labels.clone_from(&shared);
+        }
+    }
+    Display { equations }
+}
+
+/// True if a line prints no number.
+fn is_without_number(row: &str) -> bool {
+    row.contains("\\nonumber") || row.contains("\\notag")
+}
+
+/// Line without marks and the commands and groups that only make room.
+fn bare(row: &str) -> String {
+    let mut text = without_marks(&Traced::at(row, 0)).text.replace('&', " ").replace("{}", " ");
+    for space in ["\\qquad", "\\quad", "\\,", "\\;", "\\:", "\\!", "\\ ", "\\left.", "\\right.", "~"] {
+        text = text.replace(space, " ");
+    }
+    text.trim().to_owned()
+}
+
+/// True if a part of a line prints nothing.
+fn is_blank(part: &str) -> bool {
+    bare(part).is_empty()
+}
+
+/// True if a line begins with a sign that joins two operands.
+fn begins_with_sign(row: &str) -> bool {
+    let row = bare(row);
+    row.starts_with(['+', '-', '*', '/', '=']) || row.starts_with("\\cdot") || row.starts_with("\\times")
+}
+
+/// True if a line ends with a sign that joins two operands.
+fn ends_with_sign(row: &str) -> bool {
+    let row = bare(row);
+    row.ends_with(['+', '-', '*', '/', '=', '(']) || row.ends_with("\\cdot") || row.ends_with("\\times")
+}
+
+/// Content of the one environment with lines, such as split, that a formula consists of; `None` if there is none.
+fn inside(text: &str, body: &Range<usize>) -> Option<Range<usize>> {
+    let open = body.start + text[body.clone()].find("\\begin{")?;
+    let (name, mut start) = environment(text, open, "\\begin{")?;
+    INNER.contains(&name.trim_end_matches('*')).then_some(())?;
+    if name == "alignedat" && text[start..].starts_with('{') {
+        start = group_end(text, start)?;
+    }
+    if text[start..].starts_with('[') {
+        start += near(text, start, ']')? + 1;
+    }
+    let end_mark = format!("\\end{{{name}}}");
+    let end = start + text[start..body.end].find(&end_mark)?;
+    let around = [&text[body.start..open], &text[end + end_mark.len()..body.end]];
+    let is_frame = |part: &str| {
+        let part = without_marks(&Traced::at(part, 0)).text;
+        ["", ",", ".", ";", "\\left\\{", "\\left.", "\\right.", "\\right\\}", "\\right.,", "\\right.."]
+            .contains(&part.replace(char::is_whitespace, "").as_str())
+    };
+    around.into_iter().all(is_frame).then_some(start..end)
+}
+
+/// Steps through a text of LaTeX: calls `each` at every byte outside of groups and environments with the rest of the
+/// text; a number of bytes to skip ends the walk at that place.
+fn outside(text: &str, range: &Range<usize>, mut each: impl FnMut(usize, &str) -> bool) {
+    let (mut depth, mut at) = (0_usize, range.start);
+    while at < range.end {
+        let rest = &text[at..range.end];
+        if depth == 0 && !each(at, rest) {
+            return;
+        }
+        let step = rest.chars().next().map_or(1, char::len_utf8);
+        match rest.as_bytes()[0] {
+            b'{' => depth += 1,
+            b'}' => depth = depth.saturating_sub(1),
+            b'\\' if rest.starts_with("\\begin{") => {
+                depth += 1;
+                at += "\\begin{".len() + near(rest, 0, '}').map_or(0, |close| close + 1 - "\\begin{".len());
+                continue;
+            }
+            b'\\' if rest.starts_with("\\end{") => {
+                depth = depth.saturating_sub(1);
+                at += near(rest, 0, '}').map_or(1, |close| close + 1);
+                continue;
+            }
+            b'\\' => at += rest[1..].chars().next().map_or(0, char::len_utf8),
+            _ => {}
+        }
+        at += step;
+    }
+}
+
+/// Lines of a text, parted by `\\`, which may have a distance behind it.
+fn rows(text: &str, range: Range<usize>) -> Vec<Range<usize>> {
+    let mut cuts = Vec::new();
+    outside(text, &range, |at, rest| {
+        if rest.starts_with("\\\\") {
+            let star = at + 2 + usize::from(text[at + 2..range.end].starts_with('*'));
+            let distance = text[star..range.end].starts_with('[').then(|| near(text, star, ']'));
+            cuts.push((at, (star + distance.flatten().map_or(0, |close| close + 1)).min(range.end)));
+        }
+        true
+    });
+    let mut list = Vec::new();
+    let mut from = range.start;
+    for (at, next) in cuts {
+        // A mark inside of the distance of rows parts nothing.
+        if at < from {
+            continue;
+        }
+        list.push(from..at);
+        from = next;
+    }
+    list.push(from..range.end);
+    list.truncate(MAX_LINES);
+    list.retain(|row| !is_blank(&text[row.clone()]) || !labels(&text[row.clone()]).is_empty());
+    list
+}
+
+/// Byte of the first `=` of a line outside of groups.
+fn relation(text: &str, row: &Range<usize>) -> Option<usize> {
+    let mut found = None;
+    outside(text, row, |at, rest| {
+        if rest.starts_with('=') {
+            found = Some(at);
+        }
+        found.is_none()
+    });
+    found
+}
+
+/// Labels and tags of a text.
+fn labels(text: &str) -> Vec<String> {
+    let mut list = Vec::new();
+    for mark in ["\\label{", "\\tag{", "\\tag*{"] {
+        for (at, _) in text.match_indices(mark) {
+            let open = at + mark.len() - 1;
+            if let Some(end) = group_end(text, open) {
+                list.push(text[open + 1..end - 1].trim().to_owned());
+            }
+        }
+    }
+    list
+}
+
+/// Text without labels, tags, spaces of given length and the marks of lines.
+fn without_marks(text: &Traced) -> Traced {
+    let with_group = ["label", "tag", "intertext", "shortintertext", "hspace", "vspace", "phantom", "hphantom"];
+    let alone = ["nonumber", "notag", "displaybreak", "allowdisplaybreaks", "ensuremath", "xspace"];
+    let (mut out, mut at) = (Traced::default(), 0);
+    while let Some(c) = text.text[at..].chars().next() {
+        let name = if c == '\\' { super::macros::command_at(&text.text, at) } else { "" };
+        let behind = at + 1 + name.len();
+        if with_group.contains(&name) {
+            let open = behind + usize::from(text.text[behind..].starts_with('*'));
+            at = text.text[open..].starts_with('{').then(|| group_end(&text.text, open)).flatten().unwrap_or(open);
+        } else if alone.contains(&name) {
+            at = behind;
+        } else if c == '\\' {
+            let end = behind.max(at + 1);
+            out.push_part(text, at..end);
+            at = end;
+        } else {
+            out.push_part(text, at..at + c.len_utf8());
+            at += c.len_utf8();
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Choice, Paper};
+
+    fn read(text: &str, label: &str, choice: Choice) -> Vec<String> {
+        let paper = Paper::read(text).unwrap();
+        let found = paper.equations(label, choice).unwrap().unwrap();
+        found.into_iter().map(|formula| formula.text).collect()
+    }
+
+    #[test]
+    fn lines_of_environments_are_found_by_their_labels() {
+        let text = r"% \begin{equation} x = 1 \label{a} \end{equation}
+            \newcommand{\be}{\begin{equation}} \def\ee{\end{equation}} \newcommand{\D}[2][t]{\frac{d #2}{d#1}}
+            \be m \D{x} = 1. \label{a} \ee
+            \begin{align} a &= b \nonumber \\ &\quad + c, \label{b} \\[2pt] &= d \tag{2.1} \\ e &= 100\% f \end{align}
+            \begin{equation}\label{c}\begin{split} x &= 1 \\ y &= 2\end{split}\end{equation}";
+        assert_eq!(read(text, "a", Choice::Labelled), [r"m \frac{d x}{dt} = 1."]);
+        assert_eq!(read(text, "b", Choice::Labelled), [r"a &= b &\quad + c,"]);
+        assert_eq!(read(text, "2.1", Choice::Labelled), ["a & &= d"]);
+        assert_eq!(read(text, "2.1", Choice::Display).len(), 3);
+        assert_eq!(read(text, "c", Choice::Labelled), ["x &= 1", "y &= 2"]);
+    }
+
+    #[test]
+    fn bombs_are_refused() {
+        let pair = |c: u8| format!("\\newcommand{{\\x{}}}{{\\x{1}\\x{1}}}", char::from(c), char::from(c + 1));
+        let doubled: Vec<String> = (b'a'..b'y').map(pair).collect();
+        let paper = Paper::read(&format!("{}\\[ \\xa \\label{{x}} \\]", doubled.concat())).unwrap();
+        assert!(paper.equations("x", Choice::Labelled).unwrap().is_err());
+        for text in [
+            r"\newcommand{\a}{\a}\begin{equation}\a\label{x}\end{equation}",
+            r"\def\a{x\a\a}\begin{equation}\a\label{x}\end{equation}",
+            r"\newcommand{\a}[1]{#1#1#1#1#1#1#1#1#1#1}\begin{equation}\a{\a{\a{\a{\a{\a{\a{x}}}}}}}\label{x}\end{equation}",
+            r"\def\a#1.{x}\begin{equation}\a y.\label{x}\end{equation}",
+            r"\newcommand{\a}[1]{x}\begin{equation}\label{x}\a\end{equation}",
+        ] {
+            let paper = Paper::read(text).unwrap();
+            let problem = paper.equations("x", Choice::Labelled).unwrap().unwrap_err();
+            assert!(text[problem.place.clone()].starts_with("\\a"), "{problem:?}");
+        }
+        for text in
+            ["\\", "\\begin{", "$$", "\\begin{align}\\\\&", "\\newcommand", "\\def\\a", "}é{\\é", "\\[\\label{x}\\]"]
+        {
+            let paper = Paper::read(text).unwrap();
+            let _ = paper.equations("x", Choice::Labelled);
+        }
+    }
+
+    #[test]
+    fn large_texts_cost_bounded_time() {
+        let begun = std::time::Instant::now();
+        for part in [
+            "\\a",
+            "{",
+            "\\[",
+            "\\begin{align}",
+            "$$",
+            "\\\\[",
+            "\\label{",
+            "\\\\[x\\\\]y",
+            "\\newcommand\\a{",
+            "\\begin{",
+            "\\label{",
+            "\\def\\a",
+            "\\def\\a{\\a}",
+            "a&\\\\",
+            "%",
+            "=",
+        ] {
+            let many = part.repeat(400_000 / part.len());
+            let text = format!("\\begin{{align}}{many}\\label{{x}}\\end{{align}}");
+            let found = Paper::read(&text).map(|paper| paper.equations("x", Choice::Labelled).is_ok());
+            drop(found);
+        }
+        assert!(begun.elapsed().as_secs() < 20, "{:?}", begun.elapsed());
+    }
+}

@@ -1,0 +1,407 @@
+//! Macros of a paper: definitions in LaTeX, and texts with the macros replaced. All work is bounded.
+
+use super::traced::{Problem, Traced};
+use crate::diagnostic::shown;
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::ops::Range;
+
+/// Most macros that are replaced in one text.
+const MAX_CALLS: usize = 10_000;
+/// Most bytes that macros may add to one text while they are replaced.
+const MAX_ADDED: usize = 1_000_000;
+/// Most macros that may stand inside one another.
+const MAX_NESTING: usize = 100;
+/// Most macros between a macro and the environment that it begins.
+const MAX_ROUNDS: usize = 20;
+/// Most bytes of a group in braces.
+const LONGEST_GROUP: usize = 20_000;
+/// Most characters of a short text, such as the name of an environment or an argument in brackets.
+const NEAR: usize = 200;
+/// Most bytes of a macro's own text.
+const MAX_BODY: usize = 10_000;
+
+/// Text that a macro stands for.
+#[derive(Clone, Debug)]
+struct Macro {
+    /// Byte in the file from which the definition holds.
+    from: usize,
+    /// Text with `#1`, `#2`, … for arguments; `None` for a name that LaTeX itself knows.
+    body: Option<String>,
+    /// Number of arguments.
+    arguments: usize,
+    /// Value of the first argument if it is left out.
+    usual: Option<String>,
+    /// True if the form of its arguments is not read here, as in `\def\a#1.{…}`.
+    is_odd: bool,
+}
+
+/// Macros of a paper, by name without the backslash. A later definition replaces an earlier one from its place on.
+#[derive(Clone, Debug, Default)]
+pub struct Macros {
+    known: FxHashMap<String, Vec<Macro>>,
+    /// True if every definition holds everywhere, not only behind its place.
+    everywhere: bool,
+}
+
+/// Name of the command whose backslash is at `at`: letters, or one character.
+pub fn command_at(text: &str, at: usize) -> &str {
+    let rest = &text[at + 1..];
+    let letters = rest.find(|c: char| !(c.is_ascii_alphabetic() || c == '@')).unwrap_or(rest.len());
+    let length = if letters > 0 { letters } else { rest.chars().next().map_or(0, char::len_utf8) };
+    &rest[..length]
+}
+
+/// Text without comments, and without what `\iffalse … \fi` and the environment comment hide.
+pub fn without_comments(text: &str) -> Traced {
+    let mut out = Traced::default();
+    let end = text.find("\\end{document}").unwrap_or(text.len());
+    let (mut at, mut from) = (0, 0);
+    let keep = |out: &mut Traced, range: Range<usize>| {
+        let part = Traced::at(&text[range.clone()], range.start);
+        out.push_part(&part, 0..range.len());
+    };
+    while at < end {
+        let hidden = match text.as_bytes()[at] {
+            b'%' => Some(text[at..end].find('\n').map_or(end, |line| at + line + 1)),
+            b'\\' => {
+                let until = |mark: &str| text[at..end].find(mark).map_or(end, |found| at + found + mark.len());
+                match command_at(text, at) {
+                    "iffalse" => Some(until("\\fi")),
+                    "begin" if text[at..].starts_with("\\begin{comment}") => Some(until("\\end{comment}")),
+                    _ => {
+                        // An escaped mark, such as \%, begins no comment.
+                        at += 1 + text[at + 1..].chars().next().map_or(0, char::len_utf8);
+                        continue;
+                    }
+                }
+            }
+            _ => None,
+        };
+        if let Some(next) = hidden {
+            keep(&mut out, from..at);
+            (at, from) = (next, next);
+        } else {
+            at += 1;
+        }
+    }
+    keep(&mut out, from.min(end)..end);
+    out
+}
+
+/// End of the group whose brace is at `open`, behind its closing brace; `None` if it is not closed within some 20 000
+/// bytes.
+pub fn group_end(text: &str, open: usize) -> Option<usize> {
+    group_end_within(text, open, LONGEST_GROUP)
+}
+
+/// End of the group whose brace is at `open`, behind its closing brace; `None` if it is not closed within so many
+/// bytes.
+pub fn group_end_within(text: &str, open: usize, limit: usize) -> Option<usize> {
+    let (mut depth, mut at) = (0_usize, open);
+    let bytes = &text.as_bytes()[..text.len().min(open.saturating_add(limit))];
+    while at < bytes.len() {
+        match bytes[at] {
+            b'\\' => at += 1,
+            b'{' => depth += 1,
+            b'}' => {
+                depth = depth.checked_sub(1)?;
+                if depth == 0 {
+                    return Some(at + 1);
+                }
+            }
+            _ => {}
+        }
+        at += 1;
+    }
+    None
+}
+
+/// Distance from `at` to the next mark of this kind; `None` if none is near.
+pub fn near(text: &str, at: usize, mark: char) -> Option<usize> {
+    text[at..].char_indices().take(NEAR).find(|(_, c)| *c == mark).map(|(distance, _)| distance)
+}
+
+/// First byte from `at` on that is no space.
+fn behind_space(text: &str, at: usize) -> usize {
+    text[at..].find(|c: char| !c.is_whitespace()).map_or(text.len(), |space| at + space)
+}
+
+/// A definition of a macro, read from its command on.
+struct Definition {
+    name: String,
+    made: Macro,
+    /// End of the definition in the text, in bytes.
+    end: usize,
+}
+
+impl Macros {
+    pub fn is_empty(&self) -> bool {
+        self.known.is_empty()
+    }
+
+    /// Macros as they hold at the end of their file, for formulas of another file.
+    pub fn at_the_end(&self) -> Self {
+        Self { everywhere: true, ..self.clone() }
+    }
+
+    /// Takes the definitions out of a text, and returns the rest of the text.
+    pub fn take(&mut self, text: &Traced) -> Traced {
+        let mut rest = Traced::default();
+        let (mut at, mut from) = (0, 0);
+        while let Some(found) = text.text[at..].find('\\') {
+            at += found;
+            let name = command_at(&text.text, at);
+            let Some(found) = self.definition(text, at, name) else {
+                at += 1 + name.len().max(text.text[at + 1..].chars().next().map_or(0, char::len_utf8));
+                continue;
+            };
+            rest.push_part(text, from..at);
+            (at, from) = (found.end, found.end);
+            let list = self.known.entry(found.name).or_default();
+            if name != "providecommand" || list.is_empty() {
+                list.push(found.made);
+            }
+        }
+        rest.push_part(text, from..text.text.len());
+        rest
+    }
+
+    /// Definition whose command, called `name`, is at `at`; `None` if none begins there.
+    fn definition(&self, text: &Traced, at: usize, name: &str) -> Option<Definition> {
+        let place = text.place(at..at + 1);
+        let text = text.text.as_str();
+        let mut at = at + 1 + name.len();
+        if !matches!(name, "newcommand" | "renewcommand" | "providecommand" | "DeclareMathOperator" | "def" | "let") {
+            return None;
+        }
+        at += usize::from(text[at..].starts_with('*'));
+        at = behind_space(text, at);
+        let braced = text[at..].starts_with('{');
+        at = behind_space(text, at + usize::from(braced));
+        let called = text[at..].starts_with('\\').then(|| command_at(text, at).to_owned())?;
+        at += 1 + called.len();
+        if braced {
+            at = behind_space(text, at);
+            at += text[at..].starts_with('}').then_some(1)?;
+        }
+        let mut made = Macro { from: place.start, body: None, arguments: 0, usual: None, is_odd: false };
+        if name == "let" {
+            at = behind_space(text, at);
+            at = behind_space(text, at + usize::from(text[at..].starts_with('=')));
+            let other = text[at..].starts_with('\\').then(|| command_at(text, at))?;
+            let same = self.of(other, place.start).cloned();
+            let definition = Macro { from: place.start, ..same.unwrap_or(Macro { body: None, ..made }) };
+            // A name that LaTeX itself knows stays that name.
+            let definition = match definition.body {
+                None => Macro { body: None, usual: Some(other.to_owned()), ..definition },
+                Some(_) => definition,
+            };
+            return Some(Definition { name: called, made: definition, end: at + 1 + other.len() });
+        }
+        if name == "def" {
+            let open = at + near(text, at, '{')?;
+            let pattern: String = text[at..open].chars().filter(|c| !c.is_whitespace()).collect();
+            made.arguments = pattern.matches('#').count();
+            let plain: Vec<String> = (1..=made.arguments).map(|k| format!("#{k}")).collect();
+            made.is_odd = pattern != plain.concat() || made.arguments > 9;
+            at = open;
+        } else if name != "DeclareMathOperator" {
+            at = behind_space(text, at);
+            let mut optional = 0;
+            while text[at..].starts_with('[') {
+                let close = at + near(text, at, ']')?;
+                let inside = text[at + 1..close].trim();
+                match (optional, inside.parse::<usize>()) {
+                    (0, Ok(count)) if count <= 9 => made.arguments = count,
+                    (1, _) => made.usual = Some(inside.to_owned()),
+                    _ => made.is_odd = true,
+                }
+                optional += 1;
+                at = behind_space(text, close + 1);
+            }
+        }
+        at = behind_space(text, at);
+        let end = text[at..].starts_with('{').then(|| group_end(text, at))??;
+        let body = &text[at + 1..end - 1];
+        made.is_odd |= body.len() > MAX_BODY;
+        made.body = Some(match name {
+            "DeclareMathOperator" => format!("\\operatorname{{{body}}}"),
+            _ => body.to_owned(),
+        });
+        Some(Definition { name: called, made, end })
+    }
+
+    /// Definition of a name that holds at byte `at` of the file: the last one before it.
+    fn of(&self, name: &str, at: usize) -> Option<&Macro> {
+        let list = self.known.get(name)?;
+        let end = if self.everywhere { list.len() } else { list.partition_point(|made| made.from <= at) };
+        list.get(end.checked_sub(1)?)
+    }
+
+    /// Names of macros whose text has one of these commands, in it or in a macro that it calls.
+    pub fn with_commands(&self, commands: &[&str]) -> FxHashSet<String> {
+        let mut found: FxHashSet<String> = FxHashSet::default();
+        for _ in 0..MAX_ROUNDS {
+            let before = found.len();
+            let mut new = Vec::new();
+            for (name, list) in &self.known {
+                let calls = |body: &str| {
+                    body.match_indices('\\').any(|(at, _)| {
+                        let called = command_at(body, at);
+                        commands.contains(&called) || found.contains(called)
+                    })
+                };
+                if !found.contains(name) && list.iter().any(|made| made.body.as_deref().is_some_and(calls)) {
+                    new.push(name.clone());
+                }
+            }
+            found.extend(new);
+            if found.len() == before {
+                break;
+            }
+        }
+        found
+    }
+
+    /// Text with the macros replaced that `wanted` accepts by name.
+    pub fn expand(&self, text: &Traced, wanted: &dyn Fn(&str) -> bool) -> Result<Traced, Problem> {
+        let work = Expansion { macros: self, out: Traced::default(), stack: Vec::new(), calls: 0, added: 0 };
+        work.whole(text, wanted)
+    }
+}
+
+/// State of replacing macros: texts that are read, the last one first.
+struct Expansion<'a> {
+    macros: &'a Macros,
+    out: Traced,
+    /// Texts that are being read, each with the byte that is next.
+    stack: Vec<(Traced, usize)>,
+    calls: usize,
+    added: usize,
+}
+
+impl Expansion<'_> {
+    fn whole(mut self, text: &Traced, wanted: &dyn Fn(&str) -> bool) -> Result<Traced, Problem> {
+        self.stack.push((text.clone(), 0));
+        while let Some((text, at)) = self.stack.last_mut() {
+            let Some(c) = text.text[*at..].chars().next() else {
+                self.stack.pop();
+                self.end_word();
+                continue;
+            };
+            if c != '\\' {
+                self.out.push_part(text, *at..*at + c.len_utf8());
+                *at += c.len_utf8();
+                continue;
+            }
+            let name = command_at(&text.text, *at).to_owned();
+            let range = *at..*at + 1 + name.len();
+            *at = range.end;
+            let place = text.place(range.clone());
+            let made = self.macros.of(&name, place.start).filter(|_| wanted(&name));
+            let Some(made) = made else {
+                let part = text.part(range.clone());
+                self.out.push_part(&part, 0..range.len());
+                continue;
+            };
+            self.call(&name, made.clone(), &place)?;
+        }
+        Ok(self.out)
+    }
+
+    /// Puts a space behind a command at the end of what was written, so that a letter from another text stays apart.
+    fn end_word(&mut self) {
+        let letters = self.out.text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+        if letters.len() < self.out.text.len() && letters.ends_with('\\') {
+            let place = self.out.place(self.out.text.len()..self.out.text.len());
+            self.out.push(" ", &place);
+        }
+    }
+
+    fn call(&mut self, name: &str, made: Macro, place: &Range<usize>) -> Result<(), Problem> {
+        let shown_name = shown(name);
+        let Some(body) = made.body else {
+            self.out.push(&format!("\\{}", made.usual.unwrap_or_default()), place);
+            self.end_word();
+            return Ok(());
+        };
+        if made.is_odd {
+            let message = format!("the macro `\\{shown_name}` has a form that is not read");
+            return Err(Problem::new(place.clone(), message, "define it by \\newcommand, with at most nine arguments"));
+        }
+        self.calls += 1;
+        let mut arguments = Vec::new();
+        for at in 0..made.arguments {
+            let usual = made.usual.as_ref().filter(|_| at == 0);
+            let argument = match usual {
+                Some(usual) => self.optional().unwrap_or_else(|| Traced::from_place(usual, place)),
+                None => self.argument().ok_or_else(|| {
+                    let message = format!("the macro `\\{shown_name}` needs its argument {}", at + 1);
+                    Problem::new(place.clone(), message, "write each argument in braces")
+                })?,
+            };
+            arguments.push(argument);
+        }
+        let mut text = Traced::default();
+        let mut rest = body.as_str();
+        while let Some(mark) = rest.find('#') {
+            text.push(&rest[..mark], place);
+            let number = rest[mark + 1..].chars().next().and_then(|c| c.to_digit(10)).unwrap_or(0) as usize;
+            let Some(argument) = number.checked_sub(1).and_then(|at| arguments.get(at)) else {
+                let message = format!("the macro `\\{shown_name}` names an argument that it does not have");
+                return Err(Problem::new(place.clone(), message, "name its arguments #1, #2, …"));
+            };
+            text.push_part(argument, 0..argument.text.len());
+            rest = &rest[mark + 2..];
+            if self.added + text.text.len() > MAX_ADDED {
+                break;
+            }
+        }
+        text.push(rest, place);
+        self.added += text.text.len();
+        self.stack.retain(|(text, at)| *at < text.text.len());
+        if self.calls > MAX_CALLS || self.added > MAX_ADDED || self.stack.len() > MAX_NESTING {
+            let message = format!("the macros make this text too long: `\\{shown_name}` may call itself");
+            return Err(Problem::new(place.clone(), message, "write the formula without this macro"));
+        }
+        self.end_word();
+        self.stack.push((text, 0));
+        Ok(())
+    }
+
+    /// Reads the next argument: a group without its braces, a command, or one character. `None` if none follows.
+    fn argument(&mut self) -> Option<Traced> {
+        loop {
+            let (text, at) = self.stack.last_mut()?;
+            *at = behind_space(&text.text, *at);
+            let rest = &text.text[*at..];
+            let Some(c) = rest.chars().next() else {
+                self.stack.pop();
+                continue;
+            };
+            let (inside, end) = match c {
+                '{' => {
+                    let end = group_end(&text.text, *at)?;
+                    (*at + 1..end - 1, end)
+                }
+                '}' => return None,
+                '\\' => {
+                    let end = *at + 1 + command_at(&text.text, *at).len();
+                    (*at..end, end)
+                }
+                _ => (*at..*at + c.len_utf8(), *at + c.len_utf8()),
+            };
+            *at = end;
+            return Some(text.part(inside));
+        }
+    }
+
+    /// Reads an argument in brackets; `None` if none follows.
+    fn optional(&mut self) -> Option<Traced> {
+        let (text, at) = self.stack.last_mut()?;
+        let open = behind_space(&text.text, *at);
+        let close = text.text[open..].starts_with('[').then(|| near(&text.text, open, ']'))??;
+        *at = open + close + 1;
+        Some(text.part(open + 1..open + close))
+    }
+}

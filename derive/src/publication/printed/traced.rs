@@ -1,0 +1,85 @@
+//! Text made from parts of an author's file: every byte keeps its place in that file.
+
+use std::ops::Range;
+
+/// Text with the place of each of its bytes in the author's file.
+#[derive(Clone, Debug, Default)]
+pub struct Traced {
+    pub text: String,
+    /// Place in the author's file of each byte of the text.
+    pub places: Vec<(u32, u32)>,
+}
+
+/// Error in an author's file, with its place there in bytes.
+#[derive(Clone, Debug)]
+pub struct Problem {
+    pub place: Range<usize>,
+    pub message: String,
+    pub help: String,
+}
+
+impl Problem {
+    pub fn new(place: Range<usize>, message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { place, message: message.into(), help: help.into() }
+    }
+}
+
+/// Byte of a file as a compact number. Files are far smaller than 4 GiB.
+fn compact(at: usize) -> u32 {
+    u32::try_from(at).unwrap_or(u32::MAX)
+}
+
+impl Traced {
+    /// Text that stands in the author's file from byte `start` on.
+    pub fn at(text: &str, start: usize) -> Self {
+        let places = (start..start + text.len()).map(|at| (compact(at), compact(at + 1))).collect();
+        Self { text: text.to_owned(), places }
+    }
+
+    /// Text that comes from one place of the author's file as a whole.
+    pub fn from_place(text: &str, place: &Range<usize>) -> Self {
+        Self { text: text.to_owned(), places: vec![(compact(place.start), compact(place.end)); text.len()] }
+    }
+
+    pub fn push(&mut self, text: &str, place: &Range<usize>) {
+        self.text.push_str(text);
+        self.places.extend(std::iter::repeat_n((compact(place.start), compact(place.end)), text.len()));
+    }
+
+    /// Appends a part of another text, with its places.
+    pub fn push_part(&mut self, other: &Self, range: Range<usize>) {
+        self.text.push_str(&other.text[range.clone()]);
+        self.places.extend_from_slice(&other.places[range]);
+    }
+
+    pub fn part(&self, range: Range<usize>) -> Self {
+        Self { text: self.text[range.clone()].to_owned(), places: self.places[range].to_vec() }
+    }
+
+    /// Place in the author's file of a part of the text; the nearest byte for an empty part.
+    pub fn place(&self, range: Range<usize>) -> Range<usize> {
+        let last = self.places.len();
+        let inside = &self.places[range.start.min(last)..range.end.min(last).max(range.start.min(last))];
+        let bounds = inside.iter().copied().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+        let bounds = bounds.or_else(|| self.places.get(range.start).map(|place| (place.0, place.0)));
+        let bounds = bounds.or_else(|| self.places.last().map(|place| (place.1, place.1))).unwrap_or_default();
+        bounds.0 as usize..bounds.1 as usize
+    }
+
+    /// Text without space at its ends, with every stretch of space and line breaks made one space.
+    pub fn in_one_line(&self) -> Self {
+        let mut line = Self::default();
+        for (at, c) in self.text.char_indices() {
+            if !c.is_whitespace() {
+                line.push_part(self, at..at + c.len_utf8());
+            } else if !line.text.is_empty() && !line.text.ends_with(' ') {
+                line.push(" ", &self.place(at..at + c.len_utf8()));
+            }
+        }
+        if line.text.ends_with(' ') {
+            line.text.pop();
+            line.places.pop();
+        }
+        line
+    }
+}

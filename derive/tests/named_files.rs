@@ -1,0 +1,277 @@
+//! Publications that name files of authors: LaTeX with labels and macros, and programs with their assignments.
+//!
+//! The equations of the cart with a rod are written by hand. They are right where a test says `equal`, and have one
+//! slip where it says `different`.
+
+#![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
+
+use crate::printed_forms::CART;
+use expect_test::{Expect, expect};
+use tripos_derive::diagnostic::{Diagnostics, Source};
+use tripos_derive::diff::diff;
+use tripos_derive::mechanics::derive_all;
+use tripos_derive::model::load;
+use tripos_derive::prove::prove;
+use tripos_derive::publication::{self, Publication};
+
+const PAPER: &str = r"\documentclass{article}
+\newcommand{\dd}[2][]{\frac{d^{#1} #2}{dt^{#1}}}
+\newcommand\half{\tfrac12}
+\renewcommand{\th}{\theta} % the angle
+\def\Jp{(J + m l^2)}
+\newcommand{\be}{\begin{equation}} \newcommand{\ee}{\end{equation}}
+\DeclareMathOperator{\sn}{sin}
+\begin{document}
+We derive, for $100\%$ rigid rods,
+% \begin{equation} T = 1 \label{eq:T} \end{equation}
+\be
+  T = \half (M + m) \dot x^2 + m l \dot x \dot\th \cos\th
+    + \half \Jp \dot\th^2 . \label{eq:T}
+\ee
+\begin{align}
+  (M + m)\dd[2]{x} + m l\ddot\th \cos\th & \nonumber \\
+    \quad {} - m l \dot\th^2 \sn\th &= F, \label{eq:cart} \\[2pt]
+  \Jp \ddot\th + m l \cos\th (\ddot x) + m g l \sin\th &= 0. \tag{2.3}
+\end{align}
+\begin{equation} \label{eq:both}
+  \left\{ \begin{aligned}
+    (M + m)\ddot x + m l\ddot\th\cos\th - m l \dot\th^2\sin\th &= F \\
+    \Jp\ddot\th + m l\cos\th\,\ddot x &= m g l\sin\th
+  \end{aligned} \right.
+\end{equation}
+\[ M = \begin{bmatrix} M + m & m l \cos\th \\ m l\cos\th & \Jp \end{bmatrix} \label{eq:M} \]
+\begin{equation} V = - m g l \bad{\th} \label{eq:V} \end{equation}
+\newcommand{\loopy}{\loopy x}
+\begin{equation} L = \loopy \label{eq:L} \end{equation}
+\end{document}
+";
+
+const PYTHON: &str = r#"import numpy as np
+
+def rhs(state, force, p):
+    """x = 1"""
+    M, m, l, J, g = p
+    x, theta, v, omega = state
+    F = force  # the push
+    s, c = np.sin(theta), np.cos(theta)
+    mass = np.array([[M + m, m*l*c],
+                     [m*l*c, J + m*l**2]])
+    if x > 0:
+        c = 0
+    det = mass[0, 0]*mass[1, 1] - mass[0, 1]**2
+    right = F + m*l*omega**2*s
+    turn = -m*g*l*s
+    a = (mass[1, 1]*right - mass[0, 1]*turn)/det
+    alpha = (mass[0, 0]*turn
+             - mass[0, 1]*right)/det
+    return np.array([v, omega, a, alpha])
+
+def energy(v, omega):
+    T = (M + m)*v**2/2
+    T += m*l*v*omega*np.cos(theta)
+    T += (J + m*l**2)*omega**2/2
+    w = np.linalg.norm(v)
+    if w > 1:
+        U = 1
+    return T
+"#;
+
+const MATLAB: &str = "function dz = cart(t, z, p)\n M = p.M; m = p.m; l = p.l; J = p.J; g = 9.81;\n\
+    x = z(1); theta = z(2); % z is the state\n v = z(3); omega = z(4);\n F = p.F;\n c = cos(theta); s = sin(theta);\n\
+    A = [M + m, m*l*c\n m*l*c, J + m*l^2];\n b = [F + m*l*omega^2*s; -m*g*l*s];\n\
+    dz = zeros(4, 1);\n dz(1) = v; dz(2) = omega;\n\
+    dz(3) = (A(2,2)*b(1) - A(1,2)*b(2))/ ...\n (A(1,1)*A(2,2) - A(1,2)^2);\n\
+    dz(4) = (A(1,1)*b(2) + A(1,2)*b(1))/(A(1,1)*A(2,2) - A(1,2)^2);\nend\n";
+
+const C: &str = "/* rates */\nvoid rates(const double *z, const params *p, double *dz) {\n\
+    const double c = cos(z[1]), s = sin(z[1]);\n double row = (p->M + p->m)*x_ddot\n + p->m*p->l*(c*thetaddot - s*dtheta*theta_dot);\n\
+    dz[0] = row; // x\n}\n";
+
+fn read(name: &str) -> Result<Source, Diagnostics> {
+    let text = match name {
+        "paper.tex" => PAPER,
+        "cart.py" => PYTHON,
+        "cart.m" => MATLAB,
+        "cart.c" => C,
+        _ => return Source::read(std::path::Path::new("/no/such/folder").join(name).as_path()),
+    };
+    Ok(Source::from_text(name, text))
+}
+
+fn loaded(text: &str) -> Result<(tripos_derive::Model, Publication), Diagnostics> {
+    let mut model = load(&Source::from_text("model.toml", CART)).unwrap_or_else(|e| panic!("{e}"));
+    let source = Source::from_text("publication.toml", text);
+    let publication = publication::load_with(&source, &mut model, &read)?;
+    Ok((model, publication))
+}
+
+/// Goal: formulas of files are judged as if they were copied. Method: a line for each verdict.
+fn check(text: &str, expected: &Expect) {
+    let (model, publication) = loaded(text).unwrap_or_else(|e| panic!("{e}"));
+    let mut derivations = derive_all(&model).unwrap();
+    let proof = prove(&model, &mut derivations);
+    let difference = diff(&model, &mut derivations, &publication, &proof);
+    let line = |f: &tripos_derive::diff::Finding| {
+        let mistake = f.wrong.as_ref().map_or(String::new(), |wrong| format!(": {wrong}"));
+        format!("{} {}{mistake}", f.id, f.judgement.word())
+    };
+    expected.assert_eq(&difference.findings.iter().map(line).collect::<Vec<_>>().join("\n"));
+}
+
+fn check_error(text: &str, expected: &Expect) {
+    expected.assert_eq(&loaded(text).map(|_| ()).unwrap_err().to_string());
+}
+
+fn equation(id: &str, rest: &str) -> String {
+    format!("[[equation]]\nid = \"{id}\"\nsection = \"1\"\n{rest}\n")
+}
+
+#[test]
+fn equations_of_a_paper_are_found_by_their_labels() {
+    let text = [
+        "file = \"paper.tex\"\nnotation = \"latex\"\n".to_owned(),
+        equation("T", "quantity = \"T\"\nlabel = \"eq:T\""),
+        equation("cart", "label = \"eq:cart\""),
+        equation("rod", "label = \"2.3\""),
+        equation("second", "label = \"eq:both\"\nline = 2"),
+        equation("copied", r"printed = '\Jp \ddot\th + m l \cos\th \ddot x + m g l \sn\th = 0'"),
+        "[[matrix]]\nid = \"M\"\nsection = \"1\"\nquantity = \"M\"\nlabel = \"eq:M\"\n".to_owned(),
+        "[[system]]\nid = \"both\"\nsection = \"1\"\nformulation = \"lagrange\"\nunknowns = [\"theta''\", \"x''\"]\n\
+         label = \"eq:both\"\n"
+            .to_owned(),
+        "[[system]]\nid = \"two\"\nsection = \"1\"\nformulation = \"lagrange\"\nlabels = [\"2.3\", \"eq:cart\"]\n"
+            .to_owned(),
+    ];
+    check(
+        &text.concat(),
+        &expect![[r#"
+        T equal
+        cart equal
+        rod equal
+        second different: in the right-hand side, m*l*g*sin(theta) should be -m*l*g*sin(theta)
+        copied equal
+        M-11 equal
+        M-12 equal
+        M-21 equal
+        M-22 equal
+        both-row1 equal
+        both-row2 different: in the right-hand side, m*l*g*sin(theta) should be -m*l*g*sin(theta)
+        two-row1 equal
+        two-row2 equal"#]],
+    );
+}
+
+#[test]
+fn assignments_of_a_program_are_its_abbreviations() {
+    let listing = |id: &str, file: &str, state: &str, derivative: &str| {
+        format!(
+            "[[listing]]\nid = \"{id}\"\nsection = \"1\"\nfile = \"{file}\"\npart = \"{id}\"\nformulation = \"kane\"\n\
+             state = [{state}]\nderivative = [{derivative}]\n"
+        )
+    };
+    let state = "\"x\", \"theta\", \"v\", \"omega\"";
+    let text = [
+        "[symbols]\n\"p.M\" = \"M\"\n\"p.m\" = \"m\"\n\"p.l\" = \"l\"\n\"z[1]\" = \"theta\"\n".to_owned(),
+        equation("energy", "file = \"cart.py\"\npart = \"energy\"\nquantity = \"T\"\nprinted = \"return\""),
+        equation(
+            "lines",
+            "file = \"cart.py\"\npart = \"22-22\"\nquantity = \"T\"\nprinted = \"T + m*l*v*omega*cos(theta) + (J + m*l**2)*omega**2/2\"",
+        ),
+        equation("c", "file = \"cart.c\"\npart = \"rates\"\nquantity = \"0\"\nprinted = \"dz[0] - F\""),
+        listing("cart", "cart.m", state, "\"dz(1)\", \"dz(2)\", \"dz(3)\", \"dz(4)\""),
+    ];
+    check(
+        &text.concat(),
+        &expect![[r#"
+        energy equal
+        lines equal
+        c equal
+        cart-dz1 equal
+        cart-dz2 equal
+        cart-dz3 equal
+        cart-dz4 different: -m*l*cos(theta)*(m*l*omega^2*sin(theta) + F) should be m*l*cos(theta)*(m*l*omega^2*sin(theta) + F)"#]],
+    );
+}
+
+#[test]
+fn what_a_condition_decides_is_not_taken() {
+    check_error(
+        &equation("1", "file = \"cart.py\"\npart = \"rhs\"\nquantity = \"T\"\nprinted = \"c + return[0]\""),
+        &expect![[r#"
+            error: the assignment of `c` was not read: a condition or a loop decides about it
+              --> cart.py:12:9
+               |
+            12 |         c = 0
+               |         ^^^^^
+               |
+               = help: name the part of the program that decides"#]],
+    );
+    check_error(
+        &equation("1", "file = \"cart.py\"\npart = \"energy\"\nquantity = \"T\"\nprinted = \"w\""),
+        &expect![[r#"
+            error: the assignment of `w` was not read: unknown name `linalg.norm`
+              --> cart.py:25:9
+               |
+            25 |     w = np.linalg.norm(v)
+               |         ^^^^^^^^^^^^^^
+               |
+               = help: say in [symbols] what it stands for, as in "linalg.norm" = "u1""#]],
+    );
+}
+
+#[test]
+fn errors_of_a_paper_are_shown_in_the_paper() {
+    let text = [
+        "file = \"paper.tex\"\n".to_owned(),
+        equation("V", "notation = \"latex\"\nquantity = \"V\"\nlabel = \"eq:V\""),
+        equation("L", "notation = \"latex\"\nquantity = \"L\"\nlabel = \"eq:L\""),
+        equation("none", "notation = \"latex\"\nlabel = \"eq:cat\""),
+        equation("two", "notation = \"latex\"\nlabel = \"eq:both\""),
+    ];
+    check_error(
+        &text.concat(),
+        &expect![[r#"
+            error: no equation of `paper.tex` has the label `eq:cat`
+              --> publication.toml:18:10
+               |
+            18 | label = "eq:cat"
+               |          ^^^^^^
+               |
+               = help: did you mean `eq:cart`?
+
+            error: the label `eq:both` has 2 equations
+              --> publication.toml:23:10
+               |
+            23 | label = "eq:both"
+               |          ^^^^^^^
+               |
+               = help: choose one: line = 1 to line = 2
+
+            error: `\bad` is not known
+              --> paper.tex:27:30
+               |
+            27 | \begin{equation} V = - m g l \bad{\th} \label{eq:V} \end{equation}
+               |                              ^^^^
+               |
+               = help: known are symbols, \frac, \sqrt, \cdot, \left( \right), \dot and functions such as \sin; a symbol of the paper's own is declared in [symbols]
+
+            error: the macros make this text too long: `\loopy` may call itself
+              --> paper.tex:29:22
+               |
+            29 | \begin{equation} L = \loopy \label{eq:L} \end{equation}
+               |                      ^^^^^^
+               |
+               = help: write the formula without this macro"#]],
+    );
+}
+
+#[test]
+fn only_files_beside_the_publication_are_read() {
+    for name in ["../paper.tex", "/etc/passwd", "a/b.tex", ".hidden.tex", "paper.doc", "C:\\\\x.tex", "", "none.tex"] {
+        let text = equation("1", &format!("file = \"{name}\"\nlabel = \"x\"\nnotation = \"latex\""));
+        let errors = loaded(&text).map(|_| ()).unwrap_err();
+        assert!(errors.list[0].span.is_some(), "{errors}");
+    }
+    let text = equation("1", "file = \"paper.tex\"\npart = \"f\"\nlabel = \"eq:T\"\nquantity = \"T\"");
+    assert!(loaded(&text).is_err());
+}
