@@ -33,6 +33,8 @@ mod joints;
 mod kinematic_equations;
 mod limits;
 mod material_points;
+#[path = "common/mechanisms.rs"]
+mod mechanisms;
 mod mutations;
 mod named;
 mod near_points;
@@ -50,12 +52,14 @@ mod publications;
 mod random;
 mod random_trees;
 mod readable;
+mod rearrangements;
 #[path = "common/reduced.rs"]
 mod reduced;
 mod reduction_properties;
 mod reductions;
 mod roots;
 mod schemas;
+mod self_acquittal;
 mod shapes;
 mod sharing;
 mod springs;
