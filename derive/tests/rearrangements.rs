@@ -40,7 +40,7 @@ fn rewritten(text: &str, rule: &dyn Fn(&str, &str) -> String) -> String {
                 (depth == 0).then_some(i)
             })
             .expect("a closing parenthesis");
-        out += &format!("({})", rule(name, &inside[..end]));
+        let _ = write!(out, "({})", rule(name, &inside[..end]));
         rest = &inside[end + 1..];
     }
     out + rest
@@ -63,10 +63,7 @@ fn rearranged(rows: &[String], kind: &str, model: &Model, random: &mut Random) -
         (left.to_owned(), right.to_owned())
     };
     let both = |rule: &dyn Fn(&str) -> Option<String>| -> Option<Vec<String>> {
-        rows.iter()
-            .map(|row| sides(row))
-            .map(|(left, right)| Some(format!("{} = {}", rule(&left)?, rule(&right)?)))
-            .collect()
+        rows.iter().map(sides).map(|(left, right)| Some(format!("{} = {}", rule(&left)?, rule(&right)?))).collect()
     };
     match kind {
         "sums of rows" => {
@@ -87,7 +84,7 @@ fn rearranged(rows: &[String], kind: &str, model: &Model, random: &mut Random) -
             let factor = random.one(&model.parameters).name.clone();
             both(&|side| Some(format!("({side})*{factor}^2/3")))
         }
-        "swapped" => Some(rows.iter().map(|row| sides(row)).map(|(a, b)| format!("0 = {a} - ({b})")).collect()),
+        "swapped" => Some(rows.iter().map(sides).map(|(a, b)| format!("0 = {a} - ({b})")).collect()),
         "expanded" => {
             let zero = |row: &String| {
                 let (left, right) = sides(row);

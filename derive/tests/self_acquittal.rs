@@ -86,12 +86,9 @@ fn random_mechanisms_are_acquitted_of_their_own_equations() {
         }
         assert!(refused < count(), "too many mechanisms are refused");
         let mechanism = Mechanism::new(&mut Random(seed));
-        let mut model = match model::load(&Source::from_text("model.toml", &mechanism.text)) {
-            Ok(model) => model,
-            Err(_) => {
-                refused += 1;
-                continue;
-            }
+        let Ok(mut model) = model::load(&Source::from_text("model.toml", &mechanism.text)) else {
+            refused += 1;
+            continue;
         };
         let Ok(mut derivations) = derive_all(&model) else {
             refused += 1;

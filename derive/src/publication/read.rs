@@ -73,8 +73,9 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Publication, Diagnosti
     let abbreviations = loading.abbreviations(table);
     loading.near = loading.near(table);
     let entries = loading.entries(table);
+    let shorthand = loading.words.shorthand;
     loading.reader.finish()?;
-    Ok(Publication { source: source.clone(), title, reference, abbreviations, names, entries })
+    Ok(Publication { source: source.clone(), title, reference, abbreviations, shorthand, names, entries })
 }
 
 /// State of reading a publication file: the file, the model, and the names and entries read so far.
@@ -212,6 +213,7 @@ impl<'a> Loading<'a, '_> {
             let formula = formula.and_then(|f| self.formula(&f, self.notation));
             let declared = self.words.declare(&mut self.reader, &name, formula);
             if let (true, Some(formula)) = (declared, formula) {
+                self.words.shorthand.enter(&self.model.arena, &name.text, formula);
                 abbreviations.push((name.text, formula));
             }
         }

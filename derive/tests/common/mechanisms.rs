@@ -368,7 +368,7 @@ fn space(parts: &mut Parts, random: &mut Random) {
 fn loads(parts: &mut Parts, random: &mut Random) {
     if random.chance(70) {
         let g = parts.parameter("g", "m/s^2", random);
-        parts.tables += &format!("[gravity]\nframe = \"N\"\nacceleration = [0, \"-{g}\", 0]\n");
+        let _ = write!(parts.tables, "[gravity]\nframe = \"N\"\nacceleration = [0, \"-{g}\", 0]\n");
         parts.elements.push("gravity");
     }
     let Some((body, _)) = parts.bodies.last().cloned() else { return };
@@ -382,7 +382,8 @@ fn loads(parts: &mut Parts, random: &mut Random) {
         } else {
             String::new()
         };
-        parts.tables += &format!(
+        let _ = write!(
+            parts.tables,
             "[springs.leg]\non = \"{body}\"\nagainst_at = \"anchor\"\nstiffness = \"{k}\"\nfree_length = \"{l}\"\n{damping}"
         );
         parts.elements.push("spring");
@@ -390,25 +391,26 @@ fn loads(parts: &mut Parts, random: &mut Random) {
     if random.chance(15) {
         let c = parts.parameter("c", "N*s/m", random);
         let drag = [1, 2].map(|k| format!("\"-{c}*v({body}, {body}_centre) @ N [{k}]\"")).join(", ");
-        parts.tables += &format!("[forces.drag]\non = \"{body}\"\nframe = \"N\"\nvector = [{drag}, 0]\n");
+        let _ = write!(parts.tables, "[forces.drag]\non = \"{body}\"\nframe = \"N\"\nvector = [{drag}, 0]\n");
         parts.elements.push("drag");
     }
     if random.chance(20) {
         let c = parts.parameter("c", "N*m*s", random);
         let law = [1, 2, 3].map(|k| format!("\"-{c}*omega({body}) @ N [{k}]\"")).join(", ");
-        parts.tables += &format!("[torques.damper]\non = \"{body}\"\nframe = \"N\"\nvector = [{law}]\n");
+        let _ = write!(parts.tables, "[torques.damper]\non = \"{body}\"\nframe = \"N\"\nvector = [{law}]\n");
         parts.elements.push("damper");
     }
     if random.chance(12) && parts.elements.first() == Some(&"pin") {
         let (t, w) = (parts.parameter("T", "N*m", random), parts.parameter("w", "1/s", random));
-        parts.tables += &format!(
+        let _ = write!(
+            parts.tables,
             "[friction.bearing]\non = \"b0\"\nframe = \"N\"\naxis = 3\ntorque = \"{t}\"\nsmoothing = \"{w}\"\n"
         );
         parts.elements.push("friction");
     }
     if random.chance(25) {
         parts.line("inputs", "F = { unit = \"N\", value = 1.5 }".to_owned());
-        parts.tables += &format!("[forces.push]\non = \"{body}\"\nframe = \"N\"\nvector = [\"F\", 0, 0]\n");
+        let _ = write!(parts.tables, "[forces.push]\non = \"{body}\"\nframe = \"N\"\nvector = [\"F\", 0, 0]\n");
         parts.elements.push("input");
     }
     let is_euler = parts.elements.contains(&"euler");
