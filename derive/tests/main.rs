@@ -17,6 +17,7 @@ mod combined_rows;
 mod common;
 mod connections;
 mod constrained_verdicts;
+mod coriolis;
 mod differences;
 mod divided_differences;
 mod eliminations;

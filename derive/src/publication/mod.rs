@@ -45,6 +45,7 @@
 //! ```
 
 mod beside;
+mod coriolis;
 mod entries;
 mod linear;
 mod matrix;

@@ -66,6 +66,7 @@ const WHOLE_MATRIX: &[Key] = &[
     ORDER,
     needed("quantity", Text, "a quantity with indices, without them, such as M or I(disk) @ B"),
     needed("printed", Text, "the whole matrix, as in [a, b; c, d]"),
+    key("claims", List(&Text), "claims on C: christoffel, skew-symmetric"),
 ];
 
 const DEFINITION: &[Key] = &[ID, SECTION, REPAIRED, NOTE, needed("printed", Text, "as it is printed")];
