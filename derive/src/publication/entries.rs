@@ -1,6 +1,5 @@
 //! Entries of a publication: the keys common to all, and entries with a single formula.
 
-use super::coriolis::Cell;
 use super::matrix::cells;
 use super::read::{KEYS, Loading};
 use super::{Entry, EntryKind, Initial};
@@ -233,7 +232,12 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Terms and texts of the entries of a printed matrix.
-    fn cells(&mut self, rows: Vec<Vec<Range<usize>>>, printed: &Located, item: &Item<'a>) -> Option<Vec<Vec<Cell>>> {
+    fn cells(
+        &mut self,
+        rows: Vec<Vec<Range<usize>>>,
+        printed: &Located,
+        item: &Item<'a>,
+    ) -> Option<Vec<Vec<(Expr, String)>>> {
         let mut list = Vec::new();
         for row in rows {
             let mut cells = Vec::new();
