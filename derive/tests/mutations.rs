@@ -25,7 +25,7 @@ const LONGEST: usize = 400;
 const SLIPS: usize = 6;
 
 /// A part of a text that is a name, a number or one other character.
-fn tokens(text: &str) -> Vec<String> {
+pub fn tokens(text: &str) -> Vec<String> {
     let mut list: Vec<String> = Vec::new();
     let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '\'';
     for c in text.chars() {
@@ -166,7 +166,7 @@ fn single_slips_are_convicted_and_named() {
 }
 
 /// Rows of a system as equations `left = right`, in the names of the model.
-fn equations(model: &Model, derivations: &tripos_derive::mechanics::Derivations, by: Formulation) -> Vec<String> {
+pub fn equations(model: &Model, derivations: &tripos_derive::mechanics::Derivations, by: Formulation) -> Vec<String> {
     let Some(equations) = derivations.get(by) else { return Vec::new() };
     let arena = &derivations.kinematics.arena;
     let names: Vec<String> = by.unknowns(model).into_iter().map(|(name, _)| name).collect();
@@ -238,7 +238,7 @@ fn rearranged_systems_are_acquitted() {
 }
 
 /// Number of rows of a publication, all of which are judged as right.
-fn judged_as_right(name: &str, model: &mut Model, file: &str) -> usize {
+pub fn judged_as_right(name: &str, model: &mut Model, file: &str) -> usize {
     let publication = publication::load(&Source::from_text("publication.toml", file), model)
         .unwrap_or_else(|e| panic!("{name}: {e}"));
     let mut derivations = derive_all(model).unwrap();

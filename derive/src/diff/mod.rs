@@ -85,6 +85,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
     let names = Names::new(publication, &mut quantities);
     let numbers = numbers(model, &mut quantities, publication);
     let mut changes_left = repairs::MOST_CHANGES;
+    let mut book = repairs::Book::new(&publication.shorthand);
     let mut found = Found::default();
     for entry in &publication.entries {
         let first = found.findings.len();
@@ -101,6 +102,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
             earlier,
             near,
             changes_left: &mut changes_left,
+            book: &mut book,
             numbers,
         };
         match &entry.kind {

@@ -122,12 +122,27 @@ pub enum Row {
     Forcing,
     /// Right-hand side A of Lagrange's equations.
     LagrangeForcing,
+    /// Terms C q̇ in products of rates, of M q̈ + C q̇ + g = τ.
+    VelocityTerms,
+    /// Slope ∂V/∂q of the potential energy, g of M q̈ + C q̇ + g = τ.
+    PotentialSlope,
 }
 
 impl Row {
     /// All rows in the order of the variants, each with its name in publication files.
-    pub(crate) const ALL: [(Self, &'static str); 4] =
-        [(Self::ActiveForce, "F"), (Self::InertiaForce, "Fstar"), (Self::Forcing, "f"), (Self::LagrangeForcing, "A")];
+    pub(crate) const ALL: [(Self, &'static str); 6] = [
+        (Self::ActiveForce, "F"),
+        (Self::InertiaForce, "Fstar"),
+        (Self::Forcing, "f"),
+        (Self::LagrangeForcing, "A"),
+        (Self::VelocityTerms, "h"),
+        (Self::PotentialSlope, "g"),
+    ];
+
+    /// True if the rows belong to coordinates, false if they belong to speeds.
+    pub(crate) const fn is_of_coordinates(self) -> bool {
+        matches!(self, Self::LagrangeForcing | Self::VelocityTerms | Self::PotentialSlope)
+    }
 }
 
 /// Kind of an energy, J.
@@ -231,6 +246,10 @@ pub enum QuantityKind {
     MassMatrix(usize, usize),
     /// Entry of Lagrange's matrix E, at a row and column.
     LagrangeMatrix(usize, usize),
+    /// Entry of the matrix C of C q̇ by Christoffel symbols, at a row and column.
+    Christoffel(usize, usize),
+    /// Rate of an entry of the mass matrix ∂²T/∂q̇∂q̇ along the motion, at a row and column.
+    MassRate(usize, usize),
     /// Energy of the model.
     Energy(Energy),
     /// Generalized speed, by its definition.
@@ -270,6 +289,8 @@ impl QuantityKind {
             Self::Row(row, at) => format!("{}[{}]", Row::ALL[row as usize].1, at + 1),
             Self::MassMatrix(i, j) => format!("M[{},{}]", i + 1, j + 1),
             Self::LagrangeMatrix(i, j) => format!("E[{},{}]", i + 1, j + 1),
+            Self::Christoffel(i, j) => format!("C[{},{}]", i + 1, j + 1),
+            Self::MassRate(i, j) => format!("Edot[{},{}]", i + 1, j + 1),
             Self::Energy(energy) => Energy::ALL[energy as usize].1.to_owned(),
             Self::Speed(at) => model.speeds[at].name.clone(),
             Self::Rate(at) => format!("{}'", model.coordinates[at].name),

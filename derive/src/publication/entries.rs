@@ -43,7 +43,7 @@ const KINDS: [(Kind, &str, &str); 6] = [
 fn keys(kind: Kind) -> Vec<&'static str> {
     let own: &[&str] = match kind {
         Kind::Equation => &["quantity", "printed", "label", "line", "formulation", "frame"],
-        Kind::Matrix => &["quantity", "printed", "label", "line"],
+        Kind::Matrix => &["quantity", "printed", "label", "line", "claims"],
         Kind::Definition => &["printed"],
         Kind::System => &[
             "formulation",
@@ -161,13 +161,9 @@ impl<'a> Loading<'a, '_> {
         };
         if kind == Kind::Matrix {
             let (id, section) = (id?, section?.text);
-            let list = self.matrix_entries(item)?;
-            let (rows, columns) = (list.len(), list.first().map_or(0, Vec::len));
             let mut entries = Vec::new();
-            for (at, kind) in list.into_iter().flatten().enumerate() {
-                let (i, j) = (at / columns + 1, at % columns + 1);
-                let comma = if rows.max(columns) > 9 { "," } else { "" };
-                let part = format!("{}-{i}{comma}{j}", id.text);
+            for (at, (suffix, kind)) in self.matrix_entries(item)?.into_iter().enumerate() {
+                let part = format!("{}-{suffix}", id.text);
                 self.claim(&part, &id.span, ", of a part of this entry,");
                 let (repaired, note) = (repaired.clone().filter(|_| at == 0), note.clone().filter(|_| at == 0));
                 let (section, near, span) = (section.clone(), near.clone(), id.span.clone());
@@ -204,8 +200,9 @@ impl<'a> Loading<'a, '_> {
         Some(Read::One(Box::new(entry)))
     }
 
-    /// Reads a quantity with two indices, or a vector, whose entries are printed together, row by row.
-    fn matrix_entries(&mut self, item: &Item<'a>) -> Option<Vec<Vec<EntryKind>>> {
+    /// Reads a quantity with two indices, or a vector, whose entries are printed together, row by row; each with the
+    /// suffix of its id. The matrix C is judged as a whole.
+    fn matrix_entries(&mut self, item: &Item<'a>) -> Option<Vec<(String, EntryKind)>> {
         let quantity = self.required_text(item, "quantity");
         let printed = self.printed(item)?;
         let rows = match cells(&printed.text, item.notation) {
@@ -217,6 +214,16 @@ impl<'a> Loading<'a, '_> {
             }
         };
         let quantity = quantity?;
+        if quantity.text.trim() == "C" {
+            let cells = self.cells(rows, &printed, item)?;
+            return self.coriolis(item, &cells, &printed);
+        }
+        if let Some(value) = self.reader.get(item.table, "claims") {
+            let help = "claims are about the matrix C of C(q, q') q'";
+            self.reader.error(value.span(), format!("`claims` on `{}`", shown(&quantity.text)), help);
+            return None;
+        }
+        let comma = if rows.len().max(rows[0].len()) > 9 { "," } else { "" };
         let is_vector = rows.len() == 1 || rows[0].len() == 1;
         let named = |index: &str| Located { text: format!("{} {index}", quantity.text), ..quantity.clone() };
         let by_one = is_vector && Quantity::parse(&named("[1]").text, self.model).is_ok();
@@ -234,14 +241,36 @@ impl<'a> Loading<'a, '_> {
                 let (quantity, value) = (self.quantity(&name), self.formula(&formula, item.notation));
                 // One reason for an unknown quantity is enough.
                 let own = self.in_own_coordinates(item, &quantity?, value.unwrap_or(Expr::ZERO));
+                let suffix = format!("{}{comma}{}", i + 1, j + 1);
                 entries.push(own.filter(|_| value.is_some()).map(|(quantity, printed)| {
                     let text = formula.text;
-                    EntryKind::Equation { quantity, printed, text }
+                    (suffix, EntryKind::Equation { quantity, printed, text })
                 }));
             }
             list.push(entries.into_iter().collect::<Option<Vec<_>>>());
         }
-        list.into_iter().collect()
+        Some(list.into_iter().collect::<Option<Vec<_>>>()?.concat())
+    }
+
+    /// Terms and texts of the entries of a printed matrix.
+    fn cells(
+        &mut self,
+        rows: Vec<Vec<Range<usize>>>,
+        printed: &Located,
+        item: &Item<'a>,
+    ) -> Option<Vec<Vec<(Expr, String)>>> {
+        let mut list = Vec::new();
+        for row in rows {
+            let mut cells = Vec::new();
+            for cell in row {
+                let text = printed.text[cell.clone()].trim().to_owned();
+                let span = printed.part(trimmed(&printed.text, cell));
+                let formula = Located { text, span, exact: printed.exact };
+                cells.push(self.formula(&formula, item.notation).map(|e| (e, formula.text)));
+            }
+            list.push(cells);
+        }
+        list.into_iter().map(|row| row.into_iter().collect()).collect()
     }
 
     /// String under a key that must be present.

@@ -6,9 +6,9 @@
 //! Invariant: nothing is repaired or judged here. A wrong *form* of a file is an error; a wrong printed *equation* is
 //! left for a comparison to find.
 //!
-//! Abbreviations are replaced by their formulas while reading. The names of derived quantities stay symbols, which no
-//! model can declare, until [`Names::resolve`] replaces them by values. So an entry may be read, and its errors found,
-//! before anything is derived.
+//! Abbreviations are replaced by their formulas while reading; [`Shorthand`] keeps the formulas as printed. The names
+//! of derived quantities stay symbols, which no model can declare, until [`Names::resolve`] replaces them by values. So
+//! an entry may be read, and its errors found, before anything is derived.
 //!
 //! ```
 //! use tripos_derive::algebra::meaning::compare::Comparer;
@@ -45,6 +45,7 @@
 //! ```
 
 mod beside;
+mod coriolis;
 mod entries;
 mod files;
 mod linear;
@@ -57,6 +58,7 @@ mod own_coordinates;
 mod printed;
 mod read;
 mod row_text;
+mod shorthand;
 mod spelling;
 mod words;
 
@@ -64,6 +66,7 @@ pub use beside::{beside, hash_beside, is_beside, load_beside};
 pub use names::Names;
 pub use read::{load, load_in, load_with};
 pub(crate) use row_text::row_text;
+pub use shorthand::{Abbreviation, Shorthand};
 
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
@@ -84,6 +87,8 @@ pub struct Publication {
     pub abbreviations: Vec<(String, Expr)>,
     /// Coordinates and speeds of the printed text that the model does not have: (name, formula).
     pub coordinates: Vec<(String, Expr)>,
+    /// Formulas as printed, with abbreviations as symbols.
+    pub shorthand: Shorthand,
     /// Symbols of the printed text for derived quantities: (name, quantity, symbol in the formulas).
     pub names: Vec<(String, Quantity, Expr)>,
     /// Entries, in the order of the publication file.

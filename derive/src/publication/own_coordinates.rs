@@ -4,7 +4,7 @@ use super::entries::Item;
 use super::read::Loading;
 use crate::algebra::Expr;
 use crate::diagnostic::Diagnostic;
-use crate::mechanics::{Quantity, QuantityKind, Row};
+use crate::mechanics::{Quantity, QuantityKind};
 
 /// State of a listing, its derivative, and the matrix in front of the derivative.
 pub(super) type StateParts = (Vec<Expr>, Vec<Expr>, Option<Vec<Vec<Expr>>>);
@@ -72,7 +72,15 @@ impl<'a> Loading<'a, '_> {
                 let ((i, a), (j, b)) = (self.turned_coordinate(&q[i])?, self.turned_coordinate(&q[j])?);
                 (QuantityKind::LagrangeMatrix(i, j), a != b)
             }
-            QuantityKind::Row(row @ Row::LagrangeForcing, at) => {
+            QuantityKind::Christoffel(i, j) => {
+                let ((i, a), (j, b)) = (self.turned_coordinate(&q[i])?, self.turned_coordinate(&q[j])?);
+                (QuantityKind::Christoffel(i, j), a != b)
+            }
+            QuantityKind::MassRate(i, j) => {
+                let ((i, a), (j, b)) = (self.turned_coordinate(&q[i])?, self.turned_coordinate(&q[j])?);
+                (QuantityKind::MassRate(i, j), a != b)
+            }
+            QuantityKind::Row(row, at) if row.is_of_coordinates() => {
                 let (at, turned) = self.turned_coordinate(&q[at])?;
                 (QuantityKind::Row(row, at), turned)
             }

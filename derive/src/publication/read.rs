@@ -116,9 +116,11 @@ fn load_all(
     loading.names_are_of_the_model(&names);
     loading.near = loading.near(table);
     let entries = loading.entries(table);
+    let shorthand = loading.words.shorthand;
     loading.reader.finish()?;
     let coordinates = loading.coordinates;
-    Ok(Publication { coordinates, source: source.clone(), title, reference, abbreviations, names, entries })
+    let source = source.clone();
+    Ok(Publication { coordinates, source, title, reference, abbreviations, shorthand, names, entries })
 }
 
 /// State of reading a publication file: the file, the model, and the names and entries read so far.
@@ -294,6 +296,7 @@ impl<'a> Loading<'a, '_> {
             let formula = formula.and_then(|f| self.formula(&f, self.notation));
             let declared = self.words.declare(&mut self.reader, &name, formula);
             if let (true, Some(formula)) = (declared, formula) {
+                self.words.shorthand.enter(&self.model.arena, &name.text, formula);
                 abbreviations.push((name.text, formula));
             }
         }

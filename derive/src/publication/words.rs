@@ -1,8 +1,10 @@
 //! Meanings of the names in formulas of a publication.
 
 use super::locals::{Local, Locals, local_number};
+use super::shorthand::Shorthand;
 use super::spelling::{Speller, Spellings, Stated};
 use crate::algebra::term::calculus::Differential;
+use crate::algebra::term::transfer::Transfer;
 use crate::algebra::text::notation::{Notation, Spell, translate};
 use crate::algebra::text::parse::{ParseError, is_reserved, parse_published};
 use crate::algebra::{Arena, Expr, Node};
@@ -51,6 +53,8 @@ pub struct Words {
     renamed: Vec<String>,
     /// Names of coordinates, for variables of programs that name their rates.
     coordinates: Vec<String>,
+    /// Abbreviations as symbols, and the formulas that use them.
+    pub shorthand: Shorthand,
 }
 
 /// Time derivatives of the symbols of a model.
@@ -95,6 +99,7 @@ impl Words {
             locals: Arc::default(),
             renamed: Vec::new(),
             coordinates: model.coordinates.iter().map(|c| c.name.clone()).collect(),
+            shorthand: Shorthand::default(),
         };
         for p in &model.parameters {
             words.insert(&p.name, Word::Model("parameter", p.symbol));
@@ -288,7 +293,13 @@ impl Words {
         // An error that one cause may raise at many places is reported once.
         let (mut spoiled, mut repeated) = (false, false);
         match self.read(arena, formula, notation, &mut spoiled, &mut repeated) {
-            Ok(e) => (!spoiled && reader.is_computable(arena, formula, e)).then_some(e),
+            Ok(e) => {
+                let is_read = !spoiled && reader.is_computable(arena, formula, e);
+                if is_read {
+                    self.keep_as_printed(arena, formula, notation, e);
+                }
+                is_read.then_some(e)
+            }
             Err(error) => {
                 let (span, help) = (self.place(formula, &error), error.help.unwrap_or_default());
                 if repeated {
@@ -328,6 +339,44 @@ impl Words {
             Word::Declared(e) => Some((*e, false)),
             Word::Later | Word::Spoiled => None,
         }
+    }
+
+    /// Reads a formula once more with its abbreviations as symbols, and keeps it beside `e`, the formula in which they
+    /// are written out. Formulas with `ddt` of an abbreviation are not kept.
+    fn keep_as_printed(&mut self, arena: &Arena, formula: &Located, notation: Notation, e: Expr) {
+        if self.shorthand.abbreviations().is_empty() || self.shorthand.printed.contains_key(&e) {
+            return;
+        }
+        let locals = Arc::clone(&self.locals);
+        let coordinates = self.coordinates.as_slice();
+        let mut speller = Speller { spellings: &self.spellings, locals: &locals, coordinates, repeated: false };
+        let Ok(plain) = translate(&formula.text, notation, &mut speller) else { return };
+        let (known, spellings) = (&self.known, &self.spellings);
+        let (mut kept, mut mentions) = (std::mem::take(&mut self.shorthand), false);
+        let mut own = std::mem::take(&mut kept.arena);
+        let mut transfer = Transfer::new(arena);
+        let mut no_rate = |_: &mut Arena, _: Expr| Err((String::new(), None));
+        let mut resolve = |own: &mut Arena, name: &str| {
+            let stated = spellings.variable(name).filter(|_| notation == Notation::Tripos);
+            let name = stated.as_deref().unwrap_or(name);
+            if let Some(symbol) = kept.symbol(name) {
+                mentions = true;
+                return Ok(symbol);
+            }
+            if let Some(Local::Value(e)) = local_number(name).and_then(|number| locals.value(number)) {
+                return Ok(transfer.term(own, *e));
+            }
+            match known.get(name) {
+                Some(Word::Model(_, e) | Word::Declared(e)) => Ok(transfer.term(own, *e)),
+                _ => Err((String::new(), None)),
+            }
+        };
+        let read = parse_published(&mut own, plain.text(), PRIMES, &mut resolve, &mut no_rate);
+        kept.arena = own;
+        if let (Ok(as_printed), true) = (read, mentions) {
+            kept.printed.insert(e, as_printed);
+        }
+        self.shorthand = kept;
     }
 
     /// Reads a formula as a term. Sets `spoiled` if a wrong declaration spoils it, and `repeated` if its error may

@@ -83,6 +83,7 @@ const WHOLE_MATRIX: &[Key] = &[
     key("printed", Text, "the whole matrix, as in [a, b; c, d]"),
     LABEL,
     LINE,
+    key("claims", List(&Text), "claims on C: christoffel, skew-symmetric"),
 ];
 
 const DEFINITION: &[Key] = &[ID, SECTION, REPAIRED, NOTE, needed("printed", Text, "as it is printed")];

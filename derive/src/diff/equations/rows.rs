@@ -8,10 +8,12 @@ use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::meaning::compare::{Comparer, Engine, Verdict};
 use crate::algebra::meaning::permitted::Holds;
 use crate::algebra::solve::linear::solve;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::text::print::text;
-use crate::algebra::value::modular::has_roots;
+use crate::algebra::value::modular::{ZeroTest, has_roots, zero_test};
 use crate::algebra::value::rank::echelon;
-use crate::algebra::{Arena, Expr};
+use crate::algebra::{Arena, Expr, Function, Node};
 
 /// Row of a linear system: entries, then the right-hand side.
 pub type Row = Vec<Expr>;
@@ -166,18 +168,19 @@ fn combination(
     let (independent, columns) = echelon(arena, derived).ok_or_else(unknown)?;
     let mut rows: Vec<Row> = independent.iter().map(|at| derived[*at].clone()).collect();
     rows.push(printed.clone());
+    let all = arena.reachable(&rows.concat());
+    let with_roots = has_roots(arena, &all);
+    if with_roots && independent.len() > WRITTEN {
+        // A combination for any values of the roots is one for their own values.
+        rows = with_free_roots(arena, &all, rows);
+    }
     let (found, _) = echelon(arena, &rows).ok_or_else(unknown)?;
     let follows = found.len() < rows.len();
-    let all = arena.reachable(&rows.concat());
-    if !has_roots(arena, &all) {
-        if !follows {
-            return Ok(None);
-        }
-        if independent.len() > WRITTEN {
-            return Ok(Some(Vec::new()));
-        }
-    } else if independent.len() > WRITTEN {
-        return Err(unknown());
+    if !follows && !with_roots {
+        return Ok(None);
+    }
+    if independent.len() > WRITTEN {
+        return if follows { Ok(Some(Vec::new())) } else { Err(unknown()) };
     }
     let transposed: Vec<Row> =
         columns.iter().map(|c| independent.iter().map(|at| derived[*at][*c]).collect()).collect();
@@ -198,4 +201,34 @@ fn combination(
     }
     let short = multipliers.iter().all(|m| text(arena, *m).len() <= LONGEST);
     Ok(Some(if short { multipliers } else { Vec::new() }))
+}
+
+/// Rows in which symbols stand for the roots, absolute values and signs among the parts `all`. Equal roots have the
+/// same symbol r, and r² stands for the argument of a square root.
+fn with_free_roots(arena: &mut Arena, all: &[Expr], rows: Vec<Row>) -> Vec<Row> {
+    let mut put: Vec<(Expr, Expr)> = Vec::new();
+    let mut known: Vec<(Function, Expr, Expr)> = Vec::new();
+    for part in all {
+        let Node::Apply(f @ (Function::Sqrt | Function::Abs | Function::Sign), argument) = *arena.node(*part) else {
+            continue;
+        };
+        let same = known.iter().find(|(g, other, _)| {
+            let is_same = *other == argument || {
+                let difference = arena.sub(argument, *other);
+                zero_test(arena, difference) == ZeroTest::Zero
+            };
+            *g == f && is_same
+        });
+        let symbol = match same {
+            Some((_, _, symbol)) => *symbol,
+            None => fresh_symbol(arena, "root"),
+        };
+        known.push((f, argument, symbol));
+        put.push((*part, symbol));
+        if f == Function::Sqrt && arena.as_number(argument).is_none() {
+            put.push((argument, arena.square(symbol)));
+        }
+    }
+    let mut put = Substitution::new(&put);
+    rows.into_iter().map(|row| row.into_iter().map(|e| put.apply(arena, e)).collect()).collect()
 }

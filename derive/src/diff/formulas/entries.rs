@@ -7,7 +7,7 @@ use super::ratio::constant_ratio;
 use super::rounding::agrees_as_rounded;
 use super::terms::{WrongTerm, wrong_terms};
 use crate::diff::equations::claim::{Claim, Table};
-use crate::diff::repairs::{Repair, Slip, repair};
+use crate::diff::repairs::{Book, Formula, Repair, Slip, Tools, repair};
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
@@ -74,6 +74,8 @@ pub struct Judge<'a, 'b> {
     pub near: Option<Near>,
     /// Number of changes that may still be tried to name mistakes.
     pub changes_left: &'a mut usize,
+    /// Abbreviations of the publication, and those that are known to be wrong.
+    pub book: &'a mut Book,
     /// Parameters with the numbers that the publication, or else the model, gives them.
     pub numbers: &'a [(Expr, Expr)],
 }
@@ -232,21 +234,26 @@ impl Judge<'_, '_> {
     /// Mistake in a printed value: the wrong term of a sum, the smallest change that makes the formula right, all wrong
     /// terms of a sum, or the whole values if they are short.
     pub fn mistake(&mut self, printed: Printed, derived: Expr, difference: Expr) -> Mistake {
+        if let Some(mistake) = self.mistake_in_abbreviations(printed, derived) {
+            return mistake;
+        }
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
         let terms = wrong_terms(arena, simplifier, printed.value, difference);
         let words: Vec<String> = terms.iter().map(|term| term.words(arena)).collect();
         let slip = if let [term] = *terms.as_slice() { Some(term.slip(arena)) } else { None };
         match *terms.as_slice() {
-            [WrongTerm::Extra(own)] => return Mistake { words, change: Some((own, Expr::ZERO)), slip },
-            [WrongTerm::Other(own, right)] => return Mistake { words, change: Some((own, right)), slip },
+            [WrongTerm::Extra(own)] => return Mistake::of_one(words, (own, Expr::ZERO), slip),
+            [WrongTerm::Other(own, right)] => return Mistake::of_one(words, (own, right), slip),
             _ => {}
         }
         if self.near.is_none() {
             let (names, reading) = (self.names, printed.reading);
             let mut rewriting = |quantities: &mut Quantities<'_>, e: Expr| reading.value(quantities, names, e);
-            let found = repair(self.quantities, self.comparer, printed.raw, derived, &mut rewriting, self.changes_left);
-            if let Some(Repair { words, parts, slip }) = found {
-                return Mistake { words: vec![words], change: parts, slip: Some(slip) };
+            let mut formula = Formula::plain(&self.quantities.derivations.kinematics.arena, printed.raw);
+            let (quantities, comparer) = (&mut *self.quantities, &mut *self.comparer);
+            let mut tools = Tools { quantities, comparer, rewriting: &mut rewriting, left: self.changes_left };
+            if let Some(Repair { words, parts, slip, .. }) = repair(&mut tools, &mut formula, derived) {
+                return Mistake { words: vec![words], change: parts, slip: Some(slip), abbreviation: None };
             }
         }
         let arena = &self.quantities.derivations.kinematics.arena;
@@ -254,15 +261,29 @@ impl Judge<'_, '_> {
             *terms.as_slice()
         {
             let words = WrongTerm::Other(own, right).words(arena);
-            return Mistake { words: vec![words], change: Some((own, right)), slip };
+            return Mistake::of_one(vec![words], (own, right), slip);
         }
         let [before, after] = [printed.value, derived].map(|e| text(arena, e));
         let is_long = before.len() > LONGEST || after.len() > LONGEST;
         let is_each_printed = !terms.is_empty() && terms.iter().all(|term| !matches!(term, WrongTerm::Missing(_)));
         if is_long || is_each_printed {
-            return Mistake { words, change: None, slip };
+            return Mistake { words, change: None, slip, abbreviation: None };
         }
-        Mistake { words: vec![format!("{before} should be {after}")], change: Some((printed.value, derived)), slip }
+        Mistake::of_one(vec![format!("{before} should be {after}")], (printed.value, derived), slip)
+    }
+
+    /// Mistake of a formula that uses abbreviations, found with the abbreviations as symbols; `None` if there are none,
+    /// or if no mistake is found.
+    fn mistake_in_abbreviations(&mut self, printed: Printed, derived: Expr) -> Option<Mistake> {
+        if self.near.is_some() {
+            return None;
+        }
+        let (names, reading) = (self.names, printed.reading);
+        let mut rewriting = |quantities: &mut Quantities<'_>, e: Expr| reading.value(quantities, names, e);
+        let (quantities, comparer) = (&mut *self.quantities, &mut *self.comparer);
+        let mut tools = Tools { quantities, comparer, rewriting: &mut rewriting, left: self.changes_left };
+        let found = self.book.mistake(&mut tools, printed.raw, derived)?;
+        Some(Mistake { words: found.words, change: found.parts, slip: found.slip, abbreviation: found.abbreviation })
     }
 
     /// Shortest form of a term that is equal in permitted states.

@@ -50,6 +50,7 @@ impl Finding {
             wrong: None,
             change: None,
             slip: None,
+            abbreviation: None,
             places: Vec::new(),
             witness: None,
             factor: None,
@@ -67,6 +68,15 @@ pub(in crate::diff) struct Mistake {
     pub(in crate::diff) change: Option<(Expr, Expr)>,
     /// Kind of the mistake, if there is one alone.
     pub(in crate::diff) slip: Option<Slip>,
+    /// Name of the abbreviation in whose formula the mistake is, if this is the whole mistake.
+    pub(in crate::diff) abbreviation: Option<String>,
+}
+
+impl Mistake {
+    /// Mistake of one part, with the right part in its place.
+    pub(in crate::diff) fn of_one(words: Vec<String>, change: (Expr, Expr), slip: Option<Slip>) -> Self {
+        Self { words, change: Some(change), slip, abbreviation: None }
+    }
 }
 
 /// One entry of a publication with its judgement.
@@ -97,6 +107,8 @@ pub struct Finding {
     pub change: Option<(Expr, Expr)>,
     /// Kind of the mistake, if there is one alone.
     pub slip: Option<Slip>,
+    /// Name of the abbreviation in whose formula the mistake is, if this is the whole mistake.
+    pub abbreviation: Option<String>,
     /// Places of the mistakes in a row, such as "the right-hand side"; empty for other entries.
     pub places: Vec<String>,
     /// State in which the printed and the derived value differ.
@@ -121,6 +133,7 @@ impl Finding {
             wrong: None,
             change: None,
             slip: None,
+            abbreviation: None,
             places: Vec::new(),
             witness: None,
             remarks: Vec::new(),
@@ -134,8 +147,8 @@ impl Finding {
 
     /// Adds the description of the mistake, if there is one.
     pub(in crate::diff) fn name_mistake(&mut self, mistake: Mistake) {
-        let Mistake { words, change, slip } = mistake;
-        self.slip = slip;
+        let Mistake { words, change, slip, abbreviation } = mistake;
+        (self.slip, self.abbreviation) = (slip, abbreviation);
         self.wrong = (!words.is_empty()).then(|| words.join("; "));
         self.remarks.extend(words);
         self.change = change;

@@ -385,11 +385,14 @@ impl Judge<'_, '_> {
         let mut findings = Vec::new();
         let kind = if motion.in_rates { QuantityKind::SecondRate } else { QuantityKind::SpeedRate };
         let (_, variables) = places(self.quantities, listing);
-        for (i, at) in variables.into_iter().enumerate() {
-            let Some(at) = at else { continue };
+        let mut places: Vec<(usize, usize)> =
+            variables.into_iter().enumerate().filter_map(|(i, at)| Some((i, at?))).collect();
+        // A mistake of an abbreviation shows best where the abbreviation stands alone.
+        places.sort_by_key(|(_, at)| !self.book.is_name(listing.derivative[*at]));
+        for (i, at) in places {
             let (id, text) = (listing.derivative_id(&entry.id, at), &listing.derivative_texts[at]);
             let finding = stated(&id, entry, text);
-            findings.push(match &solution {
+            let found = match &solution {
                 Ok((values, _)) => {
                     let reading = Reading::of(listing.formulation);
                     let own = Printed { raw: listing.derivative[at], value: motion.right[i], reading };
@@ -399,9 +402,11 @@ impl Judge<'_, '_> {
                     let why = "the derived system is singular everywhere".to_owned();
                     (Finding { judgement: Judgement::Undecided(why), ..finding }, Claim::Other)
                 }
-            });
+            };
+            findings.push((i, found));
         }
-        findings
+        findings.sort_by_key(|(i, _)| *i);
+        findings.into_iter().map(|(_, found)| found).collect()
     }
 
     /// Judges a row. Its decimals, if it has some, may stand for parameters.
@@ -522,6 +527,7 @@ impl Judge<'_, '_> {
         }
         if let [mistake] = mistakes.as_slice() {
             (finding.change, finding.slip) = (mistake.change, mistake.slip);
+            finding.abbreviation.clone_from(&mistake.abbreviation);
         }
         let wrong = places.join("; ");
         finding.remarks.push(format!("wrong: {wrong}"));

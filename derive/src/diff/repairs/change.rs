@@ -168,7 +168,7 @@ fn throughout(arena: &mut Arena, pool: &Pool, part: Expr) -> Option<Vec<Variant>
 }
 
 /// Formula with `after` in the place of `before`; `None` if a divisor becomes 0.
-fn replaced(arena: &mut Arena, root: Expr, before: Expr, after: Expr) -> Option<Expr> {
+pub fn replaced(arena: &mut Arena, root: Expr, before: Expr, after: Expr) -> Option<Expr> {
     let mut put = Substitution::new(&[(before, after)]);
     let whole = put.apply(arena, root);
     put.undefined.is_none().then_some(whole)

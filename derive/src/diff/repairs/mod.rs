@@ -5,20 +5,26 @@
 //! proved equal to the derived value, as verdicts are. So a repair is never a guess, though another change may be right
 //! as well: the smallest one is reported.
 
+mod book;
 mod change;
-mod missing;
+mod formula;
 mod points;
 mod pool;
+mod spots;
 
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::Quantities;
+pub use book::Book;
 pub use change::Slip;
-use change::changes;
+use change::{Change, changes};
+pub use formula::Formula;
+use formula::Place;
 use points::Points;
 use pool::Pool;
+use spots::solved_spot;
 
 /// Most changes that are tried for all formulas of one publication together.
 pub const MOST_CHANGES: usize = 500_000;
@@ -33,6 +39,18 @@ const LONGEST: usize = 100;
 /// names. The error is the reason why a term has no value.
 pub type Rewriting<'a> = dyn FnMut(&mut Quantities<'_>, Expr) -> Result<Expr, String> + 'a;
 
+/// Tools of the search for repairs.
+pub struct Tools<'t, 'q> {
+    /// Derived quantities, with the arena of the derivations.
+    pub quantities: &'t mut Quantities<'q>,
+    /// Comparer, which proves repairs.
+    pub comparer: &'t mut Comparer,
+    /// Rewriting of printed terms.
+    pub rewriting: &'t mut Rewriting<'t>,
+    /// Number of changes that may still be tried; it goes down.
+    pub left: &'t mut usize,
+}
+
 /// Smallest change of a printed formula that makes it right.
 pub struct Repair {
     /// Description of the change, such as "3*u1*u3 should be 2*u1*u3".
@@ -41,50 +59,109 @@ pub struct Repair {
     pub parts: Option<(Expr, Expr)>,
     /// Kind of the mistake.
     pub slip: Slip,
+    /// Index, in the formula's list, of the abbreviation in which the mistake is; `None` for the formula itself.
+    place: Option<usize>,
+    /// Right formula at this place, in the arena of the formula.
+    changed: Expr,
 }
 
-/// Smallest change of `printed`, as it is printed, that makes it the derived value. `None` if no change of one place
-/// does, or if its words are long. `left` is the number of changes that may still be tried; it goes down.
-pub fn repair(
-    quantities: &mut Quantities<'_>,
-    comparer: &mut Comparer,
-    printed: Expr,
-    derived: Expr,
-    rewriting: &mut Rewriting<'_>,
-    left: &mut usize,
-) -> Option<Repair> {
-    let main = &quantities.derivations.kinematics.arena;
-    if *left == 0 || main.reachable(&[printed]).len() > MOST_NODES {
+impl Repair {
+    /// Repair of a part at a place.
+    fn at(place: Place, words: String, parts: (Expr, Expr), slip: Slip, changed: Expr) -> Self {
+        Self { words, parts: Some(parts), slip, place: place.at, changed }
+    }
+}
+
+/// Smallest change of a formula, as it is printed, that makes it the derived value. `None` if no change of one place
+/// does, or if its words are long.
+pub fn repair(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr) -> Option<Repair> {
+    let places = formula.places();
+    let nodes: Vec<Expr> = places.iter().map(|place| place.formula).collect();
+    if *tools.left == 0 || formula.arena.reachable(&nodes).len() > MOST_NODES {
         return None;
     }
-    // Changes are built in an arena of their own: they must not change the order of terms in the main one.
-    let mut arena = Arena::new();
-    let root = Transfer::new(main).term(&mut arena, printed);
-    let pool = Pool::new(quantities, &mut arena, root, derived);
-    let mut points = Points::new(quantities, comparer, &arena, pool.symbols(), derived, rewriting)?;
-    let mut close: Vec<change::Change> = Vec::new();
-    changes(&mut arena, &pool, root, left, &mut |arena, change| {
-        if points.agree(arena, change.whole) {
-            close.push(change);
-        }
-    });
-    close.sort_by_key(|change| change.slip);
-    close.dedup_by_key(|change| change.whole);
-    for change in close.into_iter().take(MOST_PROOFS) {
-        let [before, after] = [change.before, change.after].map(|e| text(&arena, e));
-        if before.len() > LONGEST || after.len() > LONGEST {
-            continue;
-        }
-        let main = &mut quantities.derivations.kinematics.arena;
-        let whole = Transfer::new(&arena).term(main, change.whole);
-        let Ok(whole) = rewriting(quantities, whole) else { continue };
-        let main = &mut quantities.derivations.kinematics.arena;
-        if comparer.compare(main, whole, derived).is_equal() {
-            let mut transfer = Transfer::new(&arena);
-            let parts = (transfer.term(main, change.before), transfer.term(main, change.after));
-            return Some(Repair { words: change.words(&before, &after), parts: Some(parts), slip: change.slip });
+    let close = close_changes(tools, formula, &places, derived)?;
+    for (place, change, whole) in close.into_iter().take(MOST_PROOFS) {
+        if let Some(found) = proved(tools, formula, (place, change, whole), derived) {
+            return Some(found);
         }
     }
-    let words = missing::missing_term(quantities, comparer, printed, derived, rewriting)?;
-    Some(Repair { words, parts: None, slip: Slip::LostTerm })
+    solved_spot(tools, formula, derived)
+}
+
+/// Changes that numbers do not reject, the likeliest first, each with its place and the whole changed formula. `None`
+/// if there are no numbers.
+fn close_changes(
+    tools: &mut Tools<'_, '_>,
+    formula: &mut Formula,
+    places: &[Place],
+    derived: Expr,
+) -> Option<Vec<(Place, Change, Expr)>> {
+    // Changes are built in an arena of their own: they must not change the order of terms in the main one.
+    let mut arena = std::mem::take(&mut formula.arena);
+    let pools: Vec<Pool> =
+        places.iter().map(|place| Pool::new(tools.quantities, &mut arena, place.formula, derived)).collect();
+    let mut symbols: Vec<Expr> = pools.iter().flat_map(|pool| pool.symbols().iter().copied()).collect();
+    symbols.retain(|symbol| formula.parts.iter().all(|part| part.symbol != *symbol));
+    symbols.sort_unstable();
+    symbols.dedup();
+    let points = Points::new(tools.quantities, tools.comparer, &arena, &symbols, derived, tools.rewriting);
+    let Some(mut points) = points else {
+        formula.arena = arena;
+        return None;
+    };
+    for part in &formula.parts {
+        points.define(&arena, part.symbol, part.formula);
+    }
+    let mut close: Vec<(Place, Change, Expr)> = Vec::new();
+    for (place, pool) in places.iter().zip(&pools) {
+        changes(&mut arena, pool, place.formula, tools.left, &mut |arena, change| {
+            let whole = formula.whole(arena, *place, change.whole);
+            if let Some(whole) = whole.filter(|whole| points.agree(arena, *whole)) {
+                close.push((*place, change, whole));
+            }
+        });
+    }
+    formula.arena = arena;
+    close.sort_by_key(|(_, change, _)| change.slip);
+    close.dedup_by_key(|(.., whole)| *whole);
+    Some(close)
+}
+
+/// Repair by a change of which numbers are right, if it is proved and its words are short.
+fn proved(
+    tools: &mut Tools<'_, '_>,
+    formula: &mut Formula,
+    (place, change, whole): (Place, Change, Expr),
+    derived: Expr,
+) -> Option<Repair> {
+    let [before, after] = [change.before, change.after].map(|e| text(&formula.arena, e));
+    if before.len() > LONGEST || after.len() > LONGEST {
+        return None;
+    }
+    let whole = formula.written_out(whole)?;
+    let main = &mut tools.quantities.derivations.kinematics.arena;
+    let whole = Transfer::new(&formula.arena).term(main, whole);
+    let whole = (tools.rewriting)(tools.quantities, whole).ok()?;
+    let main = &mut tools.quantities.derivations.kinematics.arena;
+    if !tools.comparer.compare(main, whole, derived).is_equal() {
+        return None;
+    }
+    let [wrong, right] = [formula.written_out(change.before)?, formula.written_out(change.after)?];
+    let main = &mut tools.quantities.derivations.kinematics.arena;
+    let mut transfer = Transfer::new(&formula.arena);
+    let parts = (transfer.term(main, wrong), transfer.term(main, right));
+    let words = change.words(&before, &after);
+    let words = formula.name(place).map_or_else(|| words.clone(), |name| format!("in {name}, {words}"));
+    Some(Repair::at(place, words, parts, change.slip, change.whole))
+}
+
+/// True if a formula, with abbreviations written out, is the derived value.
+fn is_right(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr) -> bool {
+    let Some(whole) = formula.written_out(formula.root) else { return false };
+    let main: &mut Arena = &mut tools.quantities.derivations.kinematics.arena;
+    let whole = Transfer::new(&formula.arena).term(main, whole);
+    let Ok(whole) = (tools.rewriting)(tools.quantities, whole) else { return false };
+    let main = &mut tools.quantities.derivations.kinematics.arena;
+    tools.comparer.compare(main, whole, derived).is_equal()
 }

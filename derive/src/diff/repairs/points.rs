@@ -69,11 +69,26 @@ impl Points {
         None
     }
 
-    /// True if a changed formula has the right value at all states, up to rounding.
-    pub fn agree(&mut self, arena: &Arena, changed: Expr) -> bool {
-        for part in arena.reachable_until(&[changed], |e| self.values.contains_key(&e)) {
+    /// Gives a symbol the values of a formula, if these are known.
+    pub fn define(&mut self, arena: &Arena, symbol: Expr, formula: Expr) {
+        if self.fill(arena, formula) {
+            self.values.insert(symbol, self.values[&formula]);
+        }
+    }
+
+    /// Computes the values of a formula; false if a symbol in it has none.
+    fn fill(&mut self, arena: &Arena, e: Expr) -> bool {
+        for part in arena.reachable_until(&[e], |e| self.values.contains_key(&e)) {
             let Some(value) = self.value(arena, part) else { return false };
             self.values.insert(part, value);
+        }
+        true
+    }
+
+    /// True if a changed formula has the right value at all states, up to rounding.
+    pub fn agree(&mut self, arena: &Arena, changed: Expr) -> bool {
+        if !self.fill(arena, changed) {
+            return false;
         }
         let values = self.values[&changed];
         values.iter().zip(&self.right).all(|(value, right)| (value - right).abs() <= SMALL * right.abs().max(1e-3))

@@ -62,6 +62,16 @@ const FEWEST_PARTS: usize = 5;
 fn alike(arena: &Arena, wrong: &[&Finding], reasons: &mut [Option<Reason>]) {
     for at in 0..wrong.len() {
         let Some(change) = wrong[at].change.filter(|_| reasons[at].is_none()) else { continue };
+        // The formula of an abbreviation stands once, whoever uses it.
+        let is_same = |source: &usize| {
+            wrong[*source].abbreviation == wrong[at].abbreviation && wrong[*source].change == wrong[at].change
+        };
+        if wrong[at].abbreviation.is_some()
+            && let Some(source) = (0..at).find(is_same)
+        {
+            reasons[at] = Some(Reason::new(Link::Repeated, vec![source]));
+            continue;
+        }
         if arena.reachable(&[change.0]).len() < FEWEST_PARTS {
             continue;
         }

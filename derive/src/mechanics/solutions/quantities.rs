@@ -9,6 +9,7 @@ mod parse;
 #[cfg(test)]
 mod tests;
 mod vectors;
+mod velocity_terms;
 
 pub use parse::QuantityError;
 
@@ -85,7 +86,7 @@ impl<'a> Quantities<'a> {
     /// Derived value of a quantity, simplified.
     ///
     /// Values are in parameters, q and u. Those with accelerations are also linear in u̇, and loads contain reactions.
-    /// Speeds and Lagrange's E and A are in q and q̇.
+    /// Speeds, Lagrange's E and A, and terms of M q̈ + C q̇ + g = τ are in q and q̇.
     ///
     /// # Errors
     /// Reason why the formulation of the quantity cannot be derived.
@@ -111,6 +112,10 @@ impl<'a> Quantities<'a> {
             QuantityKind::Row(Row::InertiaForce, at) => self.inertia_forces()[at],
             QuantityKind::Row(Row::Forcing, at) => self.equations(Formulation::Kane)?.forcing[at],
             QuantityKind::Row(Row::LagrangeForcing, at) => self.equations(Formulation::Lagrange)?.forcing[at],
+            QuantityKind::Row(Row::VelocityTerms, at) => self.velocity_terms(at)?,
+            QuantityKind::Row(Row::PotentialSlope, at) => self.potential_slope(at)?,
+            QuantityKind::Christoffel(i, j) => self.christoffel(i, j)?,
+            QuantityKind::MassRate(i, j) => self.mass_rate(i, j)?,
             QuantityKind::MassMatrix(i, j) => self.equations(Formulation::Kane)?.matrix[i][j],
             QuantityKind::LagrangeMatrix(i, j) => self.equations(Formulation::Lagrange)?.matrix[i][j],
             QuantityKind::Energy(energy) => self.energy(energy)?,

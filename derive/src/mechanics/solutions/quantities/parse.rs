@@ -17,7 +17,7 @@ pub struct QuantityError {
 }
 
 /// Names of quantities that are neither vectors, rows nor energies.
-const OTHER_NAMES: [&str; 5] = ["rotation", "d", "I", "M", "E"];
+const OTHER_NAMES: [&str; 7] = ["rotation", "d", "I", "M", "E", "C", "Edot"];
 
 impl Quantity {
     /// Reads the name of a quantity; `docs/publication.md` lists all names.
@@ -124,7 +124,7 @@ impl<'a> Cursor<'a> {
             return Ok(QuantityKind::Component { vector: *vector, of, frame, axis });
         }
         if let Some((row, name)) = Row::ALL.iter().find(|(_, n)| *n == head) {
-            let lagrange = *row == Row::LagrangeForcing;
+            let lagrange = row.is_of_coordinates();
             self.form = format!("{name}[{}]", if lagrange { "COORDINATE" } else { "SPEED" });
             self.mark('[')?;
             let at = if lagrange { self.coordinate()? } else { self.speed()? };
@@ -135,7 +135,7 @@ impl<'a> Cursor<'a> {
             "rotation" => self.rotation(),
             "d" => self.partial(),
             "I" => self.inertia(),
-            "M" | "E" => self.matrix_entry(head),
+            "M" | "E" | "C" | "Edot" => self.matrix_entry(head),
             _ => Err(self.unknown(head, range)),
         }
     }
@@ -241,7 +241,12 @@ impl<'a> Cursor<'a> {
         self.mark(',')?;
         let column = if kane { self.speed()? } else { self.coordinate()? };
         self.mark(']')?;
-        Ok(if kane { QuantityKind::MassMatrix(row, column) } else { QuantityKind::LagrangeMatrix(row, column) })
+        Ok(match head {
+            "M" => QuantityKind::MassMatrix(row, column),
+            "C" => QuantityKind::Christoffel(row, column),
+            "Edot" => QuantityKind::MassRate(row, column),
+            _ => QuantityKind::LagrangeMatrix(row, column),
+        })
     }
 
     /// Reads `[ROW,COLUMN]` of a tensor.

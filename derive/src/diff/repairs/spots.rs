@@ -1,0 +1,269 @@
+//! Right values of single spots of a wrong formula, solved for.
+//!
+//! If a formula, or its reciprocal, is linear in one spot, the right value of this spot follows from the derived value.
+//! It is a repair if it is as simple as what people print: a missing term, a sum of parameters for a symbol or a
+//! number, another product for a term.
+
+use super::formula::{Formula, Place};
+use super::{LONGEST, Repair, Slip, Tools};
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::term::steps::fresh_symbol;
+use crate::algebra::term::transfer::Transfer;
+use crate::algebra::text::print::text;
+use crate::algebra::{Arena, Expr, Node};
+use crate::mechanics::Kinematics;
+
+/// Most sums of a formula in which a missing term is sought.
+const MOST_SUMS: usize = 12;
+/// Most terms of a formula whose right values are sought.
+const MOST_TERMS: usize = 16;
+/// Most nodes of a formula in which right values of terms are sought.
+const MOST_NODES: usize = 150;
+/// Number of changes that one spot counts for.
+const COST: usize = 1_000;
+/// Number of characters that are shown of the sum in which a term is missing.
+const LONGEST_SUM: usize = 60;
+/// Most terms of a sum of parameters that stands for a symbol or a number.
+const MOST_ADDED: usize = 3;
+
+/// Kinds of spots.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    /// A sum in which a term may be missing.
+    Sum,
+    /// A symbol wherever it stands, or an abbreviation as a whole.
+    Whole,
+    /// A term of a sum.
+    Term,
+}
+
+/// A part of the formula at a place, with the formula in which the symbol `place` stands for it.
+struct Spot {
+    kind: Kind,
+    part: Expr,
+    changed: Expr,
+}
+
+/// Repair by the right value of one spot: a missing term first, then a symbol or an abbreviation, then a term. `None`
+/// if no value is simple.
+pub fn solved_spot(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr) -> Option<Repair> {
+    let main = &mut tools.quantities.derivations.kinematics.arena;
+    let symbol = fresh_symbol(main, "place");
+    let name = main.symbol_name(symbol).unwrap_or_default().to_owned();
+    let places = formula.places();
+    let inner = formula.arena.symbol(&name);
+    let is_long = formula.arena.reachable(&[formula.root]).len() > MOST_NODES;
+    for kind in [Kind::Sum, Kind::Whole, Kind::Term] {
+        if is_long && kind == Kind::Term {
+            return None;
+        }
+        let mut best: Option<Repair> = None;
+        for place in &places {
+            for spot in spots(tools, formula, *place, kind, inner) {
+                let Some(left) = tools.left.checked_sub(COST) else { return best };
+                *tools.left = left;
+                let Some(found) = solved(tools, formula, (*place, &spot), symbol, derived) else { continue };
+                if best.as_ref().is_none_or(|best| found.words.len() < best.words.len()) {
+                    best = Some(found);
+                }
+            }
+        }
+        if best.is_some() {
+            return best;
+        }
+    }
+    None
+}
+
+/// Spots of a kind in the formula at a place.
+fn spots(tools: &Tools<'_, '_>, formula: &mut Formula, place: Place, kind: Kind, symbol: Expr) -> Vec<Spot> {
+    let arena = &mut formula.arena;
+    let parts = arena.reachable(&[place.formula]);
+    let mut list = Vec::new();
+    let mut replace = |arena: &mut Arena, part: Expr, by: Expr, shown: Expr| {
+        let mut put = Substitution::new(&[(part, by)]);
+        let changed = put.apply(arena, place.formula);
+        if put.undefined.is_none() {
+            list.push(Spot { kind, part: shown, changed });
+        }
+    };
+    match kind {
+        Kind::Sum => {
+            for sum in parts
+                .into_iter()
+                .rev()
+                .filter(|e| matches!(arena.node(*e), Node::Sum(..)))
+                .take(MOST_SUMS)
+                .collect::<Vec<_>>()
+            {
+                replace(arena, sum, symbol, sum);
+            }
+        }
+        Kind::Whole => {
+            if place.at.is_some() {
+                replace(arena, place.formula, symbol, place.formula);
+            }
+            let model = tools.quantities.model;
+            for p in parts {
+                if arena.symbol_name(p).is_some_and(|name| model.parameters.iter().any(|q| q.name == name)) {
+                    replace(arena, p, symbol, p);
+                }
+            }
+        }
+        Kind::Term => {
+            let mut count = 0;
+            for sum in parts.into_iter().rev() {
+                let Node::Sum(_, terms) = arena.node(sum).clone() else { continue };
+                for (term, k) in terms.iter().filter(|_| terms.len() > 1) {
+                    count += 1;
+                    if count > MOST_TERMS {
+                        return list;
+                    }
+                    let own = arena.scale(*term, k);
+                    let rest = arena.sub(sum, own);
+                    let changed = arena.add(rest, symbol);
+                    replace(arena, sum, changed, own);
+                }
+            }
+        }
+    }
+    list
+}
+
+/// Repair by the right value of a spot, proved; `None` if the value does not follow, or is not simple.
+fn solved(
+    tools: &mut Tools<'_, '_>,
+    formula: &mut Formula,
+    (place, spot): (Place, &Spot),
+    symbol: Expr,
+    derived: Expr,
+) -> Option<Repair> {
+    let mut arena = std::mem::take(&mut formula.arena);
+    let whole = formula.whole(&mut arena, place, spot.changed);
+    formula.arena = arena;
+    let whole = formula.written_out(whole?)?;
+    let part = formula.written_out(spot.part)?;
+    let main = &mut tools.quantities.derivations.kinematics.arena;
+    let mut transfer = Transfer::new(&formula.arena);
+    let (whole, part) = (transfer.term(main, whole), transfer.term(main, part));
+    let added = added(tools, (whole, part), symbol, derived)?;
+    let main = &mut tools.quantities.derivations.kinematics.arena;
+    let sum = main.add(part, added);
+    let right = tools.quantities.derivations.kinematics.simplifier.simplify(main, sum);
+    let parameters = tools.quantities.model.p();
+    let main = &mut tools.quantities.derivations.kinematics.arena;
+    let shown = match spot.kind {
+        Kind::Sum => (is_plain(main, &parameters, added) && !has_a_sum(main, added)).then_some(added)?,
+        Kind::Whole => (is_of(main, &parameters, right) && is_short_sum(main, &parameters, right)).then_some(right)?,
+        Kind::Term => {
+            let ratio = main.div(right, part)?;
+            let ratio = tools.quantities.derivations.kinematics.simplifier.simplify(main, ratio);
+            let main = &tools.quantities.derivations.kinematics.arena;
+            let is_near = is_of(main, &parameters, ratio) && is_short_sum(main, &parameters, ratio);
+            (is_near || is_plain(main, &parameters, right)).then_some(right)?
+        }
+    };
+    let main = &mut tools.quantities.derivations.kinematics.arena;
+    let corrected = Substitution::new(&[(symbol, sum)]).apply(main, whole);
+    let corrected = (tools.rewriting)(tools.quantities, corrected).ok()?;
+    let main = &mut tools.quantities.derivations.kinematics.arena;
+    if !tools.comparer.compare(main, corrected, derived).is_equal() {
+        return None;
+    }
+    let (words, before) = (text(main, shown), text(&formula.arena, spot.part));
+    if words.len() > LONGEST || (spot.kind != Kind::Sum && before.len() > LONGEST) {
+        return None;
+    }
+    let right_in_place = Transfer::new(main).term(&mut formula.arena, right);
+    let inner = formula.arena.symbol(main.symbol_name(symbol).unwrap_or_default());
+    let changed = Substitution::new(&[(inner, right_in_place)]).apply(&mut formula.arena, spot.changed);
+    let is_throughout = spot.kind == Kind::Whole && spot.part != place.formula;
+    let throughout = if is_throughout { " throughout" } else { "" };
+    let (words, slip) = match (spot.kind, formula.name(place)) {
+        (Kind::Sum, _) if spot.part == place.formula => (format!("the term {words} is missing"), Slip::LostTerm),
+        (Kind::Sum, _) => (format!("in {}, the term {words} is missing", beginning(&before)), Slip::LostTerm),
+        (Kind::Whole, Some(name)) if !is_throughout => {
+            let words = format!("{before} should be {words}");
+            return Some(Repair::at(place, format!("in {name}, {words}"), (part, right), Slip::Symbol, changed));
+        }
+        (Kind::Whole, _) => (format!("{before} should be {words}{throughout}"), Slip::Symbol),
+        (Kind::Term, _) => (format!("the term {before} should be {words}"), Slip::LostFactor),
+    };
+    let words = formula.name(place).map_or_else(|| words.clone(), |name| format!("in {name}, {words}"));
+    let parts = (spot.kind != Kind::Sum || place.at.is_some()).then_some((part, right));
+    Some(Repair { words, parts, slip, place: place.at, changed })
+}
+
+/// Term that makes a formula right where it is added to `part`, for which the symbol stands in `whole`. `None` if
+/// neither the formula nor its reciprocal is linear in the symbol.
+fn added(tools: &mut Tools<'_, '_>, (whole, part): (Expr, Expr), symbol: Expr, derived: Expr) -> Option<Expr> {
+    let arena = &mut tools.quantities.derivations.kinematics.arena;
+    let inverse = arena.div(Expr::ONE, whole);
+    let inverse_derived = arena.div(Expr::ONE, derived);
+    let pairs = [Some((whole, derived)), inverse.zip(inverse_derived)];
+    for (with_place, right) in pairs.into_iter().flatten() {
+        let arena = &mut tools.quantities.derivations.kinematics.arena;
+        let slope = Differential::partial(symbol).apply(arena, with_place);
+        if slope == Expr::ZERO || arena.mentions(slope, symbol) {
+            continue;
+        }
+        let now = Substitution::new(&[(symbol, part)]).apply(arena, with_place);
+        let slope = (tools.rewriting)(tools.quantities, slope).ok()?;
+        let now = (tools.rewriting)(tools.quantities, now).ok()?;
+        let Kinematics { arena, simplifier, .. } = &mut tools.quantities.derivations.kinematics;
+        let difference = arena.sub(right, now);
+        let term = arena.div(difference, slope)?;
+        return Some(simplifier.simplify(arena, term));
+    }
+    None
+}
+
+/// Beginning of a long text, with an ellipsis; a short text as it is.
+fn beginning(text: &str) -> String {
+    if text.chars().count() <= LONGEST_SUM {
+        return text.to_owned();
+    }
+    format!("{}…", text.chars().take(LONGEST_SUM).collect::<String>())
+}
+
+/// True if a term contains no symbols but these.
+fn is_of(arena: &Arena, parameters: &[Expr], e: Expr) -> bool {
+    arena.reachable(&[e]).into_iter().all(|part| arena.symbol_name(part).is_none() || parameters.contains(&part))
+}
+
+/// True if a term is a plain term or a sum of few plain terms, which may be a factor.
+fn is_short_sum(arena: &Arena, parameters: &[Expr], e: Expr) -> bool {
+    match arena.node(e) {
+        Node::Sum(constant, terms) => {
+            terms.len() + usize::from(!constant.is_zero()) <= MOST_ADDED
+                && terms.iter().all(|(term, _)| is_plain(arena, parameters, *term))
+        }
+        Node::Product(factors) => {
+            factors.iter().filter(|(base, _)| matches!(arena.node(*base), Node::Sum(..))).count() < 2
+                && factors.iter().all(|(base, _)| is_short_sum(arena, parameters, *base))
+        }
+        _ => is_plain(arena, parameters, e),
+    }
+}
+
+/// True if a term has a factor or divisor that is a sum.
+fn has_a_sum(arena: &Arena, e: Expr) -> bool {
+    match arena.node(e) {
+        Node::Sum(_, terms) => terms.len() == 1 && has_a_sum(arena, terms[0].0),
+        Node::Product(factors) => factors.iter().any(|(base, _)| matches!(arena.node(*base), Node::Sum(..))),
+        _ => false,
+    }
+}
+
+/// True if a term is a number times whole powers of symbols, sines and cosines; only parameters may divide.
+fn is_plain(arena: &Arena, parameters: &[Expr], term: Expr) -> bool {
+    match arena.node(term) {
+        Node::Sum(constant, terms) => constant.is_zero() && terms.len() == 1 && is_plain(arena, parameters, terms[0].0),
+        Node::Product(factors) => factors.iter().all(|(base, n)| match arena.node(*base) {
+            Node::Sum(..) => *n < 0 && is_of(arena, parameters, *base),
+            _ => *n > 0 || parameters.contains(base),
+        }),
+        Node::Symbol(_) | Node::Apply(..) | Node::Number(_) | Node::Pi => true,
+        Node::Named(..) => false,
+    }
+}

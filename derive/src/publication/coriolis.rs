@@ -1,0 +1,92 @@
+//! Matrix C of M(q) q̈ + C(q, q̇) q̇ + g(q) = τ: the entries by which it is judged.
+//!
+//! C is not unique. So each row is judged by its product with q̇. What the publication claims of C is judged beside it:
+//! that it is the choice by Christoffel symbols, or that Ṁ − 2 C is skew-symmetric, which is C + Cᵀ = Ṁ.
+
+use super::EntryKind;
+use super::entries::Item;
+use super::read::Loading;
+use crate::algebra::Expr;
+use crate::diagnostic::{nearest, shown};
+use crate::mechanics::{Quantity, QuantityKind, Row};
+use crate::model::TIME;
+use crate::read::Located;
+
+/// Claims on C that a publication may state.
+const CLAIMS: [&str; 2] = ["christoffel", "skew-symmetric"];
+
+/// An entry of a matrix: its term and its text.
+pub type Cell = (Expr, String);
+
+impl<'a> Loading<'a, '_> {
+    /// Entries by which a matrix C is judged, each with the suffix of its id. Reports a matrix that has not one row and
+    /// one column for each coordinate.
+    pub fn coriolis(
+        &mut self,
+        item: &Item<'a>,
+        cells: &[Vec<Cell>],
+        printed: &Located,
+    ) -> Option<Vec<(String, EntryKind)>> {
+        let claims = self.claims(item)?;
+        if !self.coordinates.is_empty() {
+            let message = "C is judged in the coordinates of the model, and the publication has its own";
+            let help = "print each row of C q' as an equation of motion, or leave `[coordinates]` out";
+            self.reader.error(printed.span.clone(), message, help);
+            return None;
+        }
+        let coordinates: Vec<(String, Expr)> =
+            self.model.coordinates.iter().filter(|c| c.name != TIME).map(|c| (c.name.clone(), c.rate)).collect();
+        let n = coordinates.len();
+        if cells.len() != n || cells[0].len() != n {
+            let message = format!("C is a matrix of {} by {} for {n} coordinates", cells.len(), cells[0].len());
+            self.reader.error(printed.span.clone(), message, "C has a row and a column for each coordinate");
+            return None;
+        }
+        let mut list = Vec::new();
+        for (i, row) in cells.iter().enumerate() {
+            let arena = &mut self.model.arena;
+            let terms: Vec<Expr> =
+                row.iter().zip(&coordinates).map(|((e, _), (_, rate))| arena.mul(*e, *rate)).collect();
+            let sum = arena.sum(&terms);
+            let texts = row.iter().zip(&coordinates).filter(|((e, _), _)| *e != Expr::ZERO);
+            let texts: Vec<String> = texts.map(|((_, text), (name, _))| format!("({text})*{name}'")).collect();
+            let text = if texts.is_empty() { "0".to_owned() } else { texts.join(" + ") };
+            list.push((format!("row{}", i + 1), self.component(QuantityKind::Row(Row::VelocityTerms, i), sum, text)));
+        }
+        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+            let (e, text) = &cells[i][j];
+            if claims.contains(&CLAIMS[0]) {
+                let kind = self.component(QuantityKind::Christoffel(i, j), *e, text.clone());
+                list.push((format!("christoffel-{}{}", i + 1, j + 1), kind));
+            }
+            if claims.contains(&CLAIMS[1]) && i <= j {
+                let (other, other_text) = &cells[j][i];
+                let sum = self.model.arena.add(*e, *other);
+                let kind = self.component(QuantityKind::MassRate(i, j), sum, format!("{text} + {other_text}"));
+                list.push((format!("skew-{}{}", i + 1, j + 1), kind));
+            }
+        }
+        Some(list)
+    }
+
+    fn component(&self, kind: QuantityKind, printed: Expr, text: String) -> EntryKind {
+        EntryKind::Equation { quantity: Quantity::new(kind, self.model), printed, text }
+    }
+
+    /// Claims that an entry states under `claims`; reports an unknown one.
+    fn claims(&mut self, item: &Item<'a>) -> Option<Vec<&'static str>> {
+        let Some(value) = self.reader.get(item.table, "claims") else { return Some(Vec::new()) };
+        let array = self.array(value, "`claims`", "claims = [\"skew-symmetric\"]")?;
+        let mut list = Vec::new();
+        for value in array {
+            let claim = self.reader.string(value, "a claim")?;
+            let Some(known) = CLAIMS.iter().find(|known| **known == claim.text) else {
+                let message = format!("there is no claim `{}`", shown(&claim.text));
+                self.reader.error(claim.span, message, nearest(&claim.text, CLAIMS));
+                return None;
+            };
+            list.push(*known);
+        }
+        Some(list)
+    }
+}

@@ -1,0 +1,91 @@
+//! Formulas of a publication as printed, with its abbreviations as symbols.
+//!
+//! Entries are judged with abbreviations written out. Beside each such formula stands the one as printed, so that a
+//! mistake in an abbreviation is found in the abbreviation's own formula. The formulas as printed are in an arena of
+//! their own: they must not change the order of terms in that of the model.
+
+use crate::algebra::term::transfer::Transfer;
+use crate::algebra::{Arena, Expr, Node};
+use rustc_hash::FxHashMap;
+
+/// An abbreviation of a publication that is more than another name of a symbol, number or function.
+#[derive(Clone, Debug)]
+pub struct Abbreviation {
+    /// Name of the abbreviation.
+    pub name: String,
+    /// Symbol of the abbreviation in the arena of the shorthand.
+    pub symbol: Expr,
+    /// Formula of the abbreviation as printed, with earlier abbreviations as symbols.
+    pub formula: Expr,
+}
+
+/// Abbreviations of a publication, and the formulas that use them as printed.
+#[derive(Clone, Default)]
+pub struct Shorthand {
+    /// Store of the terms of the formulas as printed.
+    pub(super) arena: Arena,
+    /// Abbreviations in the order of the publication file.
+    pub(super) list: Vec<Abbreviation>,
+    /// Formulas as printed, by the formula in the model's arena in which all abbreviations are written out.
+    pub(super) printed: FxHashMap<Expr, Expr>,
+}
+
+impl std::fmt::Debug for Shorthand {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Shorthand").field("list", &self.list).finish_non_exhaustive()
+    }
+}
+
+impl Shorthand {
+    /// Store of the terms of the formulas as printed.
+    #[must_use]
+    pub fn arena(&self) -> &Arena {
+        &self.arena
+    }
+
+    /// Abbreviations in the order of the publication file.
+    #[must_use]
+    pub fn abbreviations(&self) -> &[Abbreviation] {
+        &self.list
+    }
+
+    /// Formula as printed, with abbreviations as symbols, in the arena of the shorthand. `None` if the formula uses no
+    /// abbreviation.
+    #[must_use]
+    pub fn as_printed(&self, e: Expr) -> Option<Expr> {
+        self.printed.get(&e).copied()
+    }
+
+    /// Enters an abbreviation whose formula in the model's arena is `e`. Other names of symbols, numbers and functions,
+    /// such as s1 for sin(q1), are written out everywhere.
+    pub(super) fn enter(&mut self, model: &Arena, name: &str, e: Expr) {
+        if self.arena.find_symbol(name).is_some() || (!is_formula(model, e) && !self.printed.contains_key(&e)) {
+            return;
+        }
+        let formula = self.as_printed(e).unwrap_or_else(|| Transfer::new(model).term(&mut self.arena, e));
+        let symbol = self.arena.symbol(name);
+        // A formula that is an abbreviation alone is printed as its name.
+        self.printed.insert(e, symbol);
+        self.list.push(Abbreviation { name: name.to_owned(), symbol, formula });
+    }
+
+    /// True if a formula is printed as the name of an abbreviation alone.
+    #[must_use]
+    pub fn is_name(&self, e: Expr) -> bool {
+        self.as_printed(e).is_some_and(|printed| self.list.iter().any(|one| one.symbol == printed))
+    }
+
+    /// Symbol of an abbreviation; `None` for a name that is no abbreviation or is written out.
+    pub(super) fn symbol(&self, name: &str) -> Option<Expr> {
+        self.list.iter().find(|one| one.name == name).map(|one| one.symbol)
+    }
+}
+
+/// True if a term is a sum of two terms at least, or a product of two factors at least.
+fn is_formula(arena: &Arena, e: Expr) -> bool {
+    match arena.node(e) {
+        Node::Sum(constant, terms) => terms.len() > 1 || !constant.is_zero() || is_formula(arena, terms[0].0),
+        Node::Product(factors) => factors.len() > 1 || is_formula(arena, factors[0].0),
+        _ => false,
+    }
+}

@@ -1,0 +1,57 @@
+//! Mistakes in abbreviations are named once, in the abbreviation's own formula, whatever uses it.
+
+use super::judge;
+use std::path::Path;
+use tripos_derive::Model;
+use tripos_derive::diagnostic::Source;
+use tripos_derive::diff::Difference;
+
+/// A publication of the shelf with a piece replaced.
+fn shelf(name: &str, old: &str, new: &str) -> Difference {
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../publications")).join(name);
+    let model = Model::read(&folder.join("model.toml")).unwrap();
+    let text = Source::read(&folder.join("publication.toml")).unwrap().text;
+    assert!(text.contains(old), "{name} has no `{old}`");
+    judge(model, &Source::from_text("publication.toml", &text.replacen(old, new, 1)))
+}
+
+/// The mistake of each root.
+fn mistakes(difference: &Difference) -> Vec<&str> {
+    difference.roots.iter().map(|root| root.mistake.as_str()).collect()
+}
+
+/// Method: single slips in the abbreviations of a right program, each of which two or more statements use, some of them
+/// in products and quotients.
+#[test]
+fn a_slip_in_an_abbreviation_is_one_root() {
+    for (old, new, name) in [
+        ("2 * l1 * lc2 * np.cos(theta2)) + I1", "l1 * lc2 * np.cos(theta2)) + I1", "d1"),
+        ("+ I1 + I2", "+ I1 - I2", "d1"),
+        ("m2 * (lc2 ** 2 + l1 * lc2", "m2 * (lc2 ** 2 - l1 * lc2", "d2"),
+        ("np.cos(theta2)) + I2", "np.cos(theta2)) + I1", "d2"),
+        ("np.cos(theta1 + theta2", "np.cos(theta1 - theta2", "phi2"),
+        ("- 2 * m2 * l1", "- m2 * l1", "phi1"),
+        ("dtheta2 ** 2 * np.sin", "dtheta1 ** 2 * np.sin", "phi1"),
+        ("lc2 * dtheta1 ** 2 * np.sin(theta2) - phi2", "lc2 * dtheta1 ** 2 * np.cos(theta2) - phi2", "ddtheta2"),
+        ("(a + d2 / d1", "(a - d2 / d1", "ddtheta2"),
+    ] {
+        let difference = shelf("acrobot_book", old, new);
+        assert_eq!(difference.count("different"), 2, "{new}");
+        let found = mistakes(&difference);
+        assert!(found.len() == 1 && found[0].starts_with(&format!("in {name}, ")), "{new}: {found:?}");
+    }
+}
+
+/// Truth: the README of each publication, by hand.
+#[test]
+fn abbreviations_of_published_programs_have_their_mistakes() {
+    let acrobot = shelf("acrobot_sutton", "title", "title");
+    let found = mistakes(&acrobot);
+    assert_eq!(found.len(), 1, "{found:?}");
+    let numerator = "in ddtheta2, in phi2 - d2*phi1/d1 - tau, the term ";
+    assert_eq!(found[0], format!("{numerator}m2*l1*lc2*theta1'^2*sin(theta2) is missing"));
+    let cart = shelf("cart_pole_pufferlib", "title", "title");
+    let found = mistakes(&cart);
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert_eq!(found[0], "in polemass_length, total_mass + m_p should be m_p*l");
+}
