@@ -220,8 +220,8 @@ impl<'a> Loading<'a, '_> {
         }
         let name = targets[0].clone();
         if is_number(&right.text) && operator.is_none() && self.words.meaning(&name).is_some_and(|(_, is)| is) {
-            // A program's number of a parameter of the model is a value, and changes no formula. The mark that it has one
-            // is no name of a variable.
+            // A program's number of a parameter of the model is a value, and changes no formula. The mark that it has
+            // one is no name of a variable.
             if self.words.locals.has(&name) || self.words.locals.has(&format!("{name} = ")) {
                 self.set(&name, unread(&name, "it gets two values"));
             } else {

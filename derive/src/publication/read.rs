@@ -141,7 +141,7 @@ pub struct Loading<'a, 'm> {
     /// Coordinates in the place of those that the publication file states.
     stated: Option<&'m [(String, String)]>,
     /// Coordinates and speeds of the publication that the model does not have.
-    coordinates: Vec<(String, Expr)>,
+    pub(super) coordinates: Vec<(String, Expr)>,
 }
 
 impl<'a> Loading<'a, '_> {
