@@ -63,11 +63,16 @@ impl Model {
     }
 }
 
-/// True if a text is meant as a model file: it has a section that other kinds of files do not have.
+/// True if a text is meant as a model file: it has a section that other kinds of files do not have. A publication may
+/// have `[coordinates]` too, beside its entries.
 #[must_use]
 pub fn is_model(source: &Source) -> bool {
-    const OWN: [&str; 7] = ["coordinates", "inertial", "joints", "bodies", "particles", "frames", "points"];
-    Reader::parse(source).is_ok_and(|(_, table)| OWN.iter().any(|key| table.get_ref().contains_key(*key)))
+    const OWN: [&str; 6] = ["inertial", "joints", "bodies", "particles", "frames", "points"];
+    const ENTRIES: [&str; 6] = ["equation", "matrix", "definition", "system", "listing", "initial"];
+    Reader::parse(source).is_ok_and(|(_, table)| {
+        let has = |keys: &[&str]| keys.iter().any(|key| table.get_ref().contains_key(*key));
+        has(&OWN) || has(&["coordinates"]) && !has(&ENTRIES)
+    })
 }
 
 /// Reads and checks a model text.

@@ -120,7 +120,7 @@ fn load_all(
     loading.reader.finish()?;
     let coordinates = loading.coordinates;
     let source = source.clone();
-    Ok(Publication { coordinates, source, title, reference, abbreviations, shorthand, names, entries })
+    Ok(Publication { source, title, reference, abbreviations, coordinates, shorthand, names, entries })
 }
 
 /// State of reading a publication file: the file, the model, and the names and entries read so far.

@@ -1,18 +1,27 @@
 //! Mistakes in abbreviations are named once, in the abbreviation's own formula, whatever uses it.
 
 use super::judge;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::Difference;
 
-/// A publication of the shelf with a piece replaced.
-fn shelf(name: &str, old: &str, new: &str) -> Difference {
-    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../publications")).join(name);
-    let model = Model::read(&folder.join("model.toml")).unwrap();
-    let text = Source::read(&folder.join("publication.toml")).unwrap().text;
+/// A publication of the shelf, judged.
+fn shelf(name: &str) -> Difference {
+    let publication = model_folder(name).join("publication.toml");
+    slipped(name, &publication, "title", "title")
+}
+
+/// A publication on a model of the shelf with a piece replaced, judged.
+fn slipped(name: &str, publication: &Path, old: &str, new: &str) -> Difference {
+    let model = Model::read(&model_folder(name).join("model.toml")).unwrap();
+    let text = Source::read(publication).unwrap().text;
     assert!(text.contains(old), "{name} has no `{old}`");
     judge(model, &Source::from_text("publication.toml", &text.replacen(old, new, 1)))
+}
+
+fn model_folder(name: &str) -> PathBuf {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../publications")).join(name)
 }
 
 /// The mistake of each root.
@@ -35,7 +44,8 @@ fn a_slip_in_an_abbreviation_is_one_root() {
         ("lc2 * dtheta1 ** 2 * np.sin(theta2) - phi2", "lc2 * dtheta1 ** 2 * np.cos(theta2) - phi2", "ddtheta2"),
         ("(a + d2 / d1", "(a - d2 / d1", "ddtheta2"),
     ] {
-        let difference = shelf("acrobot_book", old, new);
+        let publication = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/publications/acrobot_book.toml");
+        let difference = slipped("acrobot_book", &publication, old, new);
         assert_eq!(difference.count("different"), 2, "{new}");
         let found = mistakes(&difference);
         assert!(found.len() == 1 && found[0].starts_with(&format!("in {name}, ")), "{new}: {found:?}");
@@ -45,12 +55,12 @@ fn a_slip_in_an_abbreviation_is_one_root() {
 /// Truth: the README of each publication, by hand.
 #[test]
 fn abbreviations_of_published_programs_have_their_mistakes() {
-    let acrobot = shelf("acrobot_sutton", "title", "title");
+    let acrobot = shelf("acrobot_sutton");
     let found = mistakes(&acrobot);
     assert_eq!(found.len(), 1, "{found:?}");
     let numerator = "in ddtheta2, in phi2 - d2*phi1/d1 - tau, the term ";
     assert_eq!(found[0], format!("{numerator}m2*l1*lc2*theta1'^2*sin(theta2) is missing"));
-    let cart = shelf("cart_pole_pufferlib", "title", "title");
+    let cart = shelf("cart_pole_pufferlib");
     let found = mistakes(&cart);
     assert_eq!(found.len(), 2, "{found:?}");
     assert_eq!(found[0], "in polemass_length, total_mass + m_p should be m_p*l");
