@@ -9,11 +9,13 @@ mod composite;
 pub mod matlab;
 mod module;
 pub mod python;
+mod scene_run;
 mod target;
 
 pub use composite::Composite;
 pub use module::Module;
 pub(crate) use module::word;
+pub use scene_run::SceneRun;
 pub(crate) use target::stem_of;
 pub use target::{Emitted, emit_model};
 
@@ -35,6 +37,11 @@ pub trait Dialect {
 
     /// Files that are the same for every model, by name. `origin` is a sentence of their headers.
     fn shared_files(&self, origin: &str) -> Vec<(String, String)>;
+
+    /// Script that runs a scene by the functions of a module, with its name; `None` if the dialect has none.
+    fn script(&self, _module: &Module<'_>, _run: &SceneRun) -> Option<(String, String)> {
+        None
+    }
 
     /// Functions that modules contain beside the planned ones.
     fn composites(&self) -> &'static [Composite];

@@ -1,7 +1,7 @@
 //! Emission of a model in a dialect: the modules of its formulations and printed equations.
 
 use super::module::word;
-use super::{Composite, Dialect, Module};
+use super::{Composite, Dialect, Module, SceneRun};
 use crate::emit::Emission;
 use crate::origin::Origin;
 use crate::plan::{Allocator, ModulePlan, Planner, Sharing, Solution, module_name};
@@ -41,6 +41,7 @@ pub fn emit_model(
         dialect,
         model_word: model_word(&origin, dialect),
         functions,
+        run: if functions.is_empty() { SceneRun::first(model) } else { None },
         files: dialect.shared_files(&origin.of_shared_files()).into_iter().collect(),
         written: Vec::new(),
         main_file: None,
@@ -84,6 +85,8 @@ struct Modules<'a> {
     /// Names of the functions to be written; all if empty.
     functions: &'a [String],
     files: BTreeMap<String, String>,
+    /// Scene that scripts run; `None` if there is none, or if only some functions are written.
+    run: Option<SceneRun>,
     /// Names of the functions that were written.
     written: Vec<&'static str>,
     main_file: Option<String>,
@@ -150,6 +153,8 @@ impl Modules<'_> {
             origin,
         };
         self.files.extend(self.dialect.files(&module));
+        let script = self.run.as_ref().filter(|_| composites.contains(&Composite::StateDerivative));
+        self.files.extend(script.and_then(|run| self.dialect.script(&module, run)));
         self.main_file.get_or_insert_with(|| self.dialect.main_file(&self.model_word, &module_name(&name)));
     }
 }

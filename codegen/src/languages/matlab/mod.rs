@@ -3,7 +3,7 @@
 mod names;
 
 use super::module::table;
-use super::{Composite, Dialect, Module};
+use super::{Composite, Dialect, Module, SceneRun};
 use crate::lines::wrap;
 use crate::plan::{Argument, Entry, Function, Language, Returns};
 use crate::syntax::{Comments, Syntax, WIDTH, Writer, constant};
@@ -99,6 +99,11 @@ impl Dialect for Matlab {
 
     fn shared_files(&self, _origin: &str) -> Vec<(String, String)> {
         Vec::new()
+    }
+
+    fn script(&self, module: &Module<'_>, run: &SceneRun) -> Option<(String, String)> {
+        let stem = stem(module.model_word, module.equations_word);
+        Some((format!("{stem}_simulate.m"), script(module, &stem, run)))
     }
 
     fn composites(&self) -> &'static [Composite] {
@@ -259,4 +264,40 @@ fn composed(module: &Module<'_>, stem: &str, composite: Composite) -> String {
     let mut writer = opened(module, &signature, &[about]);
     body.lines().for_each(|line| writer.raw(line));
     closed(writer)
+}
+
+/// Text of the script that runs a scene by `ode45`, and draws the states.
+fn script(module: &Module<'_>, stem: &str, run: &SceneRun) -> String {
+    let mut writer = Writer::new(&Matlab, Comments::Written);
+    writer.origin(module.origin);
+    writer.comment(&format!("Runs the scene {} by ode45, and draws the states.", run.name));
+    writer.comment("");
+    writer.comment(&module.title());
+    let column = |values: &[f64]| {
+        let list: Vec<String> =
+            values.iter().map(|x| if x.is_nan() { "NaN".to_owned() } else { format!("{x:?}") }).collect();
+        format!("[{}]", list.join("; "))
+    };
+    writer.line(&format!("p = {};", column(&run.parameters)));
+    writer.line(&format!("q = {};", column(&run.q)));
+    writer.line(&format!("u = {};", column(&run.u)));
+    let is_in_rates = module.equations().formulation.is_in_rates();
+    writer.raw(&if is_in_rates {
+        format!("state = [q; {stem}_motion_variables(p, q, u)];")
+    } else {
+        "state = [q; u];".into()
+    });
+    let tolerance = run.rtol.max(1e-13);
+    writer.raw(&format!("options = odeset('RelTol', {tolerance:?}, 'AbsTol', {tolerance:?});"));
+    let (start, end) = run.span;
+    let f = format!("@(t, state) {stem}_state_derivative(t, state, p)");
+    writer.raw(&format!("[t, states] = ode45({f}, [{start:?}, {end:?}], state, options);"));
+    let names = module.model().coordinates.iter().map(|c| c.name.clone());
+    let variables = module.equations().variables.iter();
+    let variables = variables.filter_map(|v| module.planner.arena.symbol_name(*v)).map(str::to_owned);
+    let names: Vec<String> = names.chain(variables).map(|name| string(&name)).collect();
+    writer.raw("if usejava('jvm') || exist('OCTAVE_VERSION', 'builtin') == 0");
+    writer.raw(&format!("  plot(t, states); legend({}); xlabel('t, s');", names.join(", ")));
+    writer.raw("end\ndisp(states(end, :));");
+    writer.out
 }

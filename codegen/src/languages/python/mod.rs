@@ -5,7 +5,7 @@ pub(super) mod names;
 pub(super) mod text;
 
 use super::module::table;
-use super::{Composite, Dialect, Module};
+use super::{Composite, Dialect, Module, SceneRun};
 use crate::plan::{Entry, Function, Language, Returns};
 use crate::syntax::{Comments, Syntax, Writer};
 use text::{array_of_entries, docstring, float, names_and_values, python_lines};
@@ -86,6 +86,11 @@ impl Dialect for Python {
         vec![(format!("{ARRAYS}.py"), writer.out + SHARED)]
     }
 
+    fn script(&self, module: &Module<'_>, run: &SceneRun) -> Option<(String, String)> {
+        let name = format!("{}_{}_simulate.py", module.model_word, module.equations_word);
+        Some((name, script(module, run)))
+    }
+
     fn composites(&self) -> &'static [Composite] {
         &[Composite::Unknowns, Composite::StateDerivative, Composite::Project]
     }
@@ -163,4 +168,40 @@ fn composed(writer: &mut Writer<'_>, module: &Module<'_>, composite: Composite) 
         ),
     };
     writer.raw(&body);
+}
+
+/// Text of the script that runs a scene by SciPy, prints the last state, and draws the states if Matplotlib is there.
+fn script(module: &Module<'_>, run: &SceneRun) -> String {
+    let mut writer = Writer::new(&Python, Comments::Written);
+    let stem = format!("{}_{}", module.model_word, module.equations_word);
+    writer.comment(&module.title());
+    writer.comment("");
+    writer.origin(module.origin);
+    writer.gap();
+    let about =
+        format!("Runs the scene {}, prints the last state, and draws all states if Matplotlib is installed.", run.name);
+    writer.raw(&docstring(&about));
+    writer.raw(&format!("import numpy\nfrom scipy.integrate import solve_ivp\n\nimport {stem} as model\n"));
+    let list = |writer: &mut Writer<'_>, name: &str, values: &[f64]| {
+        let number = |x: &f64| if x.is_nan() { "numpy.nan".to_owned() } else { format!("{x:?}") };
+        array_of_entries(writer, &format!("{name} = ["), &values.iter().map(number).collect::<Vec<_>>(), "]");
+    };
+    list(&mut writer, "p", &run.parameters);
+    list(&mut writer, "q", &run.q);
+    list(&mut writer, "u", &run.u);
+    let is_in_rates = module.equations().formulation.is_in_rates();
+    let v = if is_in_rates { "model.motion_variables(p, q, u)" } else { "u" };
+    let (tolerance, (start, end)) = (run.rtol.max(1e-13), run.span);
+    writer.raw(&format!("state = numpy.concatenate((q, {v}))"));
+    writer.raw(&format!(
+        "run = solve_ivp(model.state_derivative, ({start:?}, {end:?}), state, \"DOP853\", args=(p,), rtol={tolerance:?}, \
+         atol={tolerance:?})"
+    ));
+    writer.raw("for name, value in zip(model.COORDINATES + model.VARIABLES, run.y[:, -1]):\n    print(name, value)");
+    writer.raw("try:\n    import matplotlib.pyplot as plot\nexcept ImportError:\n    plot = None");
+    writer.raw(
+        "if plot:\n    plot.plot(run.t, run.y.T)\n    plot.legend(model.COORDINATES + model.VARIABLES)\n    \
+         plot.xlabel(\"t, s\")\n    plot.show()",
+    );
+    writer.out
 }
