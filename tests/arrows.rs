@@ -142,6 +142,7 @@ fn the_library_needs_no_target_and_can_do_without_threads_and_files() {
         ("run/src/studies/sweep/in_order.rs", "threads"),
         ("derive/src/diagnostic.rs", "files"),
         ("derive/src/publication/beside.rs", "files"),
+        ("derive/src/publication/files.rs", "files"),
     ];
     for folder in ["run/src", "derive/src"] {
         for (path, text) in sources(folder) {

@@ -371,7 +371,7 @@ fn c_has_the_bits_of_rust() {
 /// Evaluates the library by a script of Python, and compares with 32 digits.
 fn python(kind: &str, dialect: &dyn Dialect, ending: &str) {
     let requirements = sympy::root().join("tests/languages/requirements.txt");
-    let python = sympy::python_with(&requirements, "import numpy, casadi, fmpy");
+    let python = sympy::python_with(&requirements, "import numpy, casadi, scipy, fmpy");
     let folder = tempfile::tempdir().unwrap();
     let folders: BTreeMap<&str, PathBuf> =
         MODELS.iter().map(|model| (model.name, emitted(model.name, dialect, folder.path()))).collect();
@@ -579,8 +579,10 @@ fn hostile_models_stay_names_and_comments() {
     let script = "import importlib, math, sys\nfor name in sys.argv[1:]:\n    model = importlib.import_module(name)\n    \
                   out = model.accelerations(model.DEFAULTS, [math.pi/2], [0.0])\n    \
                   assert abs(float(out[0]) + 9.81/0.7) < 1e-12, (name, out)\n";
-    let python =
-        sympy::python_with(&sympy::root().join("tests/languages/requirements.txt"), "import numpy, casadi, fmpy");
+    let python = sympy::python_with(
+        &sympy::root().join("tests/languages/requirements.txt"),
+        "import numpy, casadi, scipy, fmpy",
+    );
     run(Command::new(python).current_dir(folder.path()).args(["-W", "error", "-c", script]).args(&modules));
     assert!(!folder.path().join("HOSTILE").exists(), "a text was run");
 }
@@ -622,8 +624,10 @@ fn poses_are_assembled_and_systems_solved() {
         q, u = m.project(m.DEFAULTS, numpy.stack([q, q + 0.05], 1), numpy.stack([u, u], 1))\n\
         assert abs(m.constraints(m.DEFAULTS, q, u)).max() < 1e-12\n\
         x = m.unknowns(m.DEFAULTS, q, u)\nassert abs(m.residual(m.DEFAULTS, q, u, x)).max() < 1e-12\n";
-    let python =
-        sympy::python_with(&sympy::root().join("tests/languages/requirements.txt"), "import numpy, casadi, fmpy");
+    let python = sympy::python_with(
+        &sympy::root().join("tests/languages/requirements.txt"),
+        "import numpy, casadi, scipy, fmpy",
+    );
     run(Command::new(python).current_dir(&c).args(["-c", script]));
 }
 

@@ -1,7 +1,9 @@
 //! `tripos emit`: the module of any model file, and what it leaves alone.
 
 use crate::arm::{Reactions, tree_text};
+use crate::left_out::is_left_out;
 use crate::support::{cargo, make_crate, root, tripos_in};
+use crate::sympy;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -436,4 +438,42 @@ fn files_of_other_languages_are_readable() {
     assert!(
         status == 0 && out.join("swing_kane_kinetic_energy.m").is_file() && out.join("furuta_kane_forcing.m").is_file()
     );
+}
+
+/// Goal: the first scene of a model runs from the emitted files as it runs here. Method: the script in Python for two
+/// formulations, and in MATLAB where Octave is installed, against `simulate`.
+#[test]
+fn scripts_run_the_first_scene_of_a_model() {
+    if sympy::is_left_out("scripts in Python") {
+        return;
+    }
+    let scene = root().join("models/furuta/scenes/swing.toml");
+    let (_, run, err) = tripos_in(&root(), &["simulate", scene.to_str().unwrap(), "--json"]);
+    let run: serde_json::Value = serde_json::from_str(&run).unwrap_or_else(|error| panic!("{error}: {err}"));
+    let expected = run["state"]["theta2"].as_f64().unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let model = root().join("models/furuta");
+    let python =
+        sympy::python_with(&root().join("tests/languages/requirements.txt"), "import numpy, casadi, scipy, fmpy");
+    for formulation in ["kane", "lagrange"] {
+        let (status, _, err) = emit(&model, folder.path(), &["--language", "python", "--formulation", formulation]);
+        assert_eq!(status, 0, "{err}");
+        let script = format!("furuta_{formulation}_simulate.py");
+        let output = std::process::Command::new(&python).current_dir(folder.path()).arg(script).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stdout).into_owned();
+        let line = said.lines().find_map(|line| line.strip_prefix("theta2 ")).unwrap_or_else(|| panic!("{output:?}"));
+        assert!((line.parse::<f64>().unwrap() - expected).abs() < 1e-8, "{line} is not {expected}");
+    }
+    let octave = || std::process::Command::new("octave-cli");
+    let found = octave().arg("--version").output().is_ok_and(|output| output.status.success());
+    if is_left_out("octave", found, "there is no octave-cli") {
+        return;
+    }
+    let (status, _, err) = emit(&model, folder.path(), &["--language", "matlab", "--formulation", "lagrange"]);
+    assert_eq!(status, 0, "{err}");
+    let call = "furuta_lagrange_simulate; printf('%.12g\\n', states(end, 2));";
+    let output = octave().current_dir(folder.path()).args(["--no-init-file", "--eval", call]).output().unwrap();
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    let last: f64 = said.lines().last().and_then(|line| line.trim().parse().ok()).unwrap_or(f64::NAN);
+    assert!((last - expected).abs() < 1e-8, "{last} is not {expected}: {output:?}");
 }

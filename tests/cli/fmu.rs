@@ -70,7 +70,8 @@ fn units_of_the_library_are_valid_and_run_as_simulate_does() {
         .collect();
     let (asked, answers) = (folder.path().join("list.json"), folder.path().join("answers.json"));
     std::fs::write(&asked, Value::from(list.clone()).to_string()).unwrap();
-    let python = sympy::python_with(&root().join("tests/languages/requirements.txt"), "import numpy, casadi, fmpy");
+    let python =
+        sympy::python_with(&root().join("tests/languages/requirements.txt"), "import numpy, casadi, scipy, fmpy");
     let output =
         Command::new(python).arg(root().join("tests/languages/units.py")).args([&asked, &answers]).output().unwrap();
     assert!(output.status.success(), "{}", stderr(&output));

@@ -296,7 +296,8 @@ fn script(module: &Module<'_>, stem: &str, run: &SceneRun) -> String {
     let variables = module.equations().variables.iter();
     let variables = variables.filter_map(|v| module.planner.arena.symbol_name(*v)).map(str::to_owned);
     let names: Vec<String> = names.chain(variables).map(|name| string(&name)).collect();
-    writer.raw("if usejava('jvm') || exist('OCTAVE_VERSION', 'builtin') == 0");
+    // Octave cannot draw without a display.
+    writer.raw("if ~exist('OCTAVE_VERSION', 'builtin') || ~isunix() || ismac() || ~isempty(getenv('DISPLAY'))");
     writer.raw(&format!("  plot(t, states); legend({}); xlabel('t, s');", names.join(", ")));
     writer.raw("end\ndisp(states(end, :));");
     writer.out
