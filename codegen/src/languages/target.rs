@@ -4,7 +4,7 @@ use super::module::word;
 use super::{Composite, Dialect, Module, SceneRun};
 use crate::emit::Emission;
 use crate::origin::Origin;
-use crate::plan::{Allocator, ModulePlan, Planner, Sharing, Solution, module_name};
+use crate::plan::{ModulePlan, Planner, Sharing, Solution, module_name};
 use crate::target::{self, Target};
 use std::collections::BTreeMap;
 use tripos_derive::algebra::Arena;
@@ -39,7 +39,7 @@ pub fn emit_model(
     let origin = Origin::emitted(&model.source.path);
     let mut modules = Modules {
         dialect,
-        model_word: model_word(&origin, dialect),
+        model_word: word(stem_of(&origin)).to_ascii_lowercase(),
         functions,
         run: if functions.is_empty() { SceneRun::first(model) } else { None },
         files: dialect.shared_files(&origin.of_shared_files()).into_iter().collect(),
@@ -64,11 +64,6 @@ fn available(
     formulations: &[Formulation],
 ) -> Result<Vec<&'static str>, Diagnostics> {
     Ok(emit_model(model, dialect, formulations, &[])?.functions)
-}
-
-/// Word for a model: the name of its folder or file, with an underscore after it if the dialect reserves it.
-fn model_word(origin: &Origin, dialect: &dyn Dialect) -> String {
-    Allocator::new(dialect.language()).unique(&word(stem_of(origin)).to_ascii_lowercase())
 }
 
 /// Name of a model's folder or file.

@@ -232,7 +232,10 @@ impl<'a> Loading<'a, '_> {
         let formula = self.made(source, right);
         let value = self.words.local(&mut self.model.arena, &formula, notation);
         match (value, operator) {
-            (Local::Value(value), None) => self.set(&name, Local::Value(value)),
+            (Local::Value(value), None) => {
+                self.words.keep_local(&self.model.arena, &name, &formula, notation, value);
+                self.set(&name, Local::Value(value));
+            }
             (Local::Value(value), Some(operator)) => self.change(&name, operator, value, &unread),
             (Local::Unread(place, message, help), _) => {
                 let is_whole = operator.is_none() && self.entries_of(&name, &formula, notation);

@@ -341,6 +341,15 @@ impl Words {
         }
     }
 
+    /// Keeps a variable of a program as an abbreviation, so that a mistake in its assignment is found there. A name
+    /// with an index, and a variable that is assigned again, are written out.
+    pub fn keep_local(&mut self, arena: &Arena, name: &str, formula: &Located, notation: Notation, e: Expr) {
+        if name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
+            self.keep_as_printed(arena, formula, notation, e);
+            self.shorthand.enter(arena, name, e);
+        }
+    }
+
     /// Reads a formula once more with its abbreviations as symbols, and keeps it beside `e`, the formula in which they
     /// are written out. Formulas with `ddt` of an abbreviation are not kept.
     fn keep_as_printed(&mut self, arena: &Arena, formula: &Located, notation: Notation, e: Expr) {
@@ -364,7 +373,9 @@ impl Words {
                 return Ok(symbol);
             }
             if let Some(Local::Value(e)) = local_number(name).and_then(|number| locals.value(number)) {
-                return Ok(transfer.term(own, *e));
+                let as_printed = kept.as_printed(*e);
+                mentions |= as_printed.is_some();
+                return Ok(as_printed.unwrap_or_else(|| transfer.term(own, *e)));
             }
             match known.get(name) {
                 Some(Word::Model(_, e) | Word::Declared(e)) => Ok(transfer.term(own, *e)),

@@ -1,10 +1,11 @@
 //! Mistakes in abbreviations are named once, in the abbreviation's own formula, whatever uses it.
 
-use super::judge;
+use super::{judge, judge_loaded};
 use std::path::{Path, PathBuf};
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::Difference;
+use tripos_derive::publication;
 
 /// A publication of the shelf, judged.
 fn shelf(name: &str) -> Difference {
@@ -47,6 +48,30 @@ fn a_slip_in_an_abbreviation_is_one_root() {
         let publication = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/publications/acrobot_book.toml");
         let difference = slipped("acrobot_book", &publication, old, new);
         assert_eq!(difference.count("different"), 2, "{new}");
+        let found = mistakes(&difference);
+        assert!(found.len() == 1 && found[0].starts_with(&format!("in {name}, ")), "{new}: {found:?}");
+    }
+}
+
+/// Method: the same slips in the program file that the publication of the shelf names, whose variables are not declared
+/// as abbreviations.
+#[test]
+fn a_slip_in_a_variable_of_a_program_is_one_root() {
+    let shelf = model_folder("acrobot_book");
+    let source = Source::read(&shelf.join("publication.toml")).unwrap();
+    let program = std::fs::read_to_string(shelf.join("dsdt.py")).unwrap();
+    for (old, new, name) in [
+        ("2 * l1 * lc2 * cos(theta2)) + I1", "l1 * lc2 * cos(theta2)) + I1", "d1"),
+        ("m2 * (lc2 ** 2 + l1 * lc2", "m2 * (lc2 ** 2 - l1 * lc2", "d2"),
+        ("cos(theta1 + theta2", "cos(theta1 - theta2", "phi2"),
+        ("- 2 * m2 * l1", "- m2 * l1", "phi1"),
+    ] {
+        assert!(program.contains(old), "the program has no `{old}`");
+        let slipped = program.replacen(old, new, 1);
+        let mut model = Model::read(&shelf.join("model.toml")).unwrap();
+        let read = |name: &str| Ok(Source::from_text(name, &slipped));
+        let publication = publication::load_with(&source, &mut model, &read).unwrap_or_else(|e| panic!("{e}"));
+        let difference = judge_loaded(&model, &publication);
         let found = mistakes(&difference);
         assert!(found.len() == 1 && found[0].starts_with(&format!("in {name}, ")), "{new}: {found:?}");
     }

@@ -16,9 +16,13 @@ use tripos_derive::{Model, publication};
 /// A publication judged against a model; every entry that is different is in exactly one group.
 fn judge(mut model: Model, source: &Source) -> Difference {
     let publication = publication::load(source, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
-    let mut derivations = derive_all(&model).unwrap();
-    let proof = prove(&model, &mut derivations);
-    let difference = diff(&model, &mut derivations, &publication, &proof);
+    judge_loaded(&model, &publication)
+}
+
+fn judge_loaded(model: &Model, publication: &publication::Publication) -> Difference {
+    let mut derivations = derive_all(model).unwrap();
+    let proof = prove(model, &mut derivations);
+    let difference = diff(model, &mut derivations, publication, &proof);
     let grouped: Vec<usize> = difference
         .roots
         .iter()
