@@ -497,9 +497,11 @@ const NAMES: [&str; 44] = [
 ];
 
 /// Texts that would be code if they left their comment or string.
-const TEXTS: [&str; 12] = [
+const TEXTS: [&str; 13] = [
     "*/ system(\"touch HOSTILE\"); /*",
     "ends with a backslash \\",
+    // Wherever a comment of this is broken, a line ends with a backslash.
+    "\\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\ \\",
     "a trigraph ??/",
     "\"\"\"; import os; os.system('touch HOSTILE'); \"\"\"",
     "'); system('touch HOSTILE'); disp('",
