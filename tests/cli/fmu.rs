@@ -91,7 +91,7 @@ fn units_of_the_library_are_valid_and_run_as_simulate_does() {
             // A unit has the tolerance of its scene; the digits of the run tell what that is worth.
             let digits = entry["digits"].as_f64().unwrap();
             at_most("cosimulation", (20.0 * 10.0_f64.powf(-digits)).max(1e-9));
-            at_most("exchange", (1e6 * 10.0_f64.powf(-digits)).max(1e-3));
+            at_most("exchange", (1e3 * 10.0_f64.powf(-digits)).max(1e-3));
             runs += 1;
         }
         if entry["fmi"] == json!("2.0") {
