@@ -5,9 +5,8 @@ use super::formulation::{
     kinematics_and_energies, linear_system, parameter_jacobian, redundant_constraints, residual,
 };
 use super::function::{Arguments, Function, Planner, Returns, Value};
-use super::motion::needs_reaction;
+use super::motion::{needs_reaction, state_steps};
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::mechanics::{Jacobian, Solved};
 
 /// Accelerations in closed form, with their slopes.
@@ -114,17 +113,8 @@ impl ModulePlan {
 /// Function `conditions`, which returns the values that are positive in the domain of the model, and their names.
 /// Conditions on reactions are left out, because no state alone gives these.
 fn of_domain(planner: &Planner<'_>) -> (Option<Function>, Vec<String>) {
-    let (e, model) = (planner.equations, planner.model);
-    let kept: Vec<_> = model.domain.iter().filter(|c| !needs_reaction(planner, c.positive)).collect();
-    let pairs = |symbols: Vec<Expr>, values: &[Expr]| {
-        symbols.into_iter().zip(values.to_vec()).map(|(symbol, value)| Definition { symbol, value }).collect::<Vec<_>>()
-    };
-    let other = if e.formulation.is_in_rates() {
-        pairs(model.u(), &e.generalized_speeds)
-    } else {
-        pairs(model.q_dot(), &e.coordinate_rates)
-    };
-    let steps = [e.definitions.clone(), other].concat();
+    let kept: Vec<_> = planner.model.domain.iter().filter(|c| !needs_reaction(planner, c.positive)).collect();
+    let steps = state_steps(planner);
     let values: Vec<Value> =
         kept.iter().enumerate().map(|(at, c)| (format!("condition{}", at + 1), c.name.clone(), c.positive)).collect();
     let about = "Domain of the model: the equations hold as long as these values are positive.";

@@ -121,17 +121,7 @@ fn balanced(planner: &Planner<'_>) -> Vec<Function> {
 
 /// Function `conditions`, which returns the watched quantities `which`, in this order; `None` if there are none.
 fn conditions_of(planner: &Planner<'_>, watched: &[Watched], which: &[usize]) -> Option<Function> {
-    let (e, model) = (planner.equations, planner.model);
-    let pairs = |symbols: Vec<Expr>, values: &[Expr]| {
-        symbols.into_iter().zip(values.to_vec()).map(|(symbol, value)| Definition { symbol, value }).collect::<Vec<_>>()
-    };
-    // Of u and q̇, those that the equations do not integrate are computed from the others.
-    let other = if e.formulation.is_in_rates() {
-        pairs(model.u(), &e.generalized_speeds)
-    } else {
-        pairs(model.q_dot(), &e.coordinate_rates)
-    };
-    let steps = [e.definitions.clone(), other].concat();
+    let steps = state_steps(planner);
     let values: Vec<Value> = which
         .iter()
         .enumerate()
@@ -140,4 +130,16 @@ fn conditions_of(planner: &Planner<'_>, watched: &[Watched], which: &[usize]) ->
     let about = "What is watched, in the order of `CONDITIONS`: the equations hold as long as these are positive.";
     (!values.is_empty())
         .then(|| planner.stepwise("conditions", about, Arguments::Balanced, Returns::Vector, &steps, &values))
+}
+
+/// Steps that compute the definitions of the equations and, of u and q̇, those that the equations do not integrate.
+pub(super) fn state_steps(planner: &Planner<'_>) -> Vec<Definition> {
+    let (e, model) = (planner.equations, planner.model);
+    let (symbols, values) = if e.formulation.is_in_rates() {
+        (model.u(), &e.generalized_speeds)
+    } else {
+        (model.q_dot(), &e.coordinate_rates)
+    };
+    let other = symbols.into_iter().zip(values).map(|(symbol, value)| Definition { symbol, value: *value });
+    e.definitions.iter().copied().chain(other).collect()
 }
