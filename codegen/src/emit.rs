@@ -30,6 +30,8 @@ pub struct Emission {
     pub files: BTreeMap<String, String>,
     /// Formulations that the model does not support, each with the reason.
     pub left_out: LeftOut,
+    /// Command of `tripos` that writes the files, as their headers state it. Files of other commands are not touched.
+    pub command: &'static str,
     /// Extensions of the names of the files. Files with other extensions belong to other languages and are not touched.
     pub extensions: &'static [&'static str],
 }
@@ -58,10 +60,10 @@ pub fn emit_model(
     formulations: &[Formulation],
     extras: Extras,
 ) -> Result<Emission, Diagnostics> {
-    let origin = Origin::emitted(&model.source.path);
+    let origin = Origin::emitted(&model.source.path, EMIT);
     let extras = extras.and(asked_for(model, &model.source.path)?);
     let ModuleFiles { files, left_out, .. } = module_files(model, module, &origin, formulations, extras)?;
-    Ok(Emission { files, left_out, extensions: &["rs"] })
+    Ok(Emission { files, left_out, command: EMIT, extensions: &["rs"] })
 }
 
 /// Change of one file of a module, with the name of the file.
@@ -129,7 +131,7 @@ impl fmt::Display for PlaceError {
 /// # Errors
 /// [`PlaceError`]. [`PlaceError::Foreign`] is returned before any file is changed.
 pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceError> {
-    let old = written_before(folder, emission.extensions)?;
+    let old = written_before(folder, emission)?;
     for file in emission.files.keys() {
         let path = folder.join(file);
         if !old.contains_key(file) && path.symlink_metadata().is_ok() {
@@ -149,9 +151,10 @@ pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceErr
         placed.push(Placed::Written(file.clone()));
     }
     // Files of other models stay, so that several can share a folder.
-    let own: Vec<_> = emission.files.values().filter_map(|text| origin_in(text, EMIT)).collect();
-    let is_own =
-        |text: &str| origin_in(text, EMIT).is_some_and(|old| own.iter().any(|own| are_of_one_model(own, &old)));
+    let own: Vec<_> = emission.files.values().filter_map(|text| origin_in(text, emission.command)).collect();
+    let is_own = |text: &str| {
+        origin_in(text, emission.command).is_some_and(|old| own.iter().any(|own| are_of_one_model(own, &old)))
+    };
     let gone = old.into_iter().filter(|(file, text)| !emission.files.contains_key(file) && is_own(text));
     for file in gone.map(|(file, _)| file) {
         let path = folder.join(&file);
@@ -162,14 +165,14 @@ pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceErr
 }
 
 /// Files of a module that an earlier emission wrote, with their texts; empty if the folder does not exist.
-fn written_before(folder: &Path, extensions: &[&str]) -> Result<BTreeMap<String, String>, PlaceError> {
-    let mut files = written_in(folder, extensions)?;
-    let code = written_in(&folder.join("code"), extensions)?;
+fn written_before(folder: &Path, emission: &Emission) -> Result<BTreeMap<String, String>, PlaceError> {
+    let mut files = written_in(folder, emission)?;
+    let code = written_in(&folder.join("code"), emission)?;
     files.extend(code.into_iter().map(|(name, text)| (format!("code/{name}"), text)));
     Ok(files)
 }
 
-fn written_in(folder: &Path, wanted: &[&str]) -> Result<BTreeMap<String, String>, PlaceError> {
+fn written_in(folder: &Path, emission: &Emission) -> Result<BTreeMap<String, String>, PlaceError> {
     let failed = |path: &Path| {
         let path = path.to_owned();
         move |error| PlaceError::Io(path, error)
@@ -182,14 +185,14 @@ fn written_in(folder: &Path, wanted: &[&str]) -> Result<BTreeMap<String, String>
         let entry = entry.map_err(failed(folder))?;
         let path = entry.path();
         // Folders and links are skipped, because the target of a link belongs to someone else.
-        if path.extension().is_none_or(|extension| !wanted.iter().any(|wanted| extension == *wanted))
+        if path.extension().is_none_or(|extension| !emission.extensions.iter().any(|wanted| extension == *wanted))
             || !entry.file_type().map_err(failed(&path))?.is_file()
         {
             continue;
         }
         let text = std::fs::read(&path).map_err(failed(&path))?;
         if let (Ok(text), Ok(name)) = (String::from_utf8(text), entry.file_name().into_string())
-            && is_written_by(&text, EMIT)
+            && is_written_by(&text, emission.command)
         {
             files.insert(name, text);
         }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-/// Name of the command that writes modules of one model file, as stated in their headers.
+/// Command that writes Rust and JavaScript modules of one model file, as stated in their headers.
 pub(crate) const EMIT: &str = "emit";
 
 /// Beginning of the origin sentence in files generated from a model, publication or scene.
@@ -27,15 +27,15 @@ pub(crate) struct Origin {
 }
 
 impl Origin {
-    /// Origin of the modules of one model file. If the file is `model.toml`, the name of its folder is added, because
+    /// Origin of the modules that a command writes from one model file. If the file is `model.toml`, the name of its folder is added, because
     /// the file name alone would say little. The origin does not depend on where the folder is.
-    pub fn emitted(path: &Path) -> Self {
+    pub fn emitted(path: &Path, command: &'static str) -> Self {
         let name = |path: Option<&std::ffi::OsStr>| path.map(|name| name.to_string_lossy().into_owned());
         let model = name(path.file_name()).unwrap_or_default();
         let full = path.canonicalize().unwrap_or_else(|_| path.to_owned());
         let folder = full.parent().and_then(|folder| name(folder.file_name()));
         let folder = folder.filter(|_| model == "model.toml").map(|folder| format!("{folder}/"));
-        Self { folder: folder.unwrap_or_default(), model, command: EMIT }
+        Self { folder: folder.unwrap_or_default(), model, command }
     }
 
     /// Origin sentence in files that are the same for every model.

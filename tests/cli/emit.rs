@@ -438,6 +438,17 @@ fn files_of_other_languages_are_readable() {
     assert!(
         status == 0 && out.join("swing_kane_kinetic_energy.m").is_file() && out.join("furuta_kane_forcing.m").is_file()
     );
+
+    // All languages share a folder; two of them write files with one extension.
+    let out = folder.path().join("together");
+    let languages = ["c", "python", "matlab", "casadi", "js", "rust"];
+    for (time, word) in [("first", "written"), ("again", "unchanged")] {
+        for language in languages {
+            let (status, said, err) = emit(&model, &out, &["--language", language, "--formulation", "kane"]);
+            assert_eq!(status, 0, "{err}");
+            assert!(said.lines().all(|line| line.starts_with(word)), "{language} {time}: {said}");
+        }
+    }
 }
 
 /// Goal: the first scene of a model runs from the emitted files as it runs here. Method: the script in Python for two

@@ -23,6 +23,9 @@ use tripos_derive::{Formulation, Model, derive};
 use tripos_traits::Direction;
 use variables::Variables;
 
+/// Command of `tripos` that writes the sources, as their headers state it.
+const COMMAND: &str = "fmu";
+
 /// Text of the work that both interfaces have in common.
 const CORE: &str = include_str!("fmu_core.h");
 
@@ -93,7 +96,7 @@ impl Fmu {
         let plan = functions.plan(&planner);
         let identifier = identifier(scene, model);
         let composites: &[Composite] = if plan.has("constraints") { &[Composite::Project] } else { &[] };
-        let origin = Origin::emitted(&model.source.path).of_model();
+        let origin = Origin::emitted(&model.source.path, COMMAND).of_model();
         let module = Module {
             model_word: &identifier,
             equations_word: Formulation::Kane.name(),
@@ -119,7 +122,7 @@ impl Fmu {
 
 /// Identifier of a unit: words for its model and its scene.
 fn identifier(scene: &Scene, model: &Model) -> String {
-    let origin = Origin::emitted(&model.source.path);
+    let origin = Origin::emitted(&model.source.path, COMMAND);
     let of_scene = scene.source.path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     crate::languages::word(&format!("{}_{of_scene}", crate::languages::stem_of(&origin))).to_ascii_lowercase()
 }

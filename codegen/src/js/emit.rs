@@ -2,7 +2,7 @@
 
 use super::{Module, RUNNERS, Written};
 use crate::emit::Emission;
-use crate::origin::Origin;
+use crate::origin::{EMIT, Origin};
 use crate::plan::{MotionPlan, Watched, module_name};
 use crate::target::{self, Target};
 use std::collections::BTreeMap;
@@ -22,7 +22,7 @@ pub const EXTENSION: &str = "mjs";
 pub fn emit_model(model: &Model, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
     let mut modules = Modules::new(model)?;
     let left_out = target::write(model, formulations, &mut modules)?;
-    Ok(Emission { files: modules.files, left_out, extensions: &[EXTENSION] })
+    Ok(Emission { files: modules.files, left_out, command: EMIT, extensions: &[EXTENSION] })
 }
 
 /// JavaScript modules of a model while they are written.
@@ -56,7 +56,7 @@ impl Target for Modules {
 
 impl Modules {
     fn new(model: &Model) -> Result<Self, Diagnostics> {
-        let origin = Origin::emitted(&model.source.path);
+        let origin = Origin::emitted(&model.source.path, EMIT);
         let header = format!("// {}\n//\n", origin.of_shared_files());
         let runners = RUNNERS.map(|(name, text)| (format!("{name}.{EXTENSION}"), header.clone() + text));
         let balance = Written::balance(model, model.domain.iter().map(|condition| condition.positive))?;

@@ -64,6 +64,10 @@ impl Dialect for CasADi {
         &LANGUAGE
     }
 
+    fn command(&self) -> &'static str {
+        "emit --language casadi"
+    }
+
     fn extensions(&self) -> &'static [&'static str] {
         &["py"]
     }

@@ -26,6 +26,10 @@ pub trait Dialect {
     /// Rules for the names of variables.
     fn language(&self) -> &'static Language;
 
+    /// Command of `tripos` that writes the files, as their headers state it. No two dialects have the same, so that
+    /// modules of one model in several languages share a folder.
+    fn command(&self) -> &'static str;
+
     /// Extensions of the names of the files.
     fn extensions(&self) -> &'static [&'static str];
 

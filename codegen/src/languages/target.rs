@@ -36,7 +36,7 @@ pub fn emit_model(
     formulations: &[Formulation],
     functions: &[String],
 ) -> Result<Emitted, Diagnostics> {
-    let origin = Origin::emitted(&model.source.path);
+    let origin = Origin::emitted(&model.source.path, dialect.command());
     let mut modules = Modules {
         dialect,
         model_word: word(stem_of(&origin)).to_ascii_lowercase(),
@@ -53,7 +53,8 @@ pub fn emit_model(
         let help = format!("its functions are {}", available(model, dialect, formulations)?.join(", "));
         return Err(Diagnostics::new(model.source.clone(), vec![Diagnostic::of_file(message, help)]));
     }
-    let emission = Emission { files: modules.files, left_out, extensions: dialect.extensions() };
+    let emission =
+        Emission { files: modules.files, left_out, command: dialect.command(), extensions: dialect.extensions() };
     Ok(Emitted { emission, main_file: modules.main_file.unwrap_or_default(), functions: modules.written })
 }
 

@@ -83,6 +83,10 @@ impl Dialect for C {
         &names::LANGUAGE
     }
 
+    fn command(&self) -> &'static str {
+        "emit --language c"
+    }
+
     fn extensions(&self) -> &'static [&'static str] {
         &["c", "h"]
     }

@@ -80,6 +80,10 @@ impl Dialect for Matlab {
         &names::LANGUAGE
     }
 
+    fn command(&self) -> &'static str {
+        "emit --language matlab"
+    }
+
     fn extensions(&self) -> &'static [&'static str] {
         &["m"]
     }

@@ -68,6 +68,10 @@ impl Dialect for Python {
         &names::LANGUAGE
     }
 
+    fn command(&self) -> &'static str {
+        "emit --language python"
+    }
+
     fn extensions(&self) -> &'static [&'static str] {
         &["py"]
     }
