@@ -191,7 +191,7 @@ impl<'a> Planner<'a> {
         let outputs = values.iter().enumerate().filter(|(at, _)| is_output(*at)).map(|(_, (name, label, value))| {
             Output { name: name.clone(), label: label.clone(), value: *value, stated: *value }
         });
-        let program = self.cheapest(&steps, &outputs.collect::<Vec<_>>());
+        let program = self.cheapest(&steps, &outputs.collect::<Vec<_>>(), &results);
         let mut computed = program.outputs.iter().map(|output| &output.name);
         let entries: Vec<Entry> = results
             .iter()
@@ -212,10 +212,10 @@ impl<'a> Planner<'a> {
         Function { name, about: about.to_owned(), arguments, returns, program, entries, parts, cost, explained }
     }
 
-    /// Program with the least cost for these outputs: as given, or with common sub-sums and sub-products shared, by one
+    /// Program with the least cost for these outputs and for results that are steps or inputs: as given, or with common sub-sums and sub-products shared, by one
     /// of the readings of its terms.
-    fn cheapest(&self, steps: &[Definition], outputs: &[Output]) -> Program {
-        let mut best = program(self.arena, &self.variables, steps, steps, outputs);
+    fn cheapest(&self, steps: &[Definition], outputs: &[Output], results: &[Expr]) -> Program {
+        let mut best = program(self.arena, &self.variables, steps, steps, outputs, results);
         let mut least = Cost::of(&best).weight();
         if self.sharing == Sharing::AsStated {
             return best;
@@ -228,7 +228,8 @@ impl<'a> Planner<'a> {
             let shared = share(&mut arena, &mut Simplifier::default(), reading, steps, &values);
             let Some(shared) = shared else { continue };
             let rewritten = outputs.iter().zip(&shared.values).map(|(o, value)| Output { value: *value, ..o.clone() });
-            let candidate = program(&arena, &self.variables, &shared.steps, steps, &rewritten.collect::<Vec<_>>());
+            let rewritten: Vec<Output> = rewritten.collect();
+            let candidate = program(&arena, &self.variables, &shared.steps, steps, &rewritten, results);
             let weight = Cost::of(&candidate).weight();
             // A cheaper program is used only if it is proved equal to the planned one.
             if weight < least && is_same(&mut arena, steps, &values, &shared) {

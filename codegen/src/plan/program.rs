@@ -84,6 +84,24 @@ impl Program {
         steps.chain(&self.outputs).filter_map(|statement| statement.comment.as_deref())
     }
 
+    /// Drops lines and inputs that no later line, no output and no result reads. A shared term or a step may be read by
+    /// nothing: the formulas in which it stood are written without it.
+    fn drop_unread(&mut self, variables: &Variables, results: &[Expr]) {
+        let of = |symbol: &Expr| variables.of.get(symbol).map(String::as_str);
+        let mut read: FxHashSet<&str> = results.iter().filter_map(of).collect();
+        self.outputs.iter().for_each(|output| collect(&output.value, &mut read));
+        let mut is_read = vec![true; self.lines.len()];
+        for (at, line) in self.lines.iter().enumerate().rev() {
+            is_read[at] = line.names_set().iter().any(|name| read.contains(name));
+            if is_read[at] {
+                collect(line.value(), &mut read);
+            }
+        }
+        self.inputs.retain(|symbol| of(symbol).is_none_or(|name| read.contains(name)));
+        let mut is_read = is_read.into_iter();
+        self.lines.retain(|_| is_read.next().unwrap_or(true));
+    }
+
     /// Variables that lines and outputs of a range read. Lines count first, then outputs.
     #[must_use]
     pub fn names_read(&self, range: Range<usize>) -> FxHashSet<&str> {
@@ -133,7 +151,8 @@ pub struct Output {
 
 /// Orders, shares and names all terms that the outputs need. The symbols of `steps` are no inputs: each is computed
 /// after the steps before it, and before the terms that contain it. Comments show the values that `stated` has for
-/// steps. Symbols that [`tripos_derive::algebra::form::sharing`] introduced get names here.
+/// steps. Symbols that [`tripos_derive::algebra::form::sharing`] introduced get names here. Symbols in `results` are
+/// returned as they are, and so their steps are kept.
 #[must_use]
 pub fn program(
     arena: &Arena,
@@ -141,6 +160,7 @@ pub fn program(
     steps: &[Definition],
     stated: &[Definition],
     outputs: &[Output],
+    results: &[Expr],
 ) -> Program {
     let values: Vec<Expr> = outputs.iter().map(|o| o.value).collect();
     let roots: Vec<Expr> = steps.iter().map(|step| step.value).chain(values.iter().copied()).collect();
@@ -168,10 +188,13 @@ pub fn program(
         }
     }
     builder.terms(&values);
-    let outputs = outputs.iter().zip(output_names).map(|(output, name)| builder.output(output, name)).collect();
+    let outputs: Vec<_> = outputs.iter().zip(output_names).map(|(output, name)| builder.output(output, name)).collect();
     let computed: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
     let is_input = |e: &Expr| matches!(arena.node(*e), Node::Symbol(_)) && !computed.contains(e);
-    Program { inputs: parts.into_iter().filter(is_input).collect(), lines: builder.ordered(), outputs }
+    let mut program =
+        Program { inputs: parts.into_iter().filter(is_input).collect(), lines: builder.ordered(), outputs };
+    program.drop_unread(variables, results);
+    program
 }
 
 /// Builder of a program.

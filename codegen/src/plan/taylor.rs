@@ -177,7 +177,7 @@ fn constants(arena: &Arena, variables: &Variables, list: &Recurrences, weights: 
     // The names of the weights are released, so that the program can give them out.
     let mut variables = variables.clone();
     variables.allocator.release(weights.values());
-    program(arena, &variables, &[], &[], &outputs.collect::<Vec<_>>())
+    program(arena, &variables, &[], &[], &outputs.collect::<Vec<_>>(), &[])
 }
 
 /// Suffixes for the variable of a series at orders 0, 1 and k − 1.
