@@ -34,7 +34,7 @@ fn read(model: &str) -> Model {
 fn formulations(c: &mut Criterion) {
     let mut group = c.benchmark_group("derive the disk");
     let model = read("disk");
-    for formulation in Formulation::ALL {
+    for formulation in Formulation::STANDARD {
         group.bench_function(formulation.name(), |b| {
             b.iter(|| derive(black_box(&model), formulation).unwrap_or_else(|e| panic!("{e}")));
         });
@@ -47,7 +47,7 @@ fn chains(c: &mut Criterion) {
     let mut group = c.benchmark_group("derive a chain on a cart");
     for links in [5, 10, 20] {
         let model = chain(links);
-        for formulation in Formulation::ALL {
+        for formulation in Formulation::STANDARD {
             group.bench_function(format!("{links} links, {}", formulation.name()), |b| {
                 b.iter(|| derive(black_box(&model), formulation).unwrap_or_else(|e| panic!("{e}")));
             });

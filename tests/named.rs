@@ -25,10 +25,12 @@ fn entries(arena: &mut Arena, e: &Equations) -> Vec<Expr> {
 
 /// The places where the two ways differ by meaning, with the formulations.
 fn differences(model: &Model) -> Vec<(Formulation, usize)> {
-    let named = derive_all_with(model, Kinematics::in_form(model, Form::Steps).unwrap()).unwrap();
+    let mut named = derive_all_with(model, Kinematics::in_form(model, Form::Steps).unwrap()).unwrap();
+    named.add(model, Formulation::GibbsAppell).unwrap();
     // Both in one store, so that terms can be subtracted.
     let again = Model { arena: named.kinematics.arena.clone(), ..model.clone() };
-    let written = derive_all_with(&again, Kinematics::in_form(&again, Form::Closed).unwrap()).unwrap();
+    let mut written = derive_all_with(&again, Kinematics::in_form(&again, Form::Closed).unwrap()).unwrap();
+    written.add(&again, Formulation::GibbsAppell).unwrap();
     let mut arena = written.kinematics.arena.clone();
     let mut found = Vec::new();
     for f in Formulation::ALL {

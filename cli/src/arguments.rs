@@ -31,7 +31,7 @@ pub enum Command {
     Derive {
         /// A model file, or a folder with model.toml
         model: PathBuf,
-        /// kane, lagrange or newton-euler; all that the model supports if not given
+        /// A formulation, such as kane; the three standard ones, as far as the model supports them, if not given
         #[arg(long)]
         by: Option<String>,
         /// Formulas written out, or in steps that have names; written out where they fit some two pages if not given
@@ -60,6 +60,9 @@ pub enum Command {
     Prove {
         /// A model file, or a folder with model.toml
         model: PathBuf,
+        /// A further formulation that is derived on request only, such as gibbs-appell; more than once for several
+        #[arg(long, value_name = "F")]
+        also: Vec<String>,
         /// Print JSON
         #[arg(long)]
         json: bool,
@@ -238,8 +241,8 @@ pub enum Command {
         /// module for each formulation; matlab: one file for each function
         #[arg(long, value_name = "LANGUAGE", default_value = "rust")]
         language: String,
-        /// kane, lagrange or newton-euler, more than once for several; all that the model supports if not given, and
-        /// what the publication beside it prints
+        /// A formulation, such as kane, more than once for several; if not given, the three standard ones, as far as the
+        /// model supports them, and what the publication beside it prints
         #[arg(long = "formulation", value_name = "F")]
         formulations: Vec<String>,
         /// Further functions for Rust: jacobian, its entries for implicit methods, which else differentiate the code as

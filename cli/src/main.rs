@@ -105,7 +105,7 @@ fn run(command: Command) -> Result<u8, Failure> {
             let varied = if declared { Varied::Declared } else { Varied::Bodies };
             commands::identify::identify(&model, varied, at.as_deref(), Shape::of(json, csv))
         }
-        Command::Prove { model, json } => commands::prove::prove(&model, Output::of_flag(json)),
+        Command::Prove { model, also, json } => commands::prove::prove(&model, &also, Output::of_flag(json)),
         Command::Regenerate { models, check: true, json } => {
             commands::regenerate::check(&models, Output::of_flag(json))
         }

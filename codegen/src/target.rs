@@ -30,8 +30,8 @@ pub trait Target {
 /// Formulations that a model does not support, each with the reason.
 pub type LeftOut = Vec<(Formulation, DeriveError)>;
 
-/// Writes a model by a target. It writes the given formulations, or, if none are given, all that the model supports and
-/// the printed equations of the publication beside it. Each formulation is derived with a store of terms of its own, so
+/// Writes a model by a target. It writes the given formulations, or, if none are given, the standard ones that the model
+/// supports and the printed equations of the publication beside it. Each formulation is derived with a store of terms of its own, so
 /// that its text does not depend on the others.
 ///
 /// # Errors
@@ -39,8 +39,10 @@ pub type LeftOut = Vec<(Formulation, DeriveError)>;
 /// printed systems whose files would have one name.
 pub fn write(model: &Model, formulations: &[Formulation], target: &mut dyn Target) -> Result<LeftOut, Diagnostics> {
     let mut left_out = Vec::new();
-    let is_asked = |f: &Formulation| formulations.is_empty() || formulations.contains(f);
-    for f in Formulation::ALL.into_iter().filter(is_asked) {
+    let is_wanted = |f: &Formulation| {
+        if formulations.is_empty() { Formulation::STANDARD.contains(f) } else { formulations.contains(f) }
+    };
+    for f in Formulation::ALL.into_iter().filter(is_wanted) {
         match derive(model, f) {
             Ok(derivation) => target.derived(model, derivation)?,
             Err(error) if error.is_unsupported() && formulations.is_empty() => left_out.push((f, error)),

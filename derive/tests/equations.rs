@@ -108,6 +108,30 @@ fn disk_by_newton_euler() {
 }
 
 #[test]
+fn disk_by_gibbs_appell() {
+    check(
+        "disk",
+        Formulation::GibbsAppell,
+        expect![[r"
+        M11 = 5*M*R^2/4
+        M14 = M*R*sin(q1)*cos(q2)
+        M15 = -M*R*cos(q1)*cos(q2)
+        M22 = M*R^2*(1 + 4*tan(q2)^2)/4
+        M24 = -M*R*cos(q1)*tan(q2)
+        M25 = -M*R*sin(q1)*tan(q2)
+        M33 = M*R^2/2
+        M44 = M
+        M55 = M
+        f1 = -M*R*(4*g*sin(q2) + R*u2*(3*u2*tan(q2) + 2*u3))/4
+        f2 = M*R^2*u1*(u2*tan(q2)*(7 + 4*tan(q2)^2) + 2*u3)/4
+        f3 = 0
+        f4 = -M*R*(u2^2*sin(q1)*tan(q2)/cos(q2) + u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)))
+        f5 = M*R*(u2^2*cos(q1)*tan(q2)/cos(q2) - u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)))
+    "]],
+    );
+}
+
+#[test]
 fn chaotic_pendulum_by_lagrange() {
     check(
         "chaotic_pendulum",

@@ -60,12 +60,13 @@ fn are_one(given: &str, other: &str) {
 
 fn is_proved(model: &Model) {
     let mut derivations = derive_all(model).unwrap();
+    derivations.add(model, Formulation::GibbsAppell).unwrap();
     for (formulation, equations) in &derivations.list {
         assert!(equations.is_ok(), "{}, {}: {:?}", model.title, formulation.name(), equations.as_ref().err());
     }
     let proof = prove(model, &mut derivations);
     assert!(proof.is_equivalent(), "{}", model.title);
-    assert_eq!(proof.pairs.len(), 3);
+    assert_eq!(proof.pairs.len(), 6);
 }
 
 /// A chain of two rods and a bob, described by angles from the vertical.

@@ -28,6 +28,7 @@ mod figures;
 mod flows;
 mod found_coordinates;
 mod frames;
+mod gibbs_appell;
 mod given_potentials;
 mod identification;
 mod interactions;

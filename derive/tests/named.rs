@@ -36,9 +36,11 @@ fn trees_have_the_same_equations_with_names_and_without() {
         tree(3, |i| i / 2, slide, Reactions::All),
         tree(4, |i| i / 3, slide, Reactions::None),
     ] {
-        let named = derive_all_with(&model, Kinematics::in_form(&model, Form::Steps).unwrap()).unwrap();
+        let mut named = derive_all_with(&model, Kinematics::in_form(&model, Form::Steps).unwrap()).unwrap();
+        named.add(&model, Formulation::GibbsAppell).unwrap();
         let again = Model { arena: named.kinematics.arena.clone(), ..model.clone() };
-        let plain = derive_all_with(&again, Kinematics::in_form(&again, Form::Closed).unwrap()).unwrap();
+        let mut plain = derive_all_with(&again, Kinematics::in_form(&again, Form::Closed).unwrap()).unwrap();
+        plain.add(&again, Formulation::GibbsAppell).unwrap();
         let mut arena = plain.kinematics.arena.clone();
         for f in Formulation::ALL.into_iter().filter(|f| !f.carries_reactions() || !model.reactions.is_empty()) {
             let [a, b] =

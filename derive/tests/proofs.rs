@@ -186,6 +186,7 @@ fn equations_that_differ_in_a_sign_are_not_proved() {
     let model = read("models/disk/model.toml");
     for formulation in Formulation::ALL {
         let mut derivations = derive_all(&model).unwrap();
+        derivations.add(&model, Formulation::GibbsAppell).unwrap();
         change(&mut derivations, formulation, |arena, e| e.forcing[1] = arena.neg(e.forcing[1]));
         let proof = prove(&model, &mut derivations);
         for pair in &proof.pairs {

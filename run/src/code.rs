@@ -155,7 +155,7 @@ pub fn by(model: &Mechanism, name: &EquationsName) -> Result<EquationsOrigin, Er
 /// # Errors
 /// Errors of [`by`].
 pub fn by_or_first(model: &Mechanism, name: Option<&EquationsName>) -> Result<EquationsOrigin, Error> {
-    let first = || Formulation::ALL.into_iter().find(|f| derive(model, *f).is_ok()).unwrap_or(Formulation::Kane);
+    let first = || Formulation::STANDARD.into_iter().find(|f| derive(model, *f).is_ok()).unwrap_or(Formulation::Kane);
     name.map_or_else(|| Ok(EquationsOrigin::from(first())), |name| by(model, name))
 }
 

@@ -11,6 +11,9 @@ pub struct Page {
     /// Folder for index.html
     #[arg(long, default_value = "target/page")]
     pub out: PathBuf,
+    /// A further formulation that is derived on request only, such as gibbs-appell; more than once for several
+    #[arg(long, value_name = "F")]
+    pub also: Vec<String>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

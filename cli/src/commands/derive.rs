@@ -83,7 +83,7 @@ fn derivations(model: &Mechanism, by: Option<&str>, form: Option<Form>) -> Resul
         return Ok(vec![Derived::new(derivation)]);
     }
     let mut list = Vec::new();
-    for f in Formulation::ALL {
+    for f in Formulation::STANDARD {
         match derive_in_steps(model, f, form) {
             Ok(derivation) => list.push(Derived::new(derivation)),
             Err(error) if error.is_unsupported() => say(&format!("not shown: {error}")),

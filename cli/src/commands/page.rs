@@ -27,7 +27,7 @@ use serde_json::json;
 use sketched::sketched;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use tripos::code::{Code, Ready, code};
+use tripos::code::{Code, Ready, code, formulation};
 use tripos::studies::study::{Printed, Study};
 use tripos::trust::comparison::Compared;
 use tripos::{Course, Error, Mechanism, Run, Watch, run_code};
@@ -47,6 +47,7 @@ const MOST_PRINTED_STEPS: u64 = 10_000;
 /// Runs `tripos page`: derives, runs and writes the page of a model. Returns the exit status.
 pub fn page(request: &Request) -> Result<u8, Failure> {
     let out = request.out.as_path();
+    let also = request.also.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
     let argument = request.model.as_deref().map_or_else(usual_model, |given| Ok(given.to_owned()))?;
     let mut model = read_model(&argument)?;
     // The page names places and files of the model beside its formulas, so it has one set of names: those of the file.
@@ -63,10 +64,11 @@ pub fn page(request: &Request) -> Result<u8, Failure> {
     follow::listen();
     let bar = progress();
     let figures: usize = scenes.iter().map(|scene| scene.figures.len()).sum();
-    bar.set_length((Formulation::ALL.len() * (1 + scenes.len()) + figures) as u64 + 3);
-    let derivations = derivations(&model, &bar)?;
+    let formulations: Vec<Formulation> = Formulation::STANDARD.into_iter().chain(also.iter().copied()).collect();
+    bar.set_length((formulations.len() * (1 + scenes.len()) + figures) as u64 + 3);
+    let derivations = derivations(&model, &formulations, &bar)?;
     bar.set_message("proving");
-    let (study, broken_publication) = Study::new(&model)?;
+    let (study, broken_publication) = Study::new(&model, &also)?;
     broken.extend(broken_publication);
     bar.inc(1);
     let work = Work::new(&model, &study, &derivations)?;
@@ -146,9 +148,9 @@ fn scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagn
 
 type Derivations = Vec<(Formulation, Result<DerivationInSteps, String>)>;
 
-fn derivations(model: &Mechanism, bar: &ProgressBar) -> Result<Derivations, Failure> {
+fn derivations(model: &Mechanism, formulations: &[Formulation], bar: &ProgressBar) -> Result<Derivations, Failure> {
     let mut list = Vec::new();
-    for f in Formulation::ALL {
+    for f in formulations.iter().copied() {
         bar.set_message(format!("deriving by {}", f.name()));
         match derive_in_steps(model, f, None) {
             Ok(derivation) => list.push((f, Ok(derivation))),

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
+use tripos::code::formulation;
 use tripos_derive::algebra::form::simplify::cost;
 use tripos_derive::algebra::meaning::compare::{Engine, Verdict, Witness};
 use tripos_derive::algebra::text::print::{text, whole_text};
@@ -18,9 +19,14 @@ use tripos_derive::prove::{Proof, prove as prove_model};
 const LONGEST: usize = 600;
 
 /// Proves equivalence and first integrals of a model; exit status 1 if a pair of formulations is not proved equivalent.
-pub fn prove(model: &Path, output: Output) -> Result<u8, Failure> {
+/// The standard formulations are compared, and those of `also`.
+pub fn prove(model: &Path, also: &[String], output: Output) -> Result<u8, Failure> {
+    let also = also.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
     let model = read_model(model)?;
     let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
+    for formulation in also {
+        derivations.add(&model, formulation).map_err(|error| model.diagnose(&error))?;
+    }
     let proof = prove_model(&model, &mut derivations);
     proof.write_names(&mut derivations);
     let arena = &derivations.kinematics.arena;

@@ -147,8 +147,8 @@ pub fn page() -> String {
 
 fn page_of(model: &Model) -> String {
     let derivations =
-        Formulation::ALL.map(|f| (f, derive_in_steps(model, f, None).map_err(|error| error.to_string()))).to_vec();
-    let (study, broken) = Study::new(model).unwrap();
+        Formulation::STANDARD.map(|f| (f, derive_in_steps(model, f, None).map_err(|error| error.to_string()))).to_vec();
+    let (study, broken) = Study::new(model, &[]).unwrap();
     assert!(broken.is_none(), "{}", broken.unwrap());
     let file = "<x>".to_owned();
     render(&Page {
@@ -318,7 +318,7 @@ fn a_scene_shows_what_it_needs_or_why_not() {
         needs.contains("<summary>What is left out, and why (") && needs.contains("the scene fixes it at"),
         "{needs}"
     );
-    let (study, _) = Study::new(&model).unwrap();
+    let (study, _) = Study::new(&model, &[]).unwrap();
     let scenes = vec![SceneSection { needs: Err("u1 is <odd>".to_owned()), ..scene() }];
     let page = render(&Page {
         model: &model,
@@ -341,7 +341,7 @@ fn a_run_without_integrals_is_left_out_of_their_table() {
     section.runs[1].changes.clear();
     section.runs[1].energy_drift = None;
     let model = tripos_derive::model::load(&Source::from_text("no/such/place/model.toml", PENDULUM)).unwrap();
-    let (study, _) = Study::new(&model).unwrap();
+    let (study, _) = Study::new(&model, &[]).unwrap();
     let page = render(&Page {
         model: &model,
         derivations: Vec::new(),
@@ -369,7 +369,7 @@ fn names_of_steps_are_typeset() {
         QuantityKind::Energy(Energy::Kinetic),
         QuantityKind::Rate(0),
     ];
-    let forces = [LineName::ActiveForce(0), LineName::GeneralizedForce(0)];
+    let forces = [LineName::ActiveForce(0), LineName::GeneralizedForce(0), LineName::Symbol("S")];
     for name in names.map(LineName::Quantity).iter().chain(&forces) {
         let typeset = math::line_name(&model, name);
         assert_eq!(unbalanced(&typeset), None, "{name:?}");

@@ -22,11 +22,11 @@ const OUTLINE: f64 = 1.5;
 /// outline the marker is a circle.
 pub struct Look(RGBColor, f64, &'static str, RGBColor, &'static [&'static [(f64, f64)]]);
 
-/// Looks of curves by style: the three formulations and a scene's reduced equations; five printed systems; five wrong
-/// ones, the only red ones; the front of a chart, seven methods, the numeric solve and quadrature. Each has a marker of
-/// its own. A thick light line lies under thin dashed ones, so that equal curves all show. No two looks have equal
+/// Looks of curves by style: the three standard formulations and a scene's reduced equations; five printed systems; five
+/// wrong ones, the only red ones; the front of a chart, seven methods, the numeric solve, quadrature, and formulations on
+/// request. Each has a marker of its own. A thick light line lies under thin dashed ones, so that equal curves all show. No two looks have equal
 /// colour and width.
-pub const LOOKS: [Look; 24] = [
+pub const LOOKS: [Look; 25] = [
     Look(RGBColor(0x56, 0xb4, 0xe9), 4.5, "", RGBColor(0x00, 0x72, 0xb2), &[]),
     Look(
         RGBColor(0x00, 0x9e, 0x73),
@@ -179,6 +179,13 @@ pub const LOOKS: [Look; 24] = [
         "16 6",
         RGBColor(0xdd, 0xaa, 0x33),
         &[&[(-0.9, -0.9), (0.9, -0.9), (-0.9, 0.9), (0.9, 0.9)]],
+    ),
+    Look(
+        RGBColor(0x11, 0x77, 0x66),
+        2.0,
+        "36 6 4 6",
+        RGBColor(0x11, 0x77, 0x66),
+        &[&[(-1.0, -0.5), (1.0, -0.5)], &[(-1.0, 0.5), (1.0, 0.5)]],
     ),
 ];
 

@@ -1,15 +1,17 @@
 //! Frames, points and vectors: positions and motions, before anything has mass.
 
 mod components;
+mod dots;
 mod motion;
 mod turn;
 mod vector;
 
 pub(crate) use components::transposed;
 pub use components::{Components, apply_tensor, cross_components};
+pub use dots::{Dots, SymmetricDots};
 pub use motion::{Motion, angular_velocities, linear_velocities};
 pub use turn::{Oriented, Turn, TurnSense};
-pub use vector::{Dots, Frames, Part, Vector};
+pub use vector::{Frames, Part, Vector};
 
 use crate::algebra::Expr;
 

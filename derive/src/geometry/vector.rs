@@ -278,7 +278,7 @@ impl Frames {
 
     /// Dot product of two parts, each in one frame. Results are remembered: bodies of a chain share parts of their
     /// velocities.
-    fn dot_of_parts(&mut self, arena: &mut Arena, a: Part, b: Part) -> Expr {
+    pub(super) fn dot_of_parts(&mut self, arena: &mut Arena, a: Part, b: Part) -> Expr {
         // A fixed order needs half the rotations, and makes equal products equal terms.
         let (a, b) = if b.0 < a.0 { (b, a) } else { (a, b) };
         if let Some(known) = self.dots.get(&(a, b)) {
@@ -329,47 +329,5 @@ impl Frames {
             result = result.add(arena, &turning);
         }
         result
-    }
-}
-
-/// Sum Σ weight · (a · b) of dot products, which becomes a term when all products are known.
-///
-/// Equal pairs of parts are collected first. Where a chain's bodies move alike, their masses add up to one factor of
-/// one dot product, Σ m_k (a · b) = (Σ m_k) (a · b). So a sum over n bodies takes n terms rather than n².
-#[derive(Default)]
-pub struct Dots {
-    places: FxHashMap<(Part, Part), usize>,
-    /// Pairs of parts in the order of first use, each with its weights.
-    list: Vec<((Part, Part), Vec<Expr>)>,
-}
-
-impl Dots {
-    /// Adds weight · (a · b) to the sum.
-    pub fn add(&mut self, weight: Expr, a: &Vector, b: &Vector) {
-        for x in &a.parts {
-            for y in &b.parts {
-                let place = *self.places.entry((*x, *y)).or_insert(self.list.len());
-                match self.list.get_mut(place) {
-                    Some((_, weights)) => weights.push(weight),
-                    None => self.list.push(((*x, *y), vec![weight])),
-                }
-            }
-        }
-    }
-
-    /// Sum of the collected products, as one term.
-    pub fn sum(&self, arena: &mut Arena, frames: &mut Frames) -> Expr {
-        let mut terms = Vec::with_capacity(self.list.len());
-        for ((a, b), weights) in &self.list {
-            let product = frames.dot_of_parts(arena, *a, *b);
-            if product != Expr::ZERO {
-                let mut weight = arena.sum(weights);
-                if frames.carries {
-                    weight = arena.name(weight, "mass");
-                }
-                terms.push(arena.mul(weight, product));
-            }
-        }
-        arena.sum(&terms)
     }
 }

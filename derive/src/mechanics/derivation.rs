@@ -61,7 +61,7 @@ impl DerivationInSteps {
     }
 }
 
-/// All formulations of a model over one store of terms, so that they can be compared.
+/// Formulations of a model over one store of terms, so that they can be compared.
 pub struct Derivations {
     /// Kinematics that all formulations share, with the store of all terms.
     pub kinematics: Kinematics,
@@ -76,9 +76,26 @@ impl Derivations {
         self.result(formulation).ok()
     }
 
+    /// Derives the model by a further formulation, and lists its equations after the others. A formulation that the
+    /// model does not support is listed with its reason.
+    ///
+    /// # Errors
+    /// [`DeriveError`] if the model is wrong.
+    pub fn add(&mut self, model: &Model, formulation: Formulation) -> Result<(), DeriveError> {
+        if self.list.iter().any(|(listed, _)| *listed == formulation) {
+            return Ok(());
+        }
+        match derive_with(model, &mut self.kinematics, formulation) {
+            Err(error) if !error.is_unsupported() => Err(error),
+            result => {
+                self.list.push((formulation, result));
+                Ok(())
+            }
+        }
+    }
+
     /// Gives the named terms of all equations the names that every document about the model uses. Kane's terms are
-    /// named
-    /// first, then the terms that only other formulations have.
+    /// named first, then the terms that only other formulations have.
     pub fn write_names(&mut self) {
         for (formulation, equations) in &self.list {
             if let Ok(equations) = equations {
@@ -190,7 +207,7 @@ fn written_down(mut arena: Arena, equations: &Equations, mut steps: Vec<Step>) -
     DerivationInSteps { arena, equations, steps }
 }
 
-/// Derives the equations of motion of a model by every formulation.
+/// Derives the equations of motion of a model by the standard formulations.
 ///
 /// # Errors
 /// [`DeriveError`] if the model is wrong; a formulation that this model does not support is listed with its reason.
@@ -202,15 +219,12 @@ pub fn derive_all(model: &Model) -> Result<Derivations, DeriveError> {
 ///
 /// # Errors
 /// [`DeriveError`], for the same reasons as [`derive_all`].
-pub fn derive_all_with(model: &Model, mut kinematics: Kinematics) -> Result<Derivations, DeriveError> {
-    let mut list = Vec::new();
-    for f in Formulation::ALL {
-        match derive_with(model, &mut kinematics, f) {
-            Err(error) if !error.is_unsupported() => return Err(error),
-            result => list.push((f, result)),
-        }
+pub fn derive_all_with(model: &Model, kinematics: Kinematics) -> Result<Derivations, DeriveError> {
+    let mut derivations = Derivations { kinematics, list: Vec::new() };
+    for f in Formulation::STANDARD {
+        derivations.add(model, f)?;
     }
-    Ok(Derivations { kinematics, list })
+    Ok(derivations)
 }
 
 /// Equations of one formulation, from kinematics that several formulations may share.

@@ -144,6 +144,8 @@ pub enum Stage {
     ActiveForces,
     /// Lagrange's generalized forces.
     GeneralizedForces,
+    /// Stage that one method alone has, with its heading.
+    Titled(&'static str),
 }
 
 impl Stage {
@@ -160,6 +162,7 @@ impl Stage {
             Self::Energies => "Energies".to_owned(),
             Self::ActiveForces => "Generalized active forces".to_owned(),
             Self::GeneralizedForces => "Generalized forces other than gravity".to_owned(),
+            Self::Titled(title) => title.to_owned(),
         }
     }
 }
@@ -173,6 +176,8 @@ pub enum LineName {
     ActiveForce(usize),
     /// Generalized force of a coordinate, without gravity.
     GeneralizedForce(usize),
+    /// Scalar that one method alone has, by its symbol.
+    Symbol(&'static str),
 }
 
 impl LineName {
@@ -183,6 +188,7 @@ impl LineName {
             Self::Quantity(kind) => kind.name(model),
             Self::ActiveForce(at) => format!("F[{}]", model.speeds[*at].name),
             Self::GeneralizedForce(at) => format!("Q[{}]", model.coordinates[*at].name),
+            Self::Symbol(symbol) => (*symbol).to_owned(),
         }
     }
 }

@@ -325,9 +325,10 @@ impl<'a> Loading<'a, '_> {
 
     fn formulation(&mut self, item: &Item<'a>) -> Option<Formulation> {
         let name = self.required_text(item, "formulation")?;
-        let found = Formulation::named(&name.text);
+        let standard = Formulation::STANDARD;
+        let found = Formulation::named(&name.text).filter(|formulation| standard.contains(formulation));
         if found.is_none() {
-            let help = nearest(&name.text, Formulation::ALL.map(Formulation::name));
+            let help = nearest(&name.text, standard.map(Formulation::name));
             self.reader.error(name.span, format!("there is no formulation `{}`", shown(&name.text)), help);
         }
         found

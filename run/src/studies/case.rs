@@ -214,7 +214,7 @@ pub fn cases(model: &Mechanism, scene: &Scene, printed: Printed) -> Result<(Vec<
 pub fn whole(model: &Mechanism, scene: &Scene, printed: Printed) -> Result<(Vec<Case>, Vec<String>), Error> {
     let (mut list, mut left_out) = (Vec::new(), Vec::new());
     let mut why = None;
-    let mut names: Vec<EquationsOrigin> = tripos_derive::Formulation::ALL.map(EquationsOrigin::from).to_vec();
+    let mut names: Vec<EquationsOrigin> = tripos_derive::Formulation::STANDARD.map(EquationsOrigin::from).to_vec();
     if printed == Printed::Included {
         names.extend(crate::code::printed(model)?);
     }

@@ -42,13 +42,14 @@ pub struct Published {
 }
 
 impl Study {
-    /// Derives the model, proves statements on it, and judges the publication beside it, if there is one.
+    /// Derives the model by the standard formulations and by those of `also`, proves statements on it, and judges the
+    /// publication beside it, if there is one.
     ///
     /// A publication file with errors is left out; its errors are returned beside the study.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived.
-    pub fn new(model: &Model) -> Result<(Self, Option<Diagnostics>), Error> {
+    pub fn new(model: &Model, also: &[Formulation]) -> Result<(Self, Option<Diagnostics>), Error> {
         let mut with_publication = model.clone();
         let (publication, broken) = match load_beside(&model.source.path, &mut with_publication) {
             Ok(publication) => (publication, None),
@@ -56,6 +57,9 @@ impl Study {
         };
         let model = if broken.is_some() { model } else { &with_publication };
         let mut derivations = derive_all(model).map_err(|error| model.diagnose(&error))?;
+        for formulation in also {
+            derivations.add(model, *formulation).map_err(|error| model.diagnose(&error))?;
+        }
         let proof = prove(model, &mut derivations);
         let matrices = derivations.list.iter().filter_map(|(f, e)| Some((*f, e.as_ref().ok()?.matrix.clone())));
         let matrices: Vec<_> = matrices.collect();

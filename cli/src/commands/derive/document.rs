@@ -305,6 +305,7 @@ impl Left {
             LineName::Quantity(kind) => Self::Symbol(named(&kind.name(model))),
             LineName::ActiveForce(at) => Self::Along('F', named(&model.speeds[*at].name)),
             LineName::GeneralizedForce(at) => Self::Along('Q', named(&model.coordinates[*at].name)),
+            LineName::Symbol(symbol) => Self::Symbol(named(symbol)),
         }
     }
 }

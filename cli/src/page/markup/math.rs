@@ -254,6 +254,7 @@ pub fn line_name(model: &Model, name: &LineName) -> String {
         LineName::Quantity(kind) => quantity(model, kind),
         LineName::ActiveForce(at) => force("F", &model.speeds[*at].name),
         LineName::GeneralizedForce(at) => force("Q", &model.coordinates[*at].name),
+        LineName::Symbol(letter) => symbol(letter),
     }
 }
 

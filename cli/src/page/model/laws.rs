@@ -11,7 +11,7 @@ struct Law {
 }
 
 /// Laws of the formulations that have a formula; a formulation that is not listed has its principle in words only.
-const LAWS: [Law; 2] = [
+const LAWS: [Law; 3] = [
     Law {
         formulation: "kane",
         formula: "<msub><mi>F</mi><mi>r</mi></msub><mo>+</mo><msubsup><mi>F</mi><mi>r</mi><mo>⋆</mo></msubsup><mo>=</mo>\
@@ -30,6 +30,13 @@ const LAWS: [Law; 2] = [
         of_constraints: "<mo>+</mo><munder><mo>∑</mo><mi>k</mi></munder><msub><mi>λ</mi><mi>k</mi></msub><mfrac><mrow>\
               <mo form=\"prefix\">∂</mo><msub><mi>c</mi><mi>k</mi></msub></mrow><mrow><mo form=\"prefix\">∂</mo><msub>\
               <mover accent=\"true\"><mi>q</mi><mo>˙</mo></mover><mi>i</mi></msub></mrow></mfrac>",
+    },
+    Law {
+        formulation: "gibbs-appell",
+        formula: "<mfrac><mrow><mo form=\"prefix\">∂</mo><mi>S</mi></mrow><mrow><mo form=\"prefix\">∂</mo><msub>\
+              <mover accent=\"true\"><mi>u</mi><mo>˙</mo></mover><mi>r</mi></msub></mrow></mfrac><mo>=</mo><msub><mi>F</mi>\
+              <mi>r</mi></msub>",
+        of_constraints: "",
     },
 ];
 

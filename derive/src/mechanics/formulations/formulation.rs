@@ -1,5 +1,6 @@
 //! Table of the formulations: each method of derivation is one row.
 
+use super::gibbs_appell;
 use super::kane;
 use super::lagrange;
 use super::newton_euler;
@@ -18,6 +19,8 @@ pub enum Formulation {
     Lagrange,
     /// Newton–Euler equations: force and moment balance of each body, with reactions.
     NewtonEuler,
+    /// Gibbs–Appell equations, from the acceleration energy. They are derived on request only.
+    GibbsAppell,
 }
 
 /// Kind of the motion variables v of a formulation.
@@ -91,11 +94,28 @@ static TABLE: [Method; Formulation::ALL.len()] = [
         derive: newton_euler::derive,
         steps: newton_euler::steps,
     },
+    Method {
+        name: "gibbs-appell",
+        title: "Gibbs–Appell equations",
+        label: "Gibbs–Appell",
+        principle: "For each generalized speed the slope of the acceleration energy S along the rate of the speed is the \
+                    generalized active force:",
+        equation: ["M(q) u' = f(q, u)"; 2],
+        variables: MotionVariables::Speeds,
+        carries_reactions: false,
+        symmetric: true,
+        derive: gibbs_appell::derive,
+        steps: gibbs_appell::steps,
+    },
 ];
 
 impl Formulation {
     /// All formulations, in the order in which they are always listed.
-    pub const ALL: [Self; 3] = [Self::Kane, Self::Lagrange, Self::NewtonEuler];
+    pub const ALL: [Self; 4] = [Self::Kane, Self::Lagrange, Self::NewtonEuler, Self::GibbsAppell];
+
+    /// Formulations that are derived where none is named, in the order of [`Self::ALL`], whose first they are. The
+    /// others are derived on request.
+    pub const STANDARD: [Self; 3] = [Self::Kane, Self::Lagrange, Self::NewtonEuler];
 
     /// Properties of the formulation, from the table of methods.
     #[must_use]

@@ -4,13 +4,11 @@
 
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::{Differential, Gradient};
-use crate::geometry::{Dots, Vector};
+use crate::geometry::{Dots, SymmetricDots, Vector};
 use crate::mechanics::error::DeriveError;
 use crate::mechanics::motion::energy::Momentum;
-use crate::mechanics::motion::kinematics::{
-    Kinematics, Velocities, motion_rates, motion_rates_without_acceleration, rates_to_speeds,
-};
-use crate::mechanics::motion::loads::Load;
+use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, motion_rates_without_acceleration};
+use crate::mechanics::motion::loads::{Load, active_forces};
 use crate::mechanics::quantity::{QuantityKind, VectorName};
 use crate::mechanics::rows::{LineName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
 use crate::model::Model;
@@ -75,27 +73,6 @@ pub(in crate::mechanics) fn generalized_active_forces(
     forces.into_iter().map(|e| kinematics.simplifier.simplify(&mut kinematics.arena, e)).collect()
 }
 
-/// Generalized active forces F_r before they are simplified, one for each speed.
-fn active_forces(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Vec<Expr> {
-    let mut to_speeds = rates_to_speeds(model);
-    if kinematics.frames.carries {
-        let mut loads = kinematics.weights(model, velocities);
-        loads.extend(kinematics.loads(model, velocities).into_iter().flatten());
-        return kinematics.forces_along(&loads, &mut to_speeds, &model.u());
-    }
-    let mut gradient = Gradient::new(&model.u());
-    let mut forces: Vec<Dots> = model.speeds.iter().map(|_| Dots::default()).collect();
-    let mut loads = kinematics.weights(model, velocities);
-    loads.extend(kinematics.loads(model, velocities).into_iter().flatten());
-    for Load { velocity, scale, load } in loads {
-        let load = load.substitute(&mut kinematics.arena, &mut to_speeds);
-        for (r, partial) in velocity.slopes(&mut kinematics.arena, &mut gradient) {
-            forces[r].add(scale, &partial, &load);
-        }
-    }
-    forces.iter().map(|dots| dots.sum(&mut kinematics.arena, &mut kinematics.frames)).collect()
-}
-
 /// Generalized inertia forces F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt] as −(matrix · u̇ + rest).
 ///
 /// u̇_s enters a_C with ∂v_C/∂u_s and dH/dt with ∂H/∂u_s = I·∂ω/∂u_s; `rest` is the value for u̇ = 0. So no coefficient
@@ -115,28 +92,17 @@ impl Inertia {
         }
         let mut gradient = Gradient::new(&model.u());
         let mut rates = motion_rates_without_acceleration(model);
-        let mut products: Vec<Vec<Dots>> = (0..n).map(|r| (r..n).map(|_| Dots::default()).collect()).collect();
+        let mut products = SymmetricDots::new(n);
         let mut rest: Vec<Dots> = (0..n).map(|_| Dots::default()).collect();
         for Momentum { scale, velocity, momentum } in kinematics.momenta(model, velocities) {
             let Kinematics { arena, frames, .. } = kinematics;
             let rate = frames.time_derivative(arena, &momentum, &velocities.angular, &mut rates);
-            let slopes = momentum.slopes(arena, &mut gradient);
-            for (r, partial) in velocity.slopes(arena, &mut gradient) {
-                rest[r].add(scale, &partial, &rate);
-                for (s, slope) in slopes.iter().filter(|(s, _)| *s >= r) {
-                    products[r][s - r].add(scale, &partial, slope);
-                }
-            }
+            let partials = velocity.slopes(arena, &mut gradient);
+            products.add(scale, &partials, &momentum.slopes(arena, &mut gradient));
+            partials.iter().for_each(|(r, partial)| rest[*r].add(scale, partial, &rate));
         }
         let Kinematics { arena, frames, .. } = kinematics;
-        let mut matrix = vec![vec![Expr::ZERO; n]; n];
-        for (r, row) in products.iter().enumerate() {
-            for (above, dots) in row.iter().enumerate() {
-                let entry = dots.sum(arena, frames);
-                matrix[r][r + above] = entry;
-                matrix[r + above][r] = entry;
-            }
-        }
+        let matrix = products.sum(arena, frames);
         Self { matrix, rest: rest.iter().map(|dots| dots.sum(arena, frames)).collect() }
     }
 }

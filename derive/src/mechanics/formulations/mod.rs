@@ -1,6 +1,7 @@
 //! Formulations, each in a file of its own. They share only [`super::motion`].
 
 pub(super) mod formulation;
+pub(super) mod gibbs_appell;
 pub(super) mod kane;
 pub(super) mod lagrange;
 pub(super) mod multipliers;

@@ -245,11 +245,25 @@ impl Kinematics {
         (force, moment.map_or_else(Vector::default, |rate| Vector::in_frame(frame, rate)))
     }
 
-    /// Function that u̇ minimizes by Gauss's principle: ½ Σ m a² + ½ ω' · I ω' + ω' · (ω × H) less the power of the
-    /// loads along u̇.
+    /// Function that u̇ minimizes by Gauss's principle: the acceleration energy less the power of the loads along u̇.
+    /// Weights count as inertia forces.
     pub(in crate::mechanics) fn gauss(&mut self, model: &Model, velocities: &Velocities, loads: &[Load]) -> Sum {
-        let accelerations =
-            self.accelerations(model, velocities, &mut motion_rates(model), &Self::fall(model), AlphaTerms::Separate);
+        let blocks = self.acceleration_energy(model, velocities, &mut motion_rates(model), &Self::fall(model));
+        let forces = self.forces_along(loads, &mut rates_to_speeds(model), &model.u());
+        let linear = forces.into_iter().map(|e| self.arena.neg(e)).collect();
+        Sum { blocks, linear }
+    }
+
+    /// Acceleration energy ½ Σ m a² + Σ ½ ω' · I ω' + ω' · (ω × H) as blocks, along a motion; a is less the given
+    /// acceleration of free fall.
+    pub(in crate::mechanics) fn acceleration_energy(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        rates: &mut Differential,
+        fall: &Vector,
+    ) -> Vec<Block> {
+        let accelerations = self.accelerations(model, velocities, rates, fall, AlphaTerms::Separate);
         let mut blocks = Vec::new();
         let none = [Expr::ZERO; 3];
         for body in &model.bodies {
@@ -265,9 +279,7 @@ impl Kinematics {
                 blocks.push(Block { components, tensor: inertia.tensor, linear });
             }
         }
-        let forces = self.forces_along(loads, &mut rates_to_speeds(model), &model.u());
-        let linear = forces.into_iter().map(|e| self.arena.neg(e)).collect();
-        Sum { blocks, linear }
+        blocks
     }
 
     /// Acceleration of free fall; zero without gravity.
@@ -311,7 +323,11 @@ impl Kinematics {
 }
 
 /// Matrix ∂p_i/∂x_j of momenta, which is symmetric: the upper triangle is derived and mirrored.
-fn symmetric_slopes(arena: &mut Arena, momenta: &[Expr], variables: &[Expr]) -> Vec<Vec<Expr>> {
+pub(in crate::mechanics) fn symmetric_slopes(
+    arena: &mut Arena,
+    momenta: &[Expr],
+    variables: &[Expr],
+) -> Vec<Vec<Expr>> {
     let n = variables.len();
     let mut gradient = Gradient::new(variables);
     let mut matrix = vec![vec![Expr::ZERO; n]; n];

@@ -6,7 +6,7 @@ use super::kinematics::{Kinematics, Velocities};
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Expr, Rational};
-use crate::geometry::{Dots, Vector};
+use crate::geometry::{Dots, SymmetricDots, Vector};
 use crate::mechanics::error::DeriveError;
 use crate::model::Model;
 
@@ -49,27 +49,14 @@ impl Kinematics {
         if self.frames.carries && !self.frames.are_near() {
             return self.form_of_momenta(model, velocities, variables);
         }
-        let n = variables.len();
         let mut gradient = Gradient::new(variables);
-        let mut sums: Vec<Vec<Dots>> = (0..n).map(|i| (i..n).map(|_| Dots::default()).collect()).collect();
+        let mut products = SymmetricDots::new(variables.len());
         for Momentum { scale, velocity, momentum } in self.momenta(model, velocities) {
             let velocities = velocity.slopes(&mut self.arena, &mut gradient);
-            let momenta = momentum.slopes(&mut self.arena, &mut gradient);
-            for (i, v) in &velocities {
-                for (j, p) in momenta.iter().filter(|(j, _)| j >= i) {
-                    sums[*i][j - i].add(scale, v, p);
-                }
-            }
+            products.add(scale, &velocities, &momentum.slopes(&mut self.arena, &mut gradient));
         }
-        let mut form = vec![vec![Expr::ZERO; n]; n];
-        for (i, row) in sums.iter().enumerate() {
-            for (above, dots) in row.iter().enumerate() {
-                let entry = dots.sum(&mut self.arena, &mut self.frames);
-                let entry = self.simplifier.simplify(&mut self.arena, entry);
-                form[i][i + above] = entry;
-                form[i + above][i] = entry;
-            }
-        }
+        let mut form = products.sum(&mut self.arena, &mut self.frames);
+        form.iter_mut().flatten().for_each(|e| *e = self.simplifier.simplify(&mut self.arena, *e));
         form
     }
 

@@ -5,7 +5,7 @@
 //! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and
 //! moving on it), 4.4 (generalized active forces).
 
-use super::kinematics::{Kinematics, Velocities, speeds_to_rates};
+use super::kinematics::{Kinematics, Velocities, rates_to_speeds, speeds_to_rates};
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::text::parse::VelocityOf;
 use crate::algebra::text::print::text;
@@ -178,6 +178,28 @@ impl Kinematics {
         Ok(())
     }
 
+    /// Generalized forces of loads along motion variables, not simplified. `put` replaces the velocities that a load
+    /// names by the motion variables.
+    fn generalized_forces<'a>(
+        &mut self,
+        loads: impl IntoIterator<Item = &'a Load>,
+        put: &mut Substitution,
+        variables: &[Expr],
+    ) -> Vec<Expr> {
+        if self.frames.carries {
+            return self.forces_along(loads, put, variables);
+        }
+        let mut gradient = Gradient::new(variables);
+        let mut forces: Vec<Dots> = variables.iter().map(|_| Dots::default()).collect();
+        for Load { velocity, scale, load } in loads {
+            let load = load.substitute(&mut self.arena, put);
+            for (i, partial) in velocity.slopes(&mut self.arena, &mut gradient) {
+                forces[i].add(*scale, &partial, &load);
+            }
+        }
+        forces.iter().map(|dots| dots.sum(&mut self.arena, &mut self.frames)).collect()
+    }
+
     /// Component of a velocity that a load names, in q and q̇; the literal 0 if it is identically zero.
     fn named_velocity(&mut self, model: &Model, name: &NamedVelocity) -> Expr {
         let velocities = self.in_rates.clone();
@@ -200,19 +222,19 @@ pub(in crate::mechanics) fn forces_of<'a>(
     kinematics: &mut Kinematics,
     loads: impl IntoIterator<Item = &'a Load>,
 ) -> Vec<Expr> {
-    let mut to_rates = speeds_to_rates(model);
-    if kinematics.frames.carries {
-        return kinematics.forces_along(loads, &mut to_rates, &model.q_dot());
-    }
-    let mut gradient = Gradient::new(&model.q_dot());
-    let mut forces: Vec<Dots> = model.coordinates.iter().map(|_| Dots::default()).collect();
-    for Load { velocity, scale, load } in loads {
-        let load = load.substitute(&mut kinematics.arena, &mut to_rates);
-        for (i, partial) in velocity.slopes(&mut kinematics.arena, &mut gradient) {
-            forces[i].add(*scale, &partial, &load);
-        }
-    }
-    forces.iter().map(|dots| dots.sum(&mut kinematics.arena, &mut kinematics.frames)).collect()
+    kinematics.generalized_forces(loads, &mut speeds_to_rates(model), &model.q_dot())
+}
+
+/// Generalized active forces F_r = Σ (∂v_P/∂u_r)·R_P + Σ (∂ω_B/∂u_r)·T_B of all loads and weights, in q and u, not
+/// simplified. Entry r has the unit of power over u_r. Reactions do not contribute.
+pub(in crate::mechanics) fn active_forces(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+) -> Vec<Expr> {
+    let mut loads = kinematics.weights(model, velocities);
+    loads.extend(kinematics.loads(model, velocities).into_iter().flatten());
+    kinematics.generalized_forces(&loads, &mut rates_to_speeds(model), &model.u())
 }
 
 /// Components of a load with the velocities put in. `put` maps each named velocity to its value.

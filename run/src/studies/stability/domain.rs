@@ -21,7 +21,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
         return Ok(());
     }
     let mut said = false;
-    for formulation in Formulation::ALL {
+    for formulation in Formulation::STANDARD {
         let by = EquationsOrigin::from(formulation);
         let code = match code(model, &by, study.scene.integration.distance, Ready::Solved) {
             Ok(code) => code,

@@ -1,0 +1,185 @@
+//! Gibbs–Appell equations: ∂S/∂u̇_r = F_r for each generalized speed, with the acceleration energy
+//! S = Σ ½ m a_C·a_C + ½ α·I·α + α·(ω × I·ω) over the bodies.
+//!
+//! S is quadratic in u̇, so its slope is M u̇ + rest. Terms of S without u̇ have no slope and are left out. The speeds may
+//! be fewer than the coordinates, as motion constraints leave them: then a_C and α are those of permitted motions.
+//! J. W. Gibbs, "On the fundamental formulae of dynamics", American Journal of Mathematics 2 (1879) 49–64; P. Appell,
+//! "Sur une forme générale des équations de la dynamique", J. reine angew. Math. 121 (1900) 310–319.
+
+use super::recursion::symmetric_slopes;
+use crate::algebra::solve::least::Block;
+use crate::algebra::term::adjoint::transposed_product;
+use crate::algebra::term::calculus::{Gradient, Substitution};
+use crate::algebra::{Arena, Expr, Rational};
+use crate::geometry::{Dots, SymmetricDots, Vector, apply_tensor, cross_components};
+use crate::mechanics::error::DeriveError;
+use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, motion_rates_without_acceleration};
+use crate::mechanics::motion::loads::{Load, active_forces};
+use crate::mechanics::rows::{LineName, RowName, Rows, Stage, Step, kinematic_step};
+use crate::model::Model;
+
+/// Derives the Gibbs–Appell equations M(q) u̇ = f(q, u).
+///
+/// # Errors
+/// Never fails: the rank of the matrix finds a speed that moves no mass.
+#[expect(clippy::unnecessary_wraps, reason = "a row of the table of formulations, of which others may fail")]
+pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
+    let velocities = kinematics.in_speeds(model);
+    let forces = active_forces(model, kinematics, &velocities);
+    let AccelerationEnergy { matrix, rest } = AccelerationEnergy::new(model, kinematics, &velocities);
+    let gauss = kinematics.frames.carries.then(|| {
+        let loads: Vec<Load> = kinematics.loads(model, &velocities).into_iter().flatten().collect();
+        kinematics.gauss(model, &velocities, &loads)
+    });
+    // M u̇ + rest = F:  M u̇ = F − rest.
+    let forcing = forces.iter().zip(&rest).map(|(force, rest)| kinematics.arena.sub(*force, *rest)).collect();
+    Ok(Rows {
+        names: (0..model.speeds.len()).map(RowName::Speed).collect(),
+        matrix,
+        forcing,
+        projection: Vec::new(),
+        embedding: None,
+        required: None,
+        gauss,
+        kinetic_energy: kinematics.kinetic_energy(model, &velocities, &model.u()),
+    })
+}
+
+/// Acceleration energy S = ½ u̇ · M u̇ + rest · u̇, without its terms that are free of u̇.
+struct AccelerationEnergy {
+    /// Symmetric matrix M = ∂²S/∂u̇∂u̇, one row for each speed.
+    matrix: Vec<Vec<Expr>>,
+    /// Slope ∂S/∂u̇ at u̇ = 0, one entry for each speed.
+    rest: Vec<Expr>,
+}
+
+/// Part of the acceleration energy: scale (½ acceleration · inertial + acceleration · gyroscopic).
+struct Part {
+    /// Mass of the body for a mass centre, 1 for a rotation.
+    scale: Expr,
+    /// Acceleration a_C of the mass centre, or angular acceleration α.
+    acceleration: Vector,
+    /// Acceleration a_C of the mass centre, or I · α.
+    inertial: Vector,
+    /// Zero for a mass centre, ω × I · ω for a rotation.
+    gyroscopic: Vector,
+}
+
+impl AccelerationEnergy {
+    fn new(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Self {
+        let rates: Vec<Expr> = model.speeds.iter().map(|speed| speed.rate).collect();
+        if kinematics.frames.carries {
+            Self::of_blocks(model, kinematics, velocities, &rates)
+        } else {
+            let parts = parts(model, kinematics, velocities);
+            Self::of_parts(kinematics, &parts, &rates)
+        }
+    }
+
+    /// Differentiates the parts of S by the product rule: with an inertial vector that is linear in the acceleration
+    /// and symmetric, ∂S/∂u̇_r = Σ scale ∂acceleration/∂u̇_r · (inertial + gyroscopic).
+    fn of_parts(kinematics: &mut Kinematics, parts: &[Part], rates: &[Expr]) -> Self {
+        let Kinematics { arena, frames, simplifier, .. } = kinematics;
+        let zeros: Vec<(Expr, Expr)> = rates.iter().map(|rate| (*rate, Expr::ZERO)).collect();
+        let mut without_rates = Substitution::new(&zeros);
+        let mut gradient = Gradient::new(rates);
+        let mut products = SymmetricDots::new(rates.len());
+        let mut rest: Vec<Dots> = rates.iter().map(|_| Dots::default()).collect();
+        for Part { scale, acceleration, inertial, gyroscopic } in parts {
+            let slopes = acceleration.slopes(arena, &mut gradient);
+            products.add(*scale, &slopes, &inertial.slopes(arena, &mut gradient));
+            let at_zero = inertial.substitute(arena, &mut without_rates).add(arena, gyroscopic);
+            slopes.iter().for_each(|(r, slope)| rest[*r].add(*scale, slope, &at_zero));
+        }
+        let mut matrix = products.sum(arena, frames);
+        matrix.iter_mut().flatten().for_each(|e| *e = simplifier.simplify(arena, *e));
+        Self { matrix, rest: rest.iter().map(|dots| dots.sum(arena, frames)).collect() }
+    }
+
+    /// Differentiates S backwards through the named terms of the accelerations. A block ½ e · K e + b · e has the slope
+    /// Σ ∂e/∂u̇ · (K e + b).
+    fn of_blocks(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities, rates: &[Expr]) -> Self {
+        let none = Vector::default();
+        let moving = kinematics.acceleration_energy(model, velocities, &mut motion_rates(model), &none);
+        let mut coasting = motion_rates_without_acceleration(model);
+        let coasting = kinematics.acceleration_energy(model, velocities, &mut coasting, &none);
+        let arena = &mut kinematics.arena;
+        let (mut quadratic, mut linear) = (Vec::new(), Vec::new());
+        for (block, at_zero) in moving.iter().zip(&coasting) {
+            let [along, known] =
+                [block, at_zero].map(|Block { components, tensor, .. }| apply_tensor(arena, tensor, components));
+            for (i, e) in block.components.into_iter().enumerate() {
+                quadratic.push((e, along[i]));
+                linear.push((e, arena.add(known[i], at_zero.linear[i])));
+            }
+        }
+        let slopes = transposed_product(arena, &quadratic, rates, SLOPE);
+        Self { matrix: symmetric_slopes(arena, &slopes, rates), rest: transposed_product(arena, &linear, rates, SLOPE) }
+    }
+
+    /// S as a formula.
+    fn formula(&self, arena: &mut Arena, rates: &[Expr]) -> Expr {
+        let half = Rational::fraction(1, 2).expect("not zero");
+        let mut terms = Vec::new();
+        for (r, row) in self.matrix.iter().enumerate() {
+            for (s, entry) in row.iter().enumerate().skip(r) {
+                let product = arena.product(&[*entry, rates[r], rates[s]]);
+                terms.push((product, if r == s { half.clone() } else { Rational::ONE }));
+            }
+            terms.push((arena.mul(self.rest[r], rates[r]), Rational::ONE));
+        }
+        arena.linear_combination(&terms)
+    }
+}
+
+/// Letter before the name of a term, for the slope of S along the term.
+const SLOPE: &str = "S";
+
+/// Parts of the acceleration energy of all bodies, in q, u and u̇.
+fn parts(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Vec<Part> {
+    let mut rates = motion_rates(model);
+    let mut parts = Vec::new();
+    for body in &model.bodies {
+        let Kinematics { arena, frames, .. } = kinematics;
+        let a = frames.time_derivative(arena, &velocities.linear[body.centre], &velocities.angular, &mut rates);
+        parts.push(Part { scale: body.mass, acceleration: a.clone(), inertial: a, gyroscopic: Vector::default() });
+        if let (Some((_, inertia)), Some(omega)) = (&body.rigid, kinematics.angular_velocity_in(body, velocities)) {
+            let Kinematics { arena, frames, .. } = kinematics;
+            let turning = Vector::in_frame(inertia.frame, omega);
+            let alpha = frames.time_derivative(arena, &turning, &velocities.angular, &mut rates);
+            let alpha = frames.express(arena, &alpha, inertia.frame);
+            let inertial = apply_tensor(arena, &inertia.tensor, &alpha);
+            let momentum = apply_tensor(arena, &inertia.tensor, &omega);
+            let gyroscopic = cross_components(arena, &omega, &momentum);
+            let [acceleration, inertial, gyroscopic] =
+                [alpha, inertial, gyroscopic].map(|components| Vector::in_frame(inertia.frame, components));
+            parts.push(Part { scale: Expr::ONE, acceleration, inertial, gyroscopic });
+        }
+    }
+    parts
+}
+
+/// Acceleration energy and generalized active forces: the steps of the Gibbs–Appell method, for display.
+///
+/// # Errors
+/// Never fails.
+#[expect(clippy::unnecessary_wraps, reason = "the steps of other methods can fail")]
+pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
+    let velocities = kinematics.in_speeds(model);
+    let mut energy = AccelerationEnergy::new(model, kinematics, &velocities);
+    let forces = active_forces(model, kinematics, &velocities);
+    let Kinematics { arena, simplifier, .. } = kinematics;
+    energy.rest.iter_mut().for_each(|e| *e = simplifier.simplify(arena, *e));
+    let rates: Vec<Expr> = model.speeds.iter().map(|speed| speed.rate).collect();
+    let formula = energy.formula(arena, &rates);
+    let forces = forces.into_iter().enumerate();
+    let forces = forces.map(|(at, e)| (LineName::ActiveForce(at), simplifier.simplify(arena, e))).collect();
+    Ok(vec![
+        kinematic_step(model),
+        Step {
+            stage: Stage::Titled("Acceleration energy, without the terms that no acceleration multiplies"),
+            lines: vec![(LineName::Symbol("S"), formula)],
+        },
+        Step { stage: Stage::ActiveForces, lines: forces },
+    ])
+}
