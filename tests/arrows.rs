@@ -284,7 +284,6 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "cli/src/page/scenes/scene.rs",
             "cli/src/plot.rs",
             "cli/src/plot/axis.rs",
-            "cli/src/plot/slim.rs",
         ],
     ),
 ];
