@@ -172,6 +172,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/algebra/text/notation/sympy.rs",
             "derive/src/algebra/text/parse.rs",
             "derive/src/algebra/term/rational/text.rs",
+            "derive/src/algebra/text/parse/calls.rs",
             "derive/src/algebra/text/parse/cursor.rs",
             "derive/src/algebra/text/parse/error.rs",
             "derive/src/algebra/text/parse/interaction.rs",
@@ -284,7 +285,6 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "cli/src/page/scenes/scene.rs",
             "cli/src/plot.rs",
             "cli/src/plot/axis.rs",
-            "cli/src/plot/slim.rs",
         ],
     ),
 ];

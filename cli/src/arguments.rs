@@ -241,8 +241,8 @@ pub enum Command {
         /// module for each formulation; matlab: one file for each function
         #[arg(long, value_name = "LANGUAGE", default_value = "rust")]
         language: String,
-        /// A formulation, such as kane, more than once for several; if not given, the three standard ones, as far as the
-        /// model supports them, and what the publication beside it prints
+        /// A formulation, such as kane, more than once for several; if not given, the three standard ones, as far as
+        /// the model supports them, and what the publication beside it prints
         #[arg(long = "formulation", value_name = "F")]
         formulations: Vec<String>,
         /// Further functions for Rust: jacobian, its entries for implicit methods, which else differentiate the code as

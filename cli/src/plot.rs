@@ -8,17 +8,17 @@ mod axis;
 mod error;
 mod heat;
 mod look;
-mod slim;
+mod pen;
 pub mod styles;
 mod thin;
 
 pub use error::PlotError;
 pub use heat::draw_heat;
-pub use slim::slim;
 pub use tripos::studies::figure::{Bounds, Cell, Figure, HeatMap, Panel, Scale, Series, pretty};
 
 use axis::Axis;
-use look::{Canvas, EDGE, GRID, band, curve, dashed, extent, line, look, marker, write};
+use look::{Canvas, EDGE, GRID, band, curve, dashes, extent, line, look, marker, write};
+use pen::Pen;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 use thin::{marked, thin};
@@ -55,7 +55,7 @@ pub fn draw(panels: &[Panel], columns: usize) -> Result<String, PlotError> {
     }
     let mut svg = String::new();
     {
-        let canvas = SVGBackend::with_string(&mut svg, (extent(WIDTH), extent(y))).into_drawing_area();
+        let canvas = Pen::new(&mut svg, (extent(WIDTH), extent(y)), dashes).into_drawing_area();
         canvas.fill(&WHITE)?;
         names(&canvas, &shared, (4.0, 2.0))?;
         for ((panel, plot), corner) in panels.iter().zip(&plots).zip(&corners) {
@@ -70,16 +70,16 @@ pub fn draw(panels: &[Panel], columns: usize) -> Result<String, PlotError> {
     Ok(finish(&svg, &describe(panels), y))
 }
 
-/// Makes an element with dashes, a title and a size from the document of plotters.
-fn finish(svg: &str, about: &str, height: f64) -> String {
-    let body = svg.split_once('>').map_or("", |(_, body)| body).trim_start();
+/// Makes an `<svg>` element with a title and a size of the elements of a figure.
+fn finish(elements: &str, about: &str, height: f64) -> String {
     let about = about.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
-    dashed(format!(
+    format!(
         "<svg role=\"img\" aria-label=\"{about}\" xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" \
-         height=\"{height}\" viewBox=\"0 0 {} {}\" stroke-linejoin=\"round\">\n<title>{about}</title>\n{body}",
+         height=\"{height}\" viewBox=\"0 0 {} {}\" stroke-linejoin=\"round\" \
+         font-family=\"sans-serif\">\n<title>{about}</title>\n{elements}</svg>\n",
         extent(WIDTH),
         extent(height),
-    ))
+    )
 }
 
 fn describe(panels: &[Panel]) -> String {

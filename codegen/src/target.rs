@@ -30,9 +30,9 @@ pub trait Target {
 /// Formulations that a model does not support, each with the reason.
 pub type LeftOut = Vec<(Formulation, DeriveError)>;
 
-/// Writes a model by a target. It writes the given formulations, or, if none are given, the standard ones that the model
-/// supports and the printed equations of the publication beside it. Each formulation is derived with a store of terms of its own, so
-/// that its text does not depend on the others.
+/// Writes a model by a target. It writes the given formulations, or, if none are given, the standard ones that the
+/// model supports and the printed equations of the publication beside it. Each formulation is derived with a store of
+/// terms of its own, so that its text does not depend on the others.
 ///
 /// # Errors
 /// [`Diagnostics`] of the model or the publication, of a given formulation that the model does not support, or of two

@@ -68,7 +68,8 @@ fn chains_are_proved_to_be_the_same_by_all_formulations() {
 #[test]
 fn the_operations_of_chains_are_bounded() {
     // The last number bounds the terms that the whole derivation builds, in squares of the length: it was 47 864 terms
-    // for Kane and n = 20 before equal products were put together. Accelerations have about twice the terms of velocities.
+    // for Kane and n = 20 before equal products were put together. Accelerations have about twice the terms of
+    // velocities.
     for (formulation, bounds, most) in [
         (Formulation::Kane, [(5, 325, 235), (10, 1200, 870), (20, 4600, 3340)], 20),
         (Formulation::Lagrange, [(5, 325, 235), (10, 1200, 870), (20, 4600, 3340)], 20),

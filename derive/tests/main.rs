@@ -31,6 +31,7 @@ mod frames;
 mod gibbs_appell;
 mod given_potentials;
 mod identification;
+mod identities;
 mod interactions;
 mod joints;
 mod kinematic_equations;

@@ -135,7 +135,7 @@ proptest! {
         let r = reduce(&model, &scene).map_err(|e| TestCaseError::fail(format!("{e}\n{text}\n{outputs:?}")))?;
         let full = model.coordinates.len() + model.speeds.len();
         prop_assert!(r.states.len() + r.quadratures.len() <= full);
-        prop_assert!(r.proof.exponent > 32.0);
+        prop_assert!(r.proof.exponent() > 32.0);
         let e = &r.derivation.equations;
         let mut arena = r.terms().clone();
         let mut inline = Substitution::default();

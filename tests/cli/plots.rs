@@ -31,7 +31,7 @@ fn a_phase_portrait_has_the_points_of_the_run() {
         tripos(&["plot", SCENE, "--what", "q1'", "--against", "q1", "--what", "total_energy", "--out", place]);
     assert!(status == 0 && said.contains("portrait.svg") && said.contains("portrait.csv"), "{said}{err}");
     let svg = std::fs::read_to_string(&out).unwrap();
-    assert!(svg.starts_with("<svg") && svg.contains("<polyline"), "{}", &svg[..200.min(svg.len())]);
+    assert!(svg.starts_with("<svg") && svg.contains("<path fill=\"none\""), "{}", &svg[..200.min(svg.len())]);
     let all = rows(&out.with_extension("csv"));
     let speeds: Vec<_> = all.iter().filter(|row| row.0.contains('\u{307}')).collect();
     let energies: Vec<_> = all.iter().filter(|row| row.0.contains("energy")).collect();

@@ -73,7 +73,7 @@ pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
                 "right": pair.right.name(),
                 "verdict": word(&pair.verdict),
                 "engine": engine(&pair.verdict),
-                "map": pair.map,
+                "map": pair.map.text(),
             });
             match &pair.verdict {
                 Verdict::Different(found) => value["witness"] = witness(found),
@@ -125,7 +125,7 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
             Verdict::Different(found) => format!("DIFFERENT: {} against {}", found.left, found.right),
             Verdict::Undecided(why) => format!("undecided: {why}"),
         };
-        let _ = writeln!(out, "  {} <=> {}: {verdict}\n    {}", pair.left.name(), pair.right.name(), pair.map);
+        let _ = writeln!(out, "  {} <=> {}: {verdict}\n    {}", pair.left.name(), pair.right.name(), pair.map.text());
     }
     for (formulation, why) in &proof.missing {
         let _ = writeln!(out, "  {}: not derived: {why}", formulation.name());

@@ -1,6 +1,7 @@
 //! Heat map of a table: rows and columns of coloured cells, each with its value in it.
 
-use super::look::{Canvas, EDGE, extent, line, rectangle, write};
+use super::look::{Canvas, EDGE, dashes, extent, line, rectangle, write};
+use super::pen::Pen;
 use super::{Cell, HeatMap, LINE, PlotError, WIDTH, finish, text_width, wrap};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
@@ -24,7 +25,7 @@ pub fn draw_heat(map: &HeatMap) -> Result<String, PlotError> {
     let height = bottom + 14.0 + LINE * note.len() as f64;
     let mut svg = String::new();
     {
-        let canvas = SVGBackend::with_string(&mut svg, (extent(WIDTH), extent(height))).into_drawing_area();
+        let canvas = Pen::new(&mut svg, (extent(WIDTH), extent(height)), dashes).into_drawing_area();
         canvas.fill(&WHITE)?;
         write(&canvas, &map.title, (4.0, LINE / 2.0 + 2.0), HPos::Left, FontStyle::Bold)?;
         for (at, name) in map.columns.iter().enumerate() {

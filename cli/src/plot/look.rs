@@ -2,11 +2,12 @@
 
 use super::axis::whole;
 use super::error::PlotError;
+use super::pen::Pen;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-pub type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+pub type Canvas<'a> = DrawingArea<Pen<'a>, Shift>;
 
 /// Number of units of the canvas per pixel.
 const FINE: f64 = 4.0;
@@ -22,10 +23,10 @@ const OUTLINE: f64 = 1.5;
 /// outline the marker is a circle.
 pub struct Look(RGBColor, f64, &'static str, RGBColor, &'static [&'static [(f64, f64)]]);
 
-/// Looks of curves by style: the three standard formulations and a scene's reduced equations; five printed systems; five
-/// wrong ones, the only red ones; the front of a chart, seven methods, the numeric solve, quadrature, and formulations on
-/// request. Each has a marker of its own. A thick light line lies under thin dashed ones, so that equal curves all show. No two looks have equal
-/// colour and width.
+/// Looks of curves by style: the three standard formulations and a scene's reduced equations; five printed systems;
+/// five wrong ones, the only red ones; the front of a chart, seven methods, the numeric solve, quadrature, and
+/// formulations on request. Each has a marker of its own. A thick light line lies under thin dashed ones, so that equal
+/// curves all show. No two looks have equal colour and width.
 pub const LOOKS: [Look; 25] = [
     Look(RGBColor(0x56, 0xb4, 0xe9), 4.5, "", RGBColor(0x00, 0x72, 0xb2), &[]),
     Look(
@@ -202,15 +203,11 @@ pub fn look(style: usize) -> &'static Look {
     &LOOKS[style % LOOKS.len()]
 }
 
-/// Adds dashes to the curves of a figure. Plotters would cut a dashed line into elements; an attribute does the same.
-/// Only curves have the strokes that are changed.
-pub fn dashed(svg: String) -> String {
-    let mut out = svg;
-    for Look(RGBColor(r, g, b), width, dashes, ..) in LOOKS.iter().filter(|look| !look.2.is_empty()) {
-        let stroke = format!("stroke=\"#{r:02X}{g:02X}{b:02X}\" stroke-width=\"{}\"", extent(*width));
-        out = out.replace(&stroke, &format!("{stroke} stroke-dasharray=\"{dashes}\""));
-    }
-    out
+/// Dashes of the curves of a colour and a width in units of the canvas; `None` for whole lines. No other strokes have
+/// these colours and widths.
+pub fn dashes([r, g, b]: [u8; 3], width: u32) -> Option<&'static str> {
+    let drawn = LOOKS.iter().find(|look| look.0 == RGBColor(r, g, b) && extent(look.1) == width);
+    drawn.map(|look| look.2).filter(|dashes| !dashes.is_empty())
 }
 
 pub fn curve(canvas: &Canvas, points: &[(f64, f64)], look: &Look) -> Result<(), PlotError> {

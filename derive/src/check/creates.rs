@@ -62,8 +62,9 @@ pub fn effects(model: &Model) -> Result<Vec<LoadEffect>, DeriveError> {
         })
         .collect();
     // Loads may have a potential, or dissipate, only together.
-    let is_held = judge.has_potential(&all);
+    let have_potential = judge.has_potential(&all);
     let dissipate = judge.power(&all).is_some_and(|power| judge.never_gives(power));
+    let motion = if dissipate { Together::Dissipate } else { Together::Unproved };
     let mut list = Vec::new();
     for (at, (load, forces)) in names.into_iter().zip(&forces).enumerate() {
         let force = model.forces.get(at);
@@ -73,7 +74,10 @@ pub fn effects(model: &Model) -> Result<Vec<LoadEffect>, DeriveError> {
             None if force.and_then(|f| f.damper).is_some_and(|damper| judge.damps(forces, damper)) => {
                 (Effect::Dissipates, String::new())
             }
-            None => judge.effect(forces, is_held || is_spring, dissipate),
+            None => {
+                let rest = if have_potential || is_spring { AtRest::Conservative } else { AtRest::Unproved };
+                judge.effect(forces, rest, motion)
+            }
         };
         list.push(LoadEffect { load, effect, why });
     }
@@ -88,6 +92,24 @@ fn input_of(model: &Model, at: usize) -> Option<String> {
     };
     let reached = model.arena.reachable(&vector);
     model.parameters.iter().find(|p| p.is_input && reached.contains(&p.symbol)).map(|p| p.name.clone())
+}
+
+/// Finding on the part of a load at rest.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum AtRest {
+    /// It has a potential, alone or with all other loads.
+    Conservative,
+    /// No potential was found yet.
+    Unproved,
+}
+
+/// Finding on the parts of all loads beyond those at rest.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Together {
+    /// Their power is never positive.
+    Dissipate,
+    /// It is not proved that they dissipate.
+    Unproved,
 }
 
 struct Judge<'m> {
@@ -155,12 +177,12 @@ impl<'m> Judge<'m> {
         zero_test(&self.arena, rest) == ZeroTest::Zero
     }
 
-    fn effect(&mut self, forces: &[Expr], is_held: bool, dissipate: bool) -> (Effect, String) {
+    fn effect(&mut self, forces: &[Expr], rest: AtRest, together: Together) -> (Effect, String) {
         let Some(power) = self.power(forces) else {
             return (Effect::Undecided, "it has no value at rest".to_owned());
         };
-        let moving = self.effect_in_motion(power, dissipate);
-        if moving.0 == Effect::Creates || is_held || self.has_potential(forces) {
+        let moving = self.effect_in_motion(power, together);
+        if moving.0 == Effect::Creates || rest == AtRest::Conservative || self.has_potential(forces) {
             return moving;
         }
         if self.depends_on_way(forces) {
@@ -171,14 +193,14 @@ impl<'m> Judge<'m> {
     }
 
     /// Effect of a load by the power of its part beyond that at rest, and the reason.
-    fn effect_in_motion(&mut self, power: Expr, dissipate: bool) -> (Effect, String) {
+    fn effect_in_motion(&mut self, power: Expr, together: Together) -> (Effect, String) {
         if zero_test(&self.arena, power) == ZeroTest::Zero {
             return (Effect::Keeps, String::new());
         }
         if self.never_gives(power) {
             return (Effect::Dissipates, String::new());
         }
-        if dissipate {
+        if together == Together::Dissipate {
             return (Effect::Dissipates, "together with the other loads".to_owned());
         }
         match self.state_with(power) {

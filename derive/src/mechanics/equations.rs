@@ -1,8 +1,8 @@
 //! Equations of motion, by any method.
 
 use super::error::DeriveError;
-use super::formulations::formulation::{Formulation, MotionVariables};
-use super::motion::kinematics::Kinematics;
+use super::formulations::formulation::Formulation;
+use super::motion::kinematics::{Kinematics, MotionVariables};
 use super::origin::{Distance, EquationsOrigin};
 use super::rows::{Embedding, RowName, Rows};
 use crate::algebra::solve::least::Sum;
@@ -177,7 +177,7 @@ pub(super) fn complete(
     let Rows { names, matrix, forcing, projection, embedding, kinetic_energy, required, gauss } = rows;
     let required = required.unwrap_or_default();
     let potential_energy = kinematics.potential_energy(model)?;
-    let power = kinematics.power(model, formulation.is_in_rates());
+    let power = kinematics.power(model, formulation.method().variables);
     let rates = &model.kinematic_equations.rates;
     let (generalized_speeds, generalized_speed_rates, coordinate_rates, motion_variables) = match formulation
         .method()

@@ -18,14 +18,16 @@ pub use derivation::{
 };
 pub use equations::{Constrained, Equations};
 pub use error::DeriveError;
-pub use formulations::formulation::{Formulation, Method, MotionVariables};
+pub use formulations::formulation::{Formulation, Method};
 pub use formulations::newton_euler::{Balance, balances, partial_velocities};
 pub use formulations::reaction_balance::along_reactions;
 pub use motion::anchor::Anchor;
 pub use motion::energy::Momentum;
 pub use motion::form::{Form, is_reducible};
 pub use motion::inertial::Inertial;
-pub use motion::kinematics::{Kinematics, LoadPotential, Velocities, motion_rates, rates_to_speeds, speeds_to_rates};
+pub use motion::kinematics::{
+    Kinematics, LoadPotential, MotionVariables, Velocities, motion_rates, rates_to_speeds, speeds_to_rates,
+};
 pub use motion::loads::{Load, MovingPlace, moving_places};
 pub use motion::potential::potential_at_rest;
 pub use origin::{Distance, EquationsOrigin};

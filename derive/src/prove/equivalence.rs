@@ -5,15 +5,17 @@
 //! (Newton–Euler), in which the reactions cancel. P and as many further rows D as there are reactions form a regular
 //! matrix. So Kane's equations and the rows D, which give the reactions, are equivalent to Newton–Euler.
 
-use super::verdicts::{all, all_equal};
+use super::combination::{Combination, Map, MapKind, Part};
+use super::maps::{Combined, Maps, Matrix, combine, dot, transposed};
+use super::verdicts::{Compared, all, all_equal};
+use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Comparer, Verdict};
 use crate::algebra::solve::linear::solve;
-use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::term::calculus::Substitution;
 use crate::algebra::value::rank::rank;
-use crate::algebra::{Arena, Expr};
 use crate::mechanics::{
     Balance, Derivations, Equations, Formulation, Kinematics, RowName, along_reactions, balances, partial_velocities,
-    rates_to_speeds, speeds_to_rates,
+    speeds_to_rates,
 };
 use crate::model::Model;
 
@@ -26,8 +28,11 @@ pub struct Pair {
     pub right: Formulation,
     /// Verdict on the claim that each set of rows is the stated combination of the other.
     pub verdict: Verdict,
-    /// Combination that leads from one formulation to the other, in words and symbols.
-    pub map: String,
+    /// Way from one formulation to the other.
+    pub map: Map,
+    /// Combinations of rows that were proved, with their multipliers and identities. A combination that is not proved
+    /// has no identities.
+    pub combinations: Vec<Combination>,
 }
 
 /// A reaction with the equation that gives it: a Newton–Euler row that Kane's method does not use.
@@ -38,8 +43,6 @@ pub struct ReactionEquation {
     /// Value of the reaction in q, u and u̇.
     pub value: Expr,
 }
-
-type Matrix = Vec<Vec<Expr>>;
 
 /// Proves all pairs of the formulations that were derived, and gives the equations for the reactions.
 pub fn prove(
@@ -55,15 +58,24 @@ pub fn prove(
     for (at, left) in list.iter().enumerate() {
         for right in &list[at + 1..] {
             let found = prover.one_from_the_other(left, right).or_else(|| prover.one_from_the_other(right, left));
-            let both = (left.formulation, right.formulation);
-            pairs.extend(found.map(|(verdict, map)| Pair { left: both.0, right: both.1, verdict, map }));
+            pairs.extend(found.map(|Found { verdict, map, combinations }| Pair {
+                left: left.formulation,
+                right: right.formulation,
+                verdict,
+                map,
+                combinations,
+            }));
         }
     }
     (pairs, prover.reactions.unwrap_or_default())
 }
 
-/// Verdict on two formulations, and the combination that leads from one to the other, in words.
-type FormulationVerdict = (Verdict, String);
+/// Verdict on two formulations, with the way from one to the other and the combinations that were proved.
+struct Found {
+    verdict: Verdict,
+    map: Map,
+    combinations: Vec<Combination>,
+}
 
 struct Prover<'a> {
     model: &'a Model,
@@ -77,7 +89,7 @@ struct Prover<'a> {
 impl Prover<'_> {
     /// Compares two systems by the combination that leads from `left` to `right`. `None` if only the other direction is
     /// known.
-    fn one_from_the_other(&mut self, left: &Equations, right: &Equations) -> Option<FormulationVerdict> {
+    fn one_from_the_other(&mut self, left: &Equations, right: &Equations) -> Option<Found> {
         let (from, to) = (left.formulation, right.formulation);
         match (from.carries_reactions(), to.carries_reactions()) {
             (false, false) if from.is_in_rates() == to.is_in_rates() => Some(self.row_by_row(left, right)),
@@ -89,81 +101,89 @@ impl Prover<'_> {
     }
 
     /// Compares two systems of the same kind row by row.
-    fn row_by_row(&mut self, left: &Equations, right: &Equations) -> FormulationVerdict {
+    fn row_by_row(&mut self, left: &Equations, right: &Equations) -> Found {
         let rows = Combined { matrix: left.matrix.clone(), right: left.forcing.clone() };
-        let verdict = equal_systems(&mut self.kinematics.arena, self.comparer, &rows, right, 0);
-        (verdict, format!("{} = {}, row by row", label(left), label(right)))
+        let claims = claims(&rows, right, 0);
+        let proved =
+            self.proved(Proposal { of: left, gives: right, relations: Vec::new(), multipliers: Vec::new(), claims });
+        Found::new(MapKind::RowByRow, left, right, [proved])
+    }
+
+    /// Proves the identities of a combination.
+    fn proved(&mut self, proposal: Proposal<'_>) -> (Verdict, Combination) {
+        let Proposal { of, gives, relations, multipliers, claims } = proposal;
+        let pairs: Vec<(Expr, Expr)> = claims.iter().map(|claim| claim.sides).collect();
+        let Compared { verdict, identities } = all_equal(&mut self.kinematics.arena, self.comparer, &pairs);
+        let identities = claims.iter().map(|claim| claim.part).zip(identities).collect();
+        let (of, gives) = (of.formulation, gives.formulation);
+        (verdict, Combination { of, gives, relations, multipliers, identities })
     }
 
     /// Proves Speeds = Wᵀ · Rates and Rates = Jᵀ · Speeds.
-    fn speeds_and_rates(&mut self, speeds: &Equations, rates: &Equations) -> FormulationVerdict {
+    fn speeds_and_rates(&mut self, speeds: &Equations, rates: &Equations) -> Found {
         if !self.model.motion_constraints.is_empty() {
             return self.speeds_and_multipliers(speeds, rates);
         }
-        let Self { model, kinematics, comparer, maps, .. } = self;
+        let Self { model, kinematics, maps, .. } = self;
         let arena = &mut kinematics.arena;
         let in_speeds = maps.to_speeds(model, arena, rates);
-        let forward = combine(arena, &transposed(&maps.w), &in_speeds);
-        let forward = equal_systems(arena, comparer, &forward, speeds, 0);
+        let multipliers = transposed(&maps.w);
+        let claims_of_speeds = claims(&combine(arena, &multipliers, &in_speeds), speeds, 0);
+        let relations = maps.rates_in_speeds(model, arena);
+        let forward = Proposal { of: rates, gives: speeds, relations, multipliers, claims: claims_of_speeds };
         let in_rates = maps.to_rates(model, arena, speeds);
         let mut to_rates = speeds_to_rates(model);
-        let j: Matrix =
+        let multipliers: Matrix =
             transposed(&maps.j).iter().map(|row| row.iter().map(|e| to_rates.apply(arena, *e)).collect()).collect();
-        let backward = combine(arena, &j, &in_rates);
-        let backward = equal_systems(arena, comparer, &backward, rates, 0);
+        let claims_of_rates = claims(&combine(arena, &multipliers, &in_rates), rates, 0);
+        let relations = maps.speeds_in_rates(model, arena);
+        let backward = Proposal { of: speeds, gives: rates, relations, multipliers, claims: claims_of_rates };
         // A speed that is not homogeneous in q̇ has an offset at q̇ = 0.
         let pairs: Vec<_> = model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect();
         let mut at_rest = Substitution::new(&pairs);
         let homogeneous = model.speeds.iter().all(|s| at_rest.apply(arena, s.definition) == Expr::ZERO);
-        let with = if homogeneous { "q' = W u and u = J q'" } else { "q' = W u + w and u = J q' + d" };
-        let (u, q) = (label(speeds), label(rates));
-        (all([forward, backward]), format!("{u} = Wᵀ · {q} and {q} = Jᵀ · {u}, with {with}"))
+        let kind = if homogeneous { MapKind::LinearSpeeds } else { MapKind::AffineSpeeds };
+        let proved = [self.proved(forward), self.proved(backward)];
+        Found::new(kind, speeds, rates, proved)
     }
 
     /// Proves Speeds = Wᵀ · Rates, which cancels the multipliers; the rows of the constraints vanish.
-    fn speeds_and_multipliers(&mut self, speeds: &Equations, rates: &Equations) -> FormulationVerdict {
-        let Self { model, kinematics, comparer, maps, .. } = self;
+    fn speeds_and_multipliers(&mut self, speeds: &Equations, rates: &Equations) -> Found {
+        let Self { model, kinematics, maps, .. } = self;
         let arena = &mut kinematics.arena;
         let (n, m) = (model.coordinates.len(), model.motion_constraints.len());
         let in_speeds = maps.to_speeds(model, arena, rates);
-        let forward = combine(arena, &transposed(&maps.w), &in_speeds);
-        let forward = equal_systems(arena, comparer, &forward, speeds, m);
+        let relations = maps.rates_in_speeds(model, arena);
+        let multipliers = transposed(&maps.w);
+        let mut claims = claims(&combine(arena, &multipliers, &in_speeds), speeds, m);
         let of_constraints = in_speeds.matrix[n..].iter().flatten().chain(&in_speeds.forcing[n..]);
-        let vanish: Vec<_> = of_constraints.map(|e| (*e, Expr::ZERO)).collect();
-        let vanish = all_equal(arena, comparer, &vanish);
-        let (u, q) = (label(speeds), label(rates));
-        let map = format!(
-            "{u} = Wᵀ · {q}, the multipliers cancel, and the rows of the constraints vanish, with q' = W u + w; what {q} has \
-             beside {u} gives the multipliers"
-        );
-        (all([forward, vanish]), map)
+        claims.extend(of_constraints.map(|e| Claim { part: Part::Constraint, sides: (*e, Expr::ZERO) }));
+        let proved = self.proved(Proposal { of: rates, gives: speeds, relations, multipliers, claims });
+        Found::new(MapKind::Multipliers, speeds, rates, [proved])
     }
 
     /// Proves Speeds = P · Balances; rows of the balances that P does not use give the reactions.
-    fn speeds_and_balances(&mut self, speeds: &Equations, balances: &Equations) -> FormulationVerdict {
-        let Self { model, kinematics, comparer, .. } = self;
-        let combined = combine(&mut kinematics.arena, &balances.projection, balances);
-        let identity = equal_systems(&mut kinematics.arena, comparer, &combined, speeds, model.reactions.len());
-        let (back, equations) = reactions_from(model, kinematics, balances);
+    fn speeds_and_balances(&mut self, speeds: &Equations, balances: &Equations) -> Found {
+        let Self { model, kinematics, .. } = self;
+        let multipliers = balances.projection.clone();
+        let combined = combine(&mut kinematics.arena, &multipliers, balances);
+        let claims = claims(&combined, speeds, model.reactions.len());
+        let names = model.reactions.iter().map(|reaction| reaction.name.clone()).collect();
+        let proved = self.proved(Proposal { of: balances, gives: speeds, relations: Vec::new(), multipliers, claims });
+        let (back, equations) = reactions_from(self.model, self.kinematics, balances);
         self.reactions.get_or_insert(equations);
-        let names: Vec<&str> = model.reactions.iter().map(|r| r.name.as_str()).collect();
-        let given = match names.as_slice() {
-            [] => "both have the same number of rows".to_owned(),
-            [one] => format!("the remaining equation gives {one}"),
-            _ => format!("the remaining equations give {}", names.join(", ")),
-        };
-        let (u, b) = (label(speeds), label(balances));
-        (all([identity, back]), format!("{u} = (partial velocities) · {b}, the reactions cancel; {given}"))
+        let found = Found::new(MapKind::PartialVelocities(names), speeds, balances, [proved]);
+        Found { verdict: all([found.verdict, back]), ..found }
     }
 
     /// Proves Rates = P · Balances, with the partial velocities with respect to q̇.
-    fn rates_and_balances(&mut self, rates: &Equations, balances: &Equations) -> FormulationVerdict {
-        let Self { model, kinematics, comparer, maps, .. } = self;
+    fn rates_and_balances(&mut self, rates: &Equations, balances: &Equations) -> Found {
+        let Self { model, kinematics, maps, .. } = self;
         let rows = rows_of(model, kinematics, balances);
         let velocities = kinematics.in_rates.clone();
         let mut partial = partial_velocities(model, kinematics, &velocities, &rows, &model.q_dot());
         if !model.motion_constraints.is_empty() {
-            return self.multipliers_and_balances(&partial, rates, balances);
+            return self.multipliers_and_balances(partial, rates, balances);
         }
         // Jᵀ turns rows along u into rows along q̇.
         let of_powers: Matrix = balances.projection.iter().map(|row| row[rows.len()..].to_vec()).collect();
@@ -174,164 +194,85 @@ impl Prover<'_> {
             }
         }
         let in_rates = maps.to_rates(model, &mut kinematics.arena, balances);
+        let relations = maps.speeds_in_rates(model, &mut kinematics.arena);
         let combined = combine(&mut kinematics.arena, &partial, &in_rates);
-        let identity = equal_systems(&mut kinematics.arena, comparer, &combined, rates, model.reactions.len());
-        let (q, b) = (label(rates), label(balances));
-        (identity, format!("{q} = (partial velocities with respect to q') · {b}, the reactions cancel"))
+        let claims = claims(&combined, rates, model.reactions.len());
+        let proved = self.proved(Proposal { of: balances, gives: rates, relations, multipliers: partial, claims });
+        Found::new(MapKind::PartialVelocitiesOfRates, rates, balances, [proved])
     }
 
     /// Proves Rates = P · Balances up to the forces of the constraints. Wᵀ cancels these forces on both sides. So the
     /// reactions along q̇ are Aᵀλ for exactly one λ.
-    fn multipliers_and_balances(
-        &mut self,
-        partial: &Matrix,
-        rates: &Equations,
-        balances: &Equations,
-    ) -> FormulationVerdict {
-        let Self { model, kinematics, comparer, maps, .. } = self;
+    fn multipliers_and_balances(&mut self, partial: Matrix, rates: &Equations, balances: &Equations) -> Found {
+        let Self { model, kinematics, maps, .. } = self;
         let arena = &mut kinematics.arena;
         let p = model.speeds.len();
         let in_speeds = maps.to_speeds(model, arena, rates);
-        let Combined { matrix, right } = combine(arena, partial, balances);
-        let mut pairs = Vec::new();
+        let relations = maps.rates_in_speeds(model, arena);
+        let Combined { matrix, right } = combine(arena, &partial, balances);
+        let mut claims = Vec::new();
         for (at, (row, value)) in matrix.iter().zip(&right).enumerate() {
-            pairs.extend(row[..p].iter().copied().zip(in_speeds.matrix[at].iter().copied()).take(p));
-            pairs.push((*value, in_speeds.forcing[at]));
+            let pairs = row[..p].iter().copied().zip(in_speeds.matrix[at].iter().copied()).take(p);
+            let part = |unknown| Part::Coefficient { row: at, unknown };
+            claims.extend(pairs.enumerate().map(|(unknown, sides)| Claim { part: part(unknown), sides }));
+            claims.push(Claim { part: Part::Right { row: at }, sides: (*value, in_speeds.forcing[at]) });
         }
         // The power of shared reactions along a speed is cancelled by the rows that set their total power to zero.
         let is_power = |row: &RowName| matches!(row, RowName::Power(_) | RowName::Law { .. });
         let powers = balances.rows.iter().position(is_power).unwrap_or(balances.rows.len());
-        for (column, multipliers) in transposed(&maps.w).into_iter().zip(&balances.projection) {
-            for reaction in p..balances.unknowns.len() {
-                let along: Vec<Expr> = matrix.iter().map(|row| row[reaction]).collect();
-                let shared: Vec<Expr> = balances.matrix[powers..].iter().map(|row| row[reaction]).collect();
-                let (alone, others) = (dot(arena, &column, &along), dot(arena, &multipliers[powers..], &shared));
-                pairs.push((arena.add(alone, others), Expr::ZERO));
+        for (speed, (column, multipliers)) in transposed(&maps.w).iter().zip(&balances.projection).enumerate() {
+            for unknown in p..balances.unknowns.len() {
+                let along: Vec<Expr> = matrix.iter().map(|row| row[unknown]).collect();
+                let shared: Vec<Expr> = balances.matrix[powers..].iter().map(|row| row[unknown]).collect();
+                let (alone, others) = (dot(arena, column, &along), dot(arena, &multipliers[powers..], &shared));
+                let part = Part::Power { speed, reaction: unknown - p };
+                claims.push(Claim { part, sides: (arena.add(alone, others), Expr::ZERO) });
             }
         }
-        let (q, b) = (label(rates), label(balances));
-        let map = format!(
-            "{q} = (partial velocities with respect to q') · {b}, the reactions being Aᵀλ along q', which W cancels on both sides"
-        );
-        (all_equal(arena, comparer, &pairs), map)
+        let proved = self.proved(Proposal { of: balances, gives: rates, relations, multipliers: partial, claims });
+        Found::new(MapKind::ConstraintForces, rates, balances, [proved])
     }
 }
 
-fn label(equations: &Equations) -> &'static str {
-    equations.formulation.method().label
-}
-
-/// Maps between speeds and rates: q̇ = W u + w, q̈ = W u̇ + x, and u = J q̇ + d, u̇ = J q̈ + y.
-struct Maps {
-    w: Matrix,
-    j: Matrix,
-    /// Accelerations q̈ for u̇ = 0, in q and u.
-    x: Vec<Expr>,
-    /// Accelerations u̇ for q̈ = 0, in q and q̇.
-    y: Vec<Expr>,
-}
-
-impl Maps {
-    fn new(model: &Model, arena: &mut Arena) -> Self {
-        let jacobian = |arena: &mut Arena, rows: &[Expr], by: &[Expr]| -> Matrix {
-            let partials: Vec<Differential> = by.iter().map(|s| Differential::partial(*s)).collect();
-            rows.iter().map(|row| partials.clone().iter_mut().map(|d| d.apply(arena, *row)).collect()).collect()
-        };
-        let rates = &model.kinematic_equations.rates;
-        let definitions: Vec<Expr> = model.speeds.iter().map(|s| s.definition).collect();
-        // Time derivatives along the motion, without the terms in accelerations.
-        let along_speeds: Vec<_> = model.q().into_iter().zip(rates.iter().copied()).collect();
-        let along_rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
-        let mut by_speeds = Differential::along(&along_speeds);
-        let mut by_rates = Differential::along(&along_rates);
-        Self {
-            w: jacobian(arena, rates, &model.u()),
-            j: jacobian(arena, &definitions, &model.q_dot()),
-            x: rates.iter().map(|e| by_speeds.apply(arena, *e)).collect(),
-            y: definitions.iter().map(|e| by_rates.apply(arena, *e)).collect(),
-        }
-    }
-
-    /// Rewrites equations in u̇ and further unknowns as equations in q̈ and the further unknowns: A u̇ = A J q̈ + A y.
-    fn to_rates(&self, model: &Model, arena: &mut Arena, equations: &Equations) -> Equations {
-        let mut to_rates = speeds_to_rates(model);
-        let n = model.speeds.len();
-        let mut result = equations.clone();
-        for (row, right) in result.matrix.iter_mut().zip(&mut result.forcing) {
-            for entry in &mut *row {
-                *entry = to_rates.apply(arena, *entry);
-            }
-            let shift = dot(arena, &row[..n], &self.y);
-            let known = to_rates.apply(arena, *right);
-            *right = arena.sub(known, shift);
-            let moved: Vec<Expr> = (0..n).map(|i| dot(arena, &row[..n], &column(&self.j, i))).collect();
-            row[..n].copy_from_slice(&moved);
-        }
-        result
-    }
-
-    /// Rewrites equations in q̈ and further unknowns as equations in u̇ and the further unknowns.
-    fn to_speeds(&self, model: &Model, arena: &mut Arena, equations: &Equations) -> Equations {
-        let mut to_speeds = rates_to_speeds(model);
-        let mut result = equations.clone();
-        for (row, right) in result.matrix.iter_mut().zip(&mut result.forcing) {
-            for entry in &mut *row {
-                *entry = to_speeds.apply(arena, *entry);
-            }
-            let n = self.w.len();
-            let shift = dot(arena, &row[..n], &self.x);
-            let known = to_speeds.apply(arena, *right);
-            *right = arena.sub(known, shift);
-            let others = row[n..].to_vec();
-            *row = (0..model.speeds.len()).map(|i| dot(arena, &row[..n], &column(&self.w, i))).chain(others).collect();
-        }
-        result.unknowns.splice(..model.coordinates.len(), model.speeds.iter().map(|s| s.rate));
-        result
+impl Found {
+    fn new(
+        kind: MapKind,
+        left: &Equations,
+        right: &Equations,
+        proved: impl IntoIterator<Item = (Verdict, Combination)>,
+    ) -> Self {
+        let (verdicts, combinations): (Vec<_>, Vec<_>) = proved.into_iter().unzip();
+        let map = Map { left: left.formulation, right: right.formulation, kind };
+        Self { verdict: all(verdicts), map, combinations }
     }
 }
 
-fn transposed(matrix: &Matrix) -> Matrix {
-    (0..matrix.first().map_or(0, Vec::len)).map(|at| column(matrix, at)).collect()
+/// Claim that two terms are equal, with the part of a system that it is about.
+struct Claim {
+    part: Part,
+    sides: (Expr, Expr),
 }
 
-fn column(matrix: &Matrix, at: usize) -> Vec<Expr> {
-    matrix.iter().map(|row| row[at]).collect()
+/// Combination before its claims are proved.
+struct Proposal<'a> {
+    of: &'a Equations,
+    gives: &'a Equations,
+    relations: Vec<(Expr, Expr)>,
+    multipliers: Matrix,
+    claims: Vec<Claim>,
 }
 
-fn dot(arena: &mut Arena, a: &[Expr], b: &[Expr]) -> Expr {
-    let products: Vec<Expr> = a.iter().zip(b).map(|(a, b)| arena.mul(*a, *b)).collect();
-    arena.sum(&products)
-}
-
-/// Linear system: its matrix and its right-hand side.
-struct Combined {
-    matrix: Matrix,
-    right: Vec<Expr>,
-}
-
-/// Combination of rows of a system, one for each row of `multipliers`.
-fn combine(arena: &mut Arena, multipliers: &Matrix, system: &Equations) -> Combined {
-    let width = system.unknowns.len();
-    let matrix =
-        multipliers.iter().map(|by| (0..width).map(|c| dot(arena, by, &column(&system.matrix, c))).collect()).collect();
-    Combined { matrix, right: multipliers.iter().map(|by| dot(arena, by, &system.forcing)).collect() }
-}
-
-/// Compares combined rows with the rows of `expected`. The coefficients of `extra` further unknowns must vanish.
-fn equal_systems(
-    arena: &mut Arena,
-    comparer: &mut Comparer,
-    combined: &Combined,
-    expected: &Equations,
-    extra: usize,
-) -> Verdict {
-    let mut pairs = Vec::new();
+/// Claims that combined rows are the rows of `expected`, and that the coefficients of `extra` further unknowns vanish.
+fn claims(combined: &Combined, expected: &Equations, extra: usize) -> Vec<Claim> {
+    let mut claims = Vec::new();
     for (at, (row, value)) in combined.matrix.iter().zip(&combined.right).enumerate() {
         let wanted = expected.matrix[at].iter().copied().chain(std::iter::repeat_n(Expr::ZERO, extra));
-        pairs.extend(row.iter().copied().zip(wanted));
-        pairs.push((*value, expected.forcing[at]));
+        let part = |unknown| Part::Coefficient { row: at, unknown };
+        let coefficients = row.iter().copied().zip(wanted).enumerate();
+        claims.extend(coefficients.map(|(unknown, sides)| Claim { part: part(unknown), sides }));
+        claims.push(Claim { part: Part::Right { row: at }, sides: (*value, expected.forcing[at]) });
     }
-    all_equal(arena, comparer, &pairs)
+    claims
 }
 
 /// Balances that are rows of the Newton–Euler equations, because they are not 0 = 0.

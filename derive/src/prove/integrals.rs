@@ -6,9 +6,10 @@
 use super::fields::{Field, Lagrangian};
 use super::kind::{IntegralKind, beside};
 use super::motions;
-use super::verdicts::all;
+use super::verdicts::{Compared, all_equal};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::meaning::compare::{Comparer, Verdict};
+use crate::algebra::meaning::identity::Identity;
 use crate::algebra::solve::elimination::divisors;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::solve::primitive::primitive;
@@ -37,6 +38,10 @@ pub struct Integral {
     pub of_places: Vec<Expr>,
     /// Verdict on the identity that the integral's rate vanishes along Kane's equations.
     pub verdict: Verdict,
+    /// Multipliers λ of Kane's rows in dI/dt = λᵀ (M u̇ − f), one for each speed.
+    pub multipliers: Vec<Expr>,
+    /// Identities of dI/dt = λᵀ (M u̇ − f): the coefficients of each u̇, then the rest.
+    pub identities: Vec<Identity>,
 }
 
 impl Integral {
@@ -315,7 +320,7 @@ impl Searching<'_> {
         if rank(arena, &gradients).is_none_or(|found| found.dependent.is_some()) {
             return;
         }
-        let verdict = self.prove(value, multipliers);
+        let Compared { verdict, identities } = self.prove(value, multipliers);
         if !verdict.is_equal() {
             return;
         }
@@ -329,28 +334,31 @@ impl Searching<'_> {
             field: field.map(<[Expr]>::to_vec),
             of_places: vec![of_place],
             verdict,
+            multipliers: multipliers.to_vec(),
+            identities,
         });
     }
 
     /// Proves dI/dt − λᵀ (M u̇ − f) = 0 for an integral I, coefficient by coefficient of u̇.
-    fn prove(&mut self, value: Expr, multipliers: &[Expr]) -> Verdict {
+    fn prove(&mut self, value: Expr, multipliers: &[Expr]) -> Compared {
         let (arena, comparer, kane) = (&mut *self.arena, &mut *self.comparer, &self.basis.kane);
         let rate = motion_rates(self.model).apply(arena, value);
         let Ok((coefficients, rest)) = LinearForm::new(&kane.unknowns).coefficients(arena, rate) else {
-            return Verdict::Undecided("its rate is not linear in the accelerations".to_owned());
+            let verdict = Verdict::Undecided("its rate is not linear in the accelerations".to_owned());
+            return Compared { verdict, identities: Vec::new() };
         };
-        let mut verdicts = Vec::new();
+        let mut pairs = Vec::new();
         for (column, coefficient) in coefficients.iter().enumerate() {
             let rows = kane.matrix.iter().zip(multipliers);
             let terms: Vec<Expr> = rows.map(|(row, by)| arena.mul(row[column], *by)).collect();
             let combined = arena.sum(&terms);
-            verdicts.push(comparer.compare(arena, *coefficient, combined));
+            pairs.push((*coefficient, combined));
         }
         let terms: Vec<Expr> = kane.forcing.iter().zip(multipliers).map(|(f, by)| arena.mul(*f, *by)).collect();
         let combined = arena.sum(&terms);
         let combined = arena.neg(combined);
-        verdicts.push(comparer.compare(arena, rest, combined));
-        all(verdicts)
+        pairs.push((rest, combined));
+        all_equal(arena, comparer, &pairs)
     }
 }
 

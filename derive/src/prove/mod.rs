@@ -4,14 +4,17 @@
 //! integrated, sampled in floating point or solved for accelerations. Each system is proved to be a linear combination
 //! of the other, with the multipliers given.
 
+mod combination;
 mod equivalence;
 mod fields;
 mod integrals;
 mod kind;
+mod maps;
 mod motions;
 mod singular;
 mod verdicts;
 
+pub use combination::{Combination, Map, MapKind, Part};
 pub use equivalence::{Pair, ReactionEquation};
 pub(crate) use fields::Field;
 pub(crate) use integrals::Basis;

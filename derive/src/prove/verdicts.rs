@@ -1,6 +1,7 @@
 //! One verdict from many comparisons.
 
 use crate::algebra::meaning::compare::{Comparer, Engine, Verdict};
+use crate::algebra::meaning::identity::Identity;
 use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
 use crate::algebra::{Arena, Expr};
@@ -8,10 +9,19 @@ use crate::algebra::{Arena, Expr};
 /// Product of terms and comparisons above which all pairs are compared at once.
 const MOST_SINGLE: usize = 2_000_000;
 
+/// Comparison of many pairs of terms.
+#[derive(Clone, Debug)]
+pub struct Compared {
+    /// Verdict on all pairs together.
+    pub verdict: Verdict,
+    /// Identities of the pairs, in their order; empty unless all pairs are equal.
+    pub identities: Vec<Identity>,
+}
+
 /// Compares the two terms of every pair and gives one verdict. In large systems, whose entries share most terms, all
 /// pairs are compared at once: Σ w_i d_i of the differences d_i, with a new symbol w_i for each, is zero if and only if
 /// all differences are.
-pub fn all_equal(arena: &mut Arena, comparer: &mut Comparer, pairs: &[(Expr, Expr)]) -> Verdict {
+pub fn all_equal(arena: &mut Arena, comparer: &mut Comparer, pairs: &[(Expr, Expr)]) -> Compared {
     let differences: Vec<Expr> = pairs.iter().map(|(left, right)| arena.sub(*left, *right)).collect();
     let differences: Vec<Expr> = differences.into_iter().filter(|e| *e != Expr::ZERO).collect();
     if differences.len() * arena.reachable(&differences).len() > MOST_SINGLE {
@@ -26,10 +36,24 @@ pub fn all_equal(arena: &mut Arena, comparer: &mut Comparer, pairs: &[(Expr, Exp
         let sum = arena.sum(&weighted);
         let sum = comparer.with_plain_angles(arena, sum);
         if let (ZeroTest::Zero, exponent) = bounded_zero_test(arena, sum) {
-            return Verdict::Equal(Engine::Modular { exponent });
+            let engine = |same: bool| if same { Engine::NormalForm } else { Engine::Modular { exponent } };
+            let identity = |(left, right): &(Expr, Expr)| {
+                let same = arena.sub(*left, *right) == Expr::ZERO;
+                Identity { left: *left, right: *right, engine: engine(same) }
+            };
+            let identities = pairs.iter().map(identity).collect();
+            return Compared { verdict: Verdict::Equal(Engine::Modular { exponent }), identities };
         }
     }
-    all(pairs.iter().map(|(left, right)| comparer.compare(arena, *left, *right)))
+    let mut identities = Vec::with_capacity(pairs.len());
+    for (left, right) in pairs {
+        match comparer.compare(arena, *left, *right) {
+            Verdict::Equal(engine) => identities.push(Identity { left: *left, right: *right, engine }),
+            verdict => return Compared { verdict, identities: Vec::new() },
+        }
+    }
+    let verdict = all(identities.iter().map(|identity| Verdict::Equal(identity.engine)));
+    Compared { verdict, identities }
 }
 
 /// One verdict for many: the first that is not "equal", or else "equal" with the weakest engine.

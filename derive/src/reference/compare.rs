@@ -7,7 +7,7 @@ use crate::algebra::text::parse::parse_primed;
 use crate::diagnostic::nearest;
 use crate::diff::equations::rows::{Match, Row as Entries, Terms, judge};
 use crate::mechanics::{
-    Derivations, Energy, Formulation, Kinematics, Quantities, Quantity, QuantityKind, Row, VectorName,
+    Derivations, Energy, Formulation, Kinematics, MotionVariables, Quantities, Quantity, QuantityKind, Row, VectorName,
 };
 use crate::model::Model;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -87,24 +87,28 @@ impl Judge<'_, '_> {
         let stated = self.read(quantity.name(), formula)?;
         match self.quantities.value(quantity) {
             Ok(derived) => {
-                let in_rates = self.quantities.mentions_rates(derived);
-                self.compare(quantity.name().to_owned(), stated, derived, in_rates);
+                let has_rates = self.quantities.mentions_rates(derived);
+                let variables = if has_rates { MotionVariables::Rates } else { MotionVariables::Speeds };
+                self.compare(quantity.name().to_owned(), stated, derived, variables);
             }
             Err(why) => self.missing(quantity.name(), &why),
         }
         Ok(())
     }
 
-    fn compare(&mut self, name: String, stated: Expr, derived: Expr, in_rates: bool) {
-        let stated = self.rewrite(stated, in_rates);
-        let derived = self.rewrite(derived, in_rates);
+    fn compare(&mut self, name: String, stated: Expr, derived: Expr, variables: MotionVariables) {
+        let stated = self.rewrite(stated, variables);
+        let derived = self.rewrite(derived, variables);
         let verdict = self.comparer.compare(&mut self.quantities.derivations.kinematics.arena, stated, derived);
         self.found.push(Compared { name, reference: Some(stated), derived: Some(derived), verdict });
     }
 
-    /// Rewrites a term in q and q̇ if `in_rates`, else in q and u.
-    fn rewrite(&mut self, e: Expr, in_rates: bool) -> Expr {
-        if in_rates { self.quantities.in_rates(e) } else { self.quantities.in_speeds(e) }
+    /// Rewrites a term in q and the given variables.
+    fn rewrite(&mut self, e: Expr, variables: MotionVariables) -> Expr {
+        match variables {
+            MotionVariables::Rates => self.quantities.in_rates(e),
+            MotionVariables::Speeds => self.quantities.in_speeds(e),
+        }
     }
 
     fn missing(&mut self, name: &str, why: &str) {
@@ -134,7 +138,7 @@ impl Judge<'_, '_> {
 
     /// Judges a system entry by entry. The rows of `derived` have the right-hand side at their end.
     fn system(&mut self, system: &System, derived: &[Entries]) -> Result<(), ReferenceError> {
-        let (name, in_rates) = (system.formulation.name(), system.formulation.is_in_rates());
+        let (name, variables) = (system.formulation.name(), system.formulation.method().variables);
         let unknowns = system.formulation.unknowns(self.quantities.model);
         let unknowns: Vec<String> = unknowns.into_iter().map(|(name, _)| name).collect();
         if system.unknowns != unknowns {
@@ -152,8 +156,8 @@ impl Judge<'_, '_> {
                     format!("{name} matrix[{},{}]", i + 1, j + 1)
                 };
                 let e = self.read(&entry, formula)?;
-                self.compare(entry, e, derived[i][j], in_rates);
-                row.push(self.rewrite(e, in_rates));
+                self.compare(entry, e, derived[i][j], variables);
+                row.push(self.rewrite(e, variables));
             }
             stated.push(row);
         }

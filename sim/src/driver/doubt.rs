@@ -64,11 +64,9 @@ impl Doubts {
         self.rejected = None;
     }
 
-    /// Takes note of whether the solution inside an accepted step is known to its full order.
-    pub(crate) fn note_inside<M: Stepper>(&mut self, stepper: &M, known: bool) {
-        if !known {
-            self.coarse.get_or_insert(stepper.span().0);
-        }
+    /// Takes note of an accepted step inside of which the solution is not known to its full order.
+    pub(crate) fn note_coarse<M: Stepper>(&mut self, stepper: &M) {
+        self.coarse.get_or_insert(stepper.span().0);
     }
 
     fn note_rounding<M: Stepper>(&mut self, stepper: &M, test: &ErrorTest) {

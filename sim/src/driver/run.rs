@@ -217,9 +217,9 @@ impl<M: Stepper> Run<'_, M> {
         R: RightHandSide<M::Real>,
     {
         let suspects = !guard.is_empty() && guard.suspects(rhs, &self.stepper);
-        if suspects || is_sampled || !watch.is_empty() {
-            let known = self.stepper.prepare_inside(rhs);
-            self.doubts.note_inside(&self.stepper, known);
+        let is_used = suspects || is_sampled || !watch.is_empty();
+        if is_used && !self.stepper.prepare_inside(rhs) {
+            self.doubts.note_coarse(&self.stepper);
         }
         end_inside(&self.stepper, suspects, rhs, watch, guard)
     }

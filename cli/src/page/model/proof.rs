@@ -101,7 +101,7 @@ fn integrals(model: &Model, arena: &Arena, list: &[Integral], search: &str) -> S
 
 fn pair(pair: &Pair) -> Vec<String> {
     let (left, right) = (escape(pair.left.title()), escape(pair.right.title()));
-    vec![format!("{left} ⇔ {right}"), verdict(&pair.verdict), typed(&pair.map)]
+    vec![format!("{left} ⇔ {right}"), verdict(&pair.verdict), typed(&pair.map.text())]
 }
 
 /// HTML of a verdict in words, with the engine that decided it, a witness or a reason.

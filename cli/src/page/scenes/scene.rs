@@ -7,7 +7,7 @@ use crate::page::scenes::needs;
 use crate::page::scenes::outcome;
 use crate::page::scenes::runs;
 use crate::page::scenes::singular;
-use crate::plot::{pretty, slim};
+use crate::plot::pretty;
 use std::fmt::Write;
 
 /// Largest number of figures of a scene that are not folded.
@@ -92,7 +92,7 @@ fn figure(figure: &Figure, count: &mut usize) -> String {
     let remark = figure.remark.as_ref().map_or_else(String::new, |remark| format!("<p>{}</p>\n", words(remark)));
     format!(
         "<figure>\n<div class=\"card\">\n{}</div>\n<figcaption>Figure {count}. {}{data}</figcaption>\n</figure>\n{remark}",
-        slim(&figure.svg),
+        figure.svg,
         words(&figure.caption)
     )
 }

@@ -1,6 +1,7 @@
 //! Decisions on the meaning of terms: equality, signs, permitted states.
 
 pub mod compare;
+pub mod identity;
 pub mod permitted;
 pub(crate) mod signs;
 pub(super) mod witness;

@@ -45,9 +45,9 @@ impl Sign {
         matches!(self, Self::Positive | Self::NotNegative)
     }
 
-    /// Sign of k times the term, for k other than 0; `negative` is true for k < 0.
-    const fn scaled(self, negative: bool) -> Self {
-        if negative { self.negated() } else { self }
+    /// Sign of k times the term, for k other than 0.
+    fn scaled(self, k: &Rational) -> Self {
+        if k.is_negative() { self.negated() } else { self }
     }
 
     fn times(self, other: Self) -> Self {
@@ -56,7 +56,7 @@ impl Sign {
             _ => {
                 let strict = self.is_strict() && other.is_strict();
                 let sign = if strict { Self::Positive } else { Self::NotNegative };
-                sign.scaled(self.is_not_negative() != other.is_not_negative())
+                if self.is_not_negative() == other.is_not_negative() { sign } else { sign.negated() }
             }
         }
     }
@@ -300,7 +300,7 @@ impl Signs {
             let Some(k) = common_multiple(arena, e, *positive) else { continue };
             let rest = arena.linear_combination(&[(e, Rational::ONE), (*positive, k.neg())]);
             let sign = match arena.node(rest) {
-                Node::Number(value) if value.is_zero() => Sign::Positive.scaled(k.is_negative()),
+                Node::Number(value) if value.is_zero() => Sign::Positive.scaled(&k),
                 Node::Number(value) => Sign::of_number(value),
                 Node::Sum(constant, terms) if terms.iter().all(|(term, _)| known.contains_key(term)) => {
                     sign_of_sum(constant, terms, known)
@@ -308,7 +308,7 @@ impl Signs {
                 _ => known.get(&rest).copied().unwrap_or(Sign::Unknown),
             };
             if sign != Sign::Unknown && sign.is_not_negative() != k.is_negative() {
-                return Sign::Positive.scaled(k.is_negative());
+                return Sign::Positive.scaled(&k);
             }
         }
         Sign::Unknown
@@ -317,7 +317,7 @@ impl Signs {
 
 /// Sign of the sum constant + Σ k · term if all its parts have one sign; unknown otherwise.
 fn sign_of_sum(constant: &Rational, terms: &[(Expr, Rational)], known: &FxHashMap<Expr, Sign>) -> Sign {
-    let mut parts: Vec<Sign> = terms.iter().map(|(term, k)| known[term].scaled(k.is_negative())).collect();
+    let mut parts: Vec<Sign> = terms.iter().map(|(term, k)| known[term].scaled(k)).collect();
     if !constant.is_zero() {
         parts.push(Sign::of_number(constant));
     }

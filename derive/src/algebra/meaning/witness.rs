@@ -92,7 +92,9 @@ pub fn witness(arena: &Arena, asked: &Asked<'_>) -> Option<(Witness, bool)> {
 
 /// Random value for a symbol, within its bounds if there are some.
 fn value_of(arena: &Arena, signs: &Signs, symbol: Expr, generator: &mut Generator) -> f64 {
-    let plain = handy_number(generator, arena.is_positive(symbol));
+    let size = handy_size(generator);
+    let is_positive = arena.is_positive(symbol) || generator.next().is_multiple_of(2);
+    let plain = if is_positive { size } else { -size };
     let Some(Bounds { low, high, .. }) = signs.bounds_of(symbol) else { return plain };
     let number = |e: &Option<Expr>| {
         let e = (*e)?;
@@ -119,8 +121,7 @@ fn mentions_any(arena: &Arena, e: Expr, symbols: &[Expr]) -> bool {
 /// Upper limit of the size of all numbers that people are asked to type.
 const LARGEST: f64 = 3.2;
 
-/// Random number with two decimals, which people can type: its size is 0.2 to 2.99.
-fn handy_number(generator: &mut Generator, positive: bool) -> f64 {
-    let size = (20 + generator.next() % 280) as f64 / 100.0;
-    if positive || generator.next().is_multiple_of(2) { size } else { -size }
+/// Random number from 0.2 to 2.99 with two decimals, which people can type.
+fn handy_size(generator: &mut Generator) -> f64 {
+    (20 + generator.next() % 280) as f64 / 100.0
 }

@@ -38,13 +38,35 @@ pub enum ZeroTest {
     Undecided,
 }
 
+/// Point of a prime field at which a term was evaluated and is zero.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Trial {
+    /// Prime of the field.
+    pub prime: u64,
+    /// Seed from which the residues of all symbols and angles at the point are drawn.
+    pub seed: u64,
+}
+
+/// Points at which [`zero_test`] evaluates a term and finds zero, in order. Empty for a number.
+#[must_use]
+pub fn trials(arena: &Arena, e: Expr) -> Vec<Trial> {
+    let mut list = Vec::new();
+    zero_test_at(arena, e, &mut |trial| list.push(trial));
+    list
+}
+
 /// Tests if the term `e` is zero by meaning.
 #[must_use]
 pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
+    zero_test_at(arena, e, &mut |_| {})
+}
+
+/// Tests like [`zero_test`], and passes each point at which the term is zero to `found`.
+fn zero_test_at(arena: &Arena, e: Expr, found: &mut dyn FnMut(Trial)) -> ZeroTest {
     match arena.node(e) {
         Node::Number(value) => return if value.is_zero() { ZeroTest::Zero } else { ZeroTest::NonZero },
         Node::Symbol(_) | Node::Pi => return ZeroTest::NonZero,
-        Node::Named(_, term) => return zero_test(arena, *term),
+        Node::Named(_, term) => return zero_test_at(arena, *term, found),
         _ => {}
     }
     let needed = Needed::new(arena, &[e]);
@@ -74,9 +96,13 @@ pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
             field = Field::random(&mut generator);
             is_second = true;
         }
-        let point = Point::new(field, generator.next());
+        let seed = generator.next();
+        let point = Point::new(field, seed);
         match values_at(arena, &needed, &denominators, &point).map(|values| values[e]) {
-            Some(0) => evaluated += 1,
+            Some(0) => {
+                found(Trial { prime: field.prime, seed });
+                evaluated += 1;
+            }
             Some(_) => return if opaque { ZeroTest::Undecided } else { ZeroTest::NonZero },
             None => {}
         }

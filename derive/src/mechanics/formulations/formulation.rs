@@ -6,7 +6,7 @@ use super::lagrange;
 use super::newton_euler;
 use crate::algebra::Expr;
 use crate::mechanics::error::DeriveError;
-use crate::mechanics::motion::kinematics::Kinematics;
+use crate::mechanics::motion::kinematics::{Kinematics, MotionVariables};
 use crate::mechanics::rows::{Rows, Step};
 use crate::model::{Model, MotionConstraint};
 
@@ -21,15 +21,6 @@ pub enum Formulation {
     NewtonEuler,
     /// Gibbs–Appell equations, from the acceleration energy. They are derived on request only.
     GibbsAppell,
-}
-
-/// Kind of the motion variables v of a formulation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum MotionVariables {
-    /// The generalized speeds u.
-    Speeds,
-    /// The rates q̇ of the coordinates.
-    Rates,
 }
 
 /// Properties of a method of derivation.

@@ -1,8 +1,8 @@
 //! Gibbs–Appell equations: ∂S/∂u̇_r = F_r for each generalized speed, with the acceleration energy
 //! S = Σ ½ m a_C·a_C + ½ α·I·α + α·(ω × I·ω) over the bodies.
 //!
-//! S is quadratic in u̇, so its slope is M u̇ + rest. Terms of S without u̇ have no slope and are left out. The speeds may
-//! be fewer than the coordinates, as motion constraints leave them: then a_C and α are those of permitted motions.
+//! S is quadratic in u̇, so its slope is M u̇ + rest. Terms of S without u̇ have no slope and are left out. The speeds
+//! may be fewer than the coordinates, as motion constraints leave them: then a_C and α are those of permitted motions.
 //! J. W. Gibbs, "On the fundamental formulae of dynamics", American Journal of Mathematics 2 (1879) 49–64; P. Appell,
 //! "Sur une forme générale des équations de la dynamique", J. reine angew. Math. 121 (1900) 310–319.
 

@@ -1,4 +1,4 @@
-//! Positions and velocities, from which all three formulations start.
+//! Positions and velocities, from which all formulations start.
 //!
 //! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and
 //! moving on it), 2.12 (generalized speeds), 2.14 (partial velocities).
@@ -52,6 +52,15 @@ pub struct Velocities {
     pub linear: Vec<Vector>,
     /// Rates q̇ of the coordinates, in the motion variables.
     pub rates: Vec<Expr>,
+}
+
+/// Kind of the motion variables v in which velocities, forces or equations are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MotionVariables {
+    /// The generalized speeds u.
+    Speeds,
+    /// The rates q̇ of the coordinates.
+    Rates,
 }
 
 impl Kinematics {

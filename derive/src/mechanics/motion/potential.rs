@@ -6,7 +6,7 @@
 //! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.4, 1.5, 2.7.
 
 use super::energy::place_of_zero;
-use super::kinematics::{Kinematics, LoadPotential, rates_to_speeds};
+use super::kinematics::{Kinematics, LoadPotential, MotionVariables, rates_to_speeds};
 use super::loads::{Load, forces_of};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::solve::primitive::primitive;
@@ -49,9 +49,8 @@ impl Kinematics {
         groups.iter().map(|group| forces_of(model, self, group)).collect()
     }
 
-    /// Power W of the forces without a potential in V: d(T + V)/dt in every motion, W. In q and q̇ if `in_rates`, else
-    /// in q and u.
-    pub(in crate::mechanics) fn power(&mut self, model: &Model, in_rates: bool) -> Expr {
+    /// Power of the forces without a potential in V: d(T + V)/dt in every motion, W, in q and the given variables.
+    pub(in crate::mechanics) fn power(&mut self, model: &Model, variables: MotionVariables) -> Expr {
         let rest = self.load_potential(model).rest;
         let arena = &mut self.arena;
         let terms: Vec<Expr> = rest.iter().zip(model.q_dot()).map(|(force, rate)| arena.mul(*force, rate)).collect();
@@ -59,7 +58,10 @@ impl Kinematics {
         if zero_test(arena, power) == ZeroTest::Zero {
             return Expr::ZERO;
         }
-        let power = if in_rates { power } else { rates_to_speeds(model).apply(arena, power) };
+        let power = match variables {
+            MotionVariables::Rates => power,
+            MotionVariables::Speeds => rates_to_speeds(model).apply(arena, power),
+        };
         self.simplifier.simplify(arena, power)
     }
 

@@ -43,7 +43,7 @@ pub fn written_out<'a>(reader: &mut Reader<'_>, table: &DeTable<'a>) -> Option<D
     let mut whole = DeTable::new();
     for (key, value) in table {
         if key.get_ref() != "counts" {
-            let value = repeating.value(value, &counts, PROSE.contains(&key.get_ref().as_ref()));
+            let value = repeating.value(value, &counts, TextKind::of(key.get_ref()));
             whole.insert(key.clone(), value);
         }
     }
@@ -59,6 +59,21 @@ struct Repeating<'r, 'a> {
     reader: &'r mut Reader<'a>,
     arena: Arena,
     entries: usize,
+}
+
+/// Kind of the texts under a key.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum TextKind {
+    /// Formulas and names, in which all braces are replaced.
+    Formula,
+    /// Words for people, in which braces without a number stay.
+    Prose,
+}
+
+impl TextKind {
+    fn of(key: &str) -> Self {
+        if PROSE.contains(&key) { Self::Prose } else { Self::Formula }
+    }
 }
 
 impl Repeating<'_, '_> {
@@ -83,17 +98,17 @@ impl Repeating<'_, '_> {
     }
 
     /// Copy of a value in which numbers replace the formulas in braces. In prose, braces without a number stay.
-    fn value<'a>(&mut self, value: &Spanned<DeValue<'a>>, numbers: &Numbers, is_prose: bool) -> Spanned<DeValue<'a>> {
+    fn value<'a>(&mut self, value: &Spanned<DeValue<'a>>, numbers: &Numbers, kind: TextKind) -> Spanned<DeValue<'a>> {
         let span = value.span();
         let new = match value.get_ref() {
-            DeValue::String(text) if text.contains('{') && !is_prose => {
+            DeValue::String(text) if text.contains('{') && kind == TextKind::Formula => {
                 DeValue::String(Cow::Owned(self.put(text, numbers, &span)))
             }
             DeValue::String(text) if text.contains('{') => DeValue::String(Cow::Owned(self.prose(text, numbers))),
             DeValue::Array(list) => {
                 let mut array = toml::de::DeArray::new();
                 for item in list {
-                    array.push(self.value(item, numbers, is_prose));
+                    array.push(self.value(item, numbers, kind));
                 }
                 DeValue::Array(array)
             }
@@ -107,7 +122,7 @@ impl Repeating<'_, '_> {
         let mut result = DeTable::new();
         for (key, value) in table {
             if !key.get_ref().contains('{') {
-                result.insert(key.clone(), self.value(value, numbers, PROSE.contains(&key.get_ref().as_ref())));
+                result.insert(key.clone(), self.value(value, numbers, TextKind::of(key.get_ref())));
                 continue;
             }
             let span = key.span();
@@ -120,7 +135,7 @@ impl Repeating<'_, '_> {
                 if self.entries > MAX_REPEATED {
                     return result;
                 }
-                let value = self.value(value, &numbers, false);
+                let value = self.value(value, &numbers, TextKind::Formula);
                 if result.insert(Spanned::new(span.clone(), Cow::Owned(name.clone())), value).is_some() {
                     let message = format!("`{}` is stated twice by what is repeated", shown(&name));
                     self.reader.error(span.clone(), message, "name the index of the range in the key");

@@ -7,6 +7,8 @@
 //! random points of random prime fields, with a stated bound.
 
 use crate::algebra::Expr;
+use crate::algebra::meaning::compare::Engine;
+use crate::algebra::meaning::identity::Identity;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
@@ -19,18 +21,26 @@ use crate::reduce::slices::outputs::Wanted;
 use crate::reduce::slices::slice::Flow;
 
 /// Proof that a reduced system gives the outputs of the whole one.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Proof {
-    /// Number of identities that were tested, each of them zero.
-    pub identities: usize,
-    /// Each identity is wrong with a probability below 2^−exponent; infinite if all identities are zero by form.
-    pub exponent: f64,
+    /// Identities that were tested and hold, in the store of the reduced system.
+    pub identities: Vec<Identity>,
 }
 
 impl Proof {
+    /// Exponent of the proof's bound: each identity is wrong with a probability below 2^−exponent. Infinite if all
+    /// identities hold by form.
+    #[must_use]
+    pub fn exponent(&self) -> f64 {
+        self.identities.iter().fold(f64::INFINITY, |least, identity| match identity.engine {
+            Engine::NormalForm => least,
+            Engine::Modular { exponent } => least.min(exponent),
+        })
+    }
+
     /// Text of the proof's bound, ` (in doubt by less than 2^-95)`; empty if every identity is zero by form.
     pub(in crate::reduce) fn doubt(&self) -> String {
-        match self.exponent {
+        match self.exponent() {
             e if e.is_finite() => format!(" (in doubt by less than 2^-{})", e.floor().min(9999.0)),
             _ => String::new(),
         }
@@ -39,7 +49,7 @@ impl Proof {
 
 impl std::fmt::Display for Proof {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let (n, doubt) = (self.identities, self.doubt());
+        let (n, doubt) = (self.identities.len(), self.doubt());
         let what = "the kinematic equations and Kane's of the whole model, its constants and outputs, along the reduced motion";
         write!(f, "{n} identities hold: {what}{doubt}")
     }
@@ -100,7 +110,7 @@ impl Check {
             written: Substitution::default(),
             change,
             rates: Vec::new(),
-            proof: Proof { identities: 0, exponent: f64::INFINITY },
+            proof: Proof { identities: Vec::new() },
         };
         let u: Vec<Expr> = u.into_iter().map(|e| put.apply(&mut basis.arena, e)).collect();
         let u: Vec<Expr> = u.into_iter().map(|e| flow.dependence.whole(&mut basis.arena, e)).collect();
@@ -157,30 +167,33 @@ impl Check {
         Ok(())
     }
 
-    /// Counts an identity e = 0 of the proof; the error names an identity that does not hold or is not decided.
-    fn zero(&mut self, basis: &ReductionBasis, e: Expr, what: impl FnOnce() -> String) -> Result<(), String> {
-        self.proof.identities += 1;
-        if e == Expr::ZERO {
-            return Ok(());
-        }
-        let (answer, exponent) = bounded_zero_test(&basis.arena, e);
-        self.proof.exponent = self.proof.exponent.min(exponent);
-        match answer {
-            ZeroTest::Zero => Ok(()),
-            ZeroTest::NonZero => Err(format!("{} does not hold", what())),
-            ZeroTest::Undecided => Err(format!("{} cannot be decided", what())),
-        }
+    /// Adds an identity e = 0 to the proof; the error names an identity that does not hold or is not decided.
+    fn zero(&mut self, basis: &mut ReductionBasis, e: Expr, what: impl FnOnce() -> String) -> Result<(), String> {
+        self.equal(basis, e, Expr::ZERO, what)
     }
 
+    /// Adds an identity left = right to the proof; the error names an identity that does not hold or is not decided.
     fn equal(
         &mut self,
         basis: &mut ReductionBasis,
-        a: Expr,
-        b: Expr,
+        left: Expr,
+        right: Expr,
         what: impl FnOnce() -> String,
     ) -> Result<(), String> {
-        let difference = basis.arena.sub(a, b);
-        self.zero(basis, difference, what)
+        let difference = basis.arena.sub(left, right);
+        if difference == Expr::ZERO {
+            self.proof.identities.push(Identity { left, right, engine: Engine::NormalForm });
+            return Ok(());
+        }
+        let (answer, exponent) = bounded_zero_test(&basis.arena, difference);
+        match answer {
+            ZeroTest::Zero => {
+                self.proof.identities.push(Identity { left, right, engine: Engine::Modular { exponent } });
+                Ok(())
+            }
+            ZeroTest::NonZero => Err(format!("{} does not hold", what())),
+            ZeroTest::Undecided => Err(format!("{} cannot be decided", what())),
+        }
     }
 
     /// Checks the kinematic equations: the speeds give q̇.
@@ -329,7 +342,7 @@ mod tests {
     #[test]
     fn what_is_right_is_proved() {
         let proof = spoilt(|_, _, _| ()).unwrap();
-        assert!(proof.identities > 10 && proof.exponent > 64.0, "{proof}");
+        assert!(proof.identities.len() > 10 && proof.exponent() > 64.0, "{proof}");
     }
 
     #[test]

@@ -69,8 +69,11 @@ fn bodies(subject: &Subject<'_>) -> Option<String> {
         .enumerate()
         .filter_map(|(at, body)| {
             let is_of = |solid: &&Solid| solid.body == Some(at);
-            let mut nouns: Vec<&str> =
-                subject.view.solids.iter().filter(is_of).map(|solid| noun(&solid.form, body.rigid.is_none())).collect();
+            let noun = |solid: &Solid| match &solid.form {
+                Form::Sphere { .. } if body.rigid.is_none() => "particle",
+                form => form.noun(),
+            };
+            let mut nouns: Vec<&str> = subject.view.solids.iter().filter(is_of).map(noun).collect();
             nouns.sort_unstable();
             nouns.dedup();
             (!nouns.is_empty()).then(|| format!("{} ({})", body.name, nouns.join(", ")))
@@ -80,11 +83,6 @@ fn bodies(subject: &Subject<'_>) -> Option<String> {
     let springs = springs.map(|solid| format!("{} (spring or damper)", solid.label));
     let all: Vec<String> = list.into_iter().chain(springs).collect();
     (!all.is_empty()).then(|| format!("Drawn are {}.", all.join(", ")))
-}
-
-/// Noun for the form of a solid, which may represent a particle.
-fn noun(form: &Form, is_particle: bool) -> &'static str {
-    if is_particle && matches!(form, Form::Sphere { .. }) { "particle" } else { form.noun() }
 }
 
 /// Sentence that says how each coordinate is shown; `None` without coordinates.

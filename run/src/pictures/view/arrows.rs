@@ -132,7 +132,8 @@ impl Arrows {
             }
         }
         let reactions = joined(&model.reactions);
-        let (balance, without) = match balance(mechanism, scene, !reactions.is_empty()) {
+        let balance = (!reactions.is_empty()).then(|| balance(mechanism, scene)).transpose();
+        let (balance, without) = match balance {
             Ok(balance) => (balance, None),
             Err(why) => (None, Some(why)),
         };
@@ -208,17 +209,13 @@ fn usual(values: &[Vec<Triple>]) -> f64 {
     if tenth > 0.0 { tenth } else { each.last().copied().unwrap_or_default() }
 }
 
-/// Equations of the force balance of a mechanism with reactions; `None` without reactions. The error says why reactions
-/// cannot be found.
-fn balance(mechanism: &Mechanism, scene: &Scene, has_reactions: bool) -> Result<Option<Code>, String> {
-    if !has_reactions {
-        return Ok(None);
-    }
+/// Equations of the force balance of a mechanism with reactions. The error says why reactions cannot be found.
+fn balance(mechanism: &Mechanism, scene: &Scene) -> Result<Code, String> {
     if !scene.impacts.is_empty() {
         return Err("what holds a closed contact is not among them".to_owned());
     }
     let balance = code(mechanism, &Formulation::NewtonEuler.into(), None, Ready::AsDerived);
-    balance.map(Some).map_err(|error| format!("Newton and Euler's equations do not determine them: {error}"))
+    balance.map_err(|error| format!("Newton and Euler's equations do not determine them: {error}"))
 }
 
 /// Groups the components of reaction forces that act between the same two places in the same frame.

@@ -9,6 +9,7 @@ use tripos_derive::Model;
 use tripos_derive::algebra::term::calculus::{Differential, Substitution};
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::mechanics::MotionVariables;
 use tripos_derive::scene::{Impact, ImpactLaw};
 use tripos_sim::{ClosedContacts, Failure, Mode, Undecided};
 use tripos_traits::{Enclosure, Interval, Lengths, System};
@@ -74,14 +75,13 @@ pub struct Response {
 }
 
 impl<'a> Contacts<'a> {
-    /// Prepares the contacts of a scene of this model, for equations in the rates of coordinates or in generalized
-    /// speeds.
+    /// Prepares the contacts of a scene of this model, for equations in the given motion variables.
     pub fn new(
         model: &Model,
         impacts: &'a [Impact],
         system: &'a dyn System<f64>,
         parameters: &'a [f64],
-        in_rates: bool,
+        variables: MotionVariables,
     ) -> Self {
         let mut arena = model.arena.clone();
         let (q, p) = (model.q(), model.p());
@@ -93,10 +93,11 @@ impl<'a> Contacts<'a> {
         let gaps = gaps.map(|tape| (tape.clone(), tape.to())).collect();
         let slopes: Vec<Expr> = impacts.iter().flat_map(|impact| along(&mut arena, impact.gap, &q)).collect();
         let slopes = value(&arena, &slopes, &of_state);
-        let (v, pairs): (Vec<Expr>, Vec<(Expr, Expr)>) = if in_rates {
-            (model.q_dot(), model.speeds.iter().map(|s| (s.symbol, s.definition)).collect())
-        } else {
-            (model.u(), model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied()).collect())
+        let (v, pairs): (Vec<Expr>, Vec<(Expr, Expr)>) = match variables {
+            MotionVariables::Rates => (model.q_dot(), model.speeds.iter().map(|s| (s.symbol, s.definition)).collect()),
+            MotionVariables::Speeds => {
+                (model.u(), model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied()).collect())
+            }
         };
         let mut told = Substitution::new(&pairs);
         let (mut velocities, mut rows) = (Vec::new(), Vec::<Vec<usize>>::new());

@@ -4,8 +4,7 @@ use super::{Power, Problem};
 use crate::error::Error;
 use crate::preparation::impacts::{Bouncing, Carrier, Contacts, Doubles, Held, HeldContacts, LEAST};
 use crate::preparation::initial::InitialState;
-use tripos_derive::Formulation;
-use tripos_derive::mechanics::EquationsOrigin;
+use tripos_derive::mechanics::{EquationsOrigin, MotionVariables};
 use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::{Event, Failure, Options, RightHandSide, SimError, Solution};
 use tripos_traits::Real;
@@ -14,8 +13,8 @@ impl Problem<'_> {
     /// Prepares the contacts of the scene in the variables of the equations.
     #[must_use]
     pub(crate) fn contacts(&self) -> Contacts<'_> {
-        let in_rates = self.by.formulation().is_some_and(Formulation::is_in_rates);
-        Contacts::new(self.model, &self.scene.impacts, self.system(), &self.scene.parameters, in_rates)
+        let variables = self.by.formulation().map_or(MotionVariables::Speeds, |by| by.method().variables);
+        Contacts::new(self.model, &self.scene.impacts, self.system(), &self.scene.parameters, variables)
     }
 
     /// Runs a scene with contacts in parts, from impact to impact, in doubles.

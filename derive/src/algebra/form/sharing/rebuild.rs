@@ -86,6 +86,15 @@ struct Builder<'a> {
     steps: Vec<Definition>,
 }
 
+/// Place of a term in the sum that is rebuilt.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Place {
+    /// The sum has this term only.
+    Alone,
+    /// The sum has further terms.
+    AmongTerms,
+}
+
 impl Builder<'_> {
     /// Returns the term that stands for an atom, and defines all steps that it uses first. It is not recursive, since
     /// chains of steps are long.
@@ -144,10 +153,10 @@ impl Builder<'_> {
 
     fn sum(&mut self, atom: Atom) -> Expr {
         let network = self.network;
-        let several = network.terms(atom).count() > 1;
+        let place = if network.terms(atom).count() > 1 { Place::AmongTerms } else { Place::Alone };
         let mut terms: Vec<(Expr, Rational)> = Vec::new();
         for (_, term) in network.terms(atom) {
-            let product = self.product(term, several);
+            let product = self.product(term, place);
             terms.push((product, term.k.clone()));
         }
         self.arena.linear_combination(&terms)
@@ -155,9 +164,9 @@ impl Builder<'_> {
 
     /// Product of the factors of a term. A single factor that is a sum, and would merge into the surrounding sum, gets
     /// a symbol.
-    fn product(&mut self, term: &Term, several: bool) -> Expr {
+    fn product(&mut self, term: &Term, place: Place) -> Expr {
         if let [(only, 1)] = term.factors.as_slice()
-            && (several || !is_unit(&term.k))
+            && (place == Place::AmongTerms || !is_unit(&term.k))
         {
             let value = self.built[*only as usize].unwrap_or(Expr::ONE);
             let is_sum = matches!(self.arena.node(value), crate::algebra::Node::Sum(..));

@@ -26,7 +26,8 @@ pub(super) fn refuse_whole_quotients(plain: &Plain) -> Result<(), ParseError> {
             ")" => {
                 let inner = levels.pop().unwrap_or_default();
                 let Some(outer) = levels.last_mut() else { return Ok(()) };
-                operand(outer, !inner.is_real && inner.term != Some(false))?;
+                let is_whole = !inner.is_real && inner.term != Some(false);
+                operand(outer, if is_whole { Operand::Whole } else { Operand::Real })?;
             }
             "/" => level.slash = Some(place.clone()),
             // Powers and functions of several arguments are real.
@@ -37,14 +38,25 @@ pub(super) fn refuse_whole_quotients(plain: &Plain) -> Result<(), ParseError> {
                 level.term = None;
             }
             "*" => {}
-            number => operand(level, number.bytes().all(|b| b.is_ascii_digit()))?,
+            number if number.bytes().all(|b| b.is_ascii_digit()) => operand(level, Operand::Whole)?,
+            _ => operand(level, Operand::Real)?,
         }
     }
     Ok(())
 }
 
+/// Kind of an operand in C.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Operand {
+    /// Whole number, or a term of whole numbers in parentheses.
+    Whole,
+    /// Number with decimals, variable, or term that contains one.
+    Real,
+}
+
 /// Takes an operand into the term of a level.
-fn operand(level: &mut Level, is_whole: bool) -> Result<(), ParseError> {
+fn operand(level: &mut Level, operand: Operand) -> Result<(), ParseError> {
+    let is_whole = operand == Operand::Whole;
     if let Some(slash) = level.slash.take().filter(|_| is_whole && level.term == Some(true)) {
         let help = "C rounds quotients of whole numbers towards zero, 1/2 is 0: write 1.0/2 if that is printed";
         return Err(wrong(slash, "a quotient of whole numbers", help));

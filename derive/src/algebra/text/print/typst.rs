@@ -54,13 +54,13 @@ pub(super) fn write_typst(view: &View, out: &mut String) {
                     (_, false) => " + ",
                     (_, true) => " - ",
                 });
-                typst_part(term, term.is_loose(), out);
+                typst_part(term, |term| !term.is_loose(), out);
             }
         }
         View::Product(factors) => {
             for (at, factor) in factors.iter().enumerate() {
                 out.push_str(if at > 0 { " thin " } else { "" });
-                typst_part(factor, factor.is_loose(), out);
+                typst_part(factor, |factor| !factor.is_loose(), out);
             }
         }
         View::Fraction(above, below) => {
@@ -73,10 +73,10 @@ pub(super) fn write_typst(view: &View, out: &mut String) {
         View::Power(base, n) => match &**base {
             View::Call(name @ ("sin" | "cos" | "tan"), argument) => {
                 let _ = write!(out, "{name}^{n} ");
-                typst_part(argument, !matches!(**argument, View::Name(_) | View::Word(_)), out);
+                typst_part(argument, is_name, out);
             }
             base => {
-                typst_part(base, !matches!(base, View::Number(_) | View::Pi | View::Name(_) | View::Word(_)), out);
+                typst_part(base, is_atom, out);
                 let _ = write!(out, "^{n}");
             }
         },
@@ -91,18 +91,32 @@ pub(super) fn write_typst(view: &View, out: &mut String) {
                     let _ = write!(out, "{name} ");
                 }
             }
-            typst_part(argument, !matches!(**argument, View::Name(_) | View::Word(_)), out);
+            typst_part(argument, is_name, out);
         }
         View::Root(argument) => typst_call("sqrt", argument, out),
         View::Cut => out.push_str("dots"),
     }
 }
 
-/// Appends a part of a formula, in parentheses if it needs them.
-fn typst_part(view: &View, needs_parentheses: bool, out: &mut String) {
-    out.push_str(if needs_parentheses { "(" } else { "" });
-    write_typst(view, out);
-    out.push_str(if needs_parentheses { ")" } else { "" });
+/// Appends a part of a formula, in parentheses unless it can stand without.
+fn typst_part(view: &View, stands_alone: fn(&View) -> bool, out: &mut String) {
+    if stands_alone(view) {
+        write_typst(view, out);
+    } else {
+        out.push('(');
+        write_typst(view, out);
+        out.push(')');
+    }
+}
+
+/// True if a part is a name, which needs no parentheses as an argument.
+fn is_name(view: &View) -> bool {
+    matches!(view, View::Name(_) | View::Word(_))
+}
+
+/// True if a part is a number or a name, which needs no parentheses under a power.
+fn is_atom(view: &View) -> bool {
+    is_name(view) || matches!(view, View::Number(_) | View::Pi)
 }
 
 /// Appends a call of a Typst function that draws bars or a root around its argument.

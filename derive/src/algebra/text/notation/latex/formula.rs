@@ -31,6 +31,15 @@ enum Before {
     Divisor,
 }
 
+/// Kind of the bars of an absolute value.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Bars {
+    /// Bars after `\left` and `\right`, which may be nested.
+    Sized,
+    /// Plain bars, of which the next one closes.
+    Plain,
+}
+
 impl Formula<'_, '_> {
     pub(super) fn whole(mut self) -> Result<Plain, ParseError> {
         self.sum()?;
@@ -155,7 +164,7 @@ impl Formula<'_, '_> {
                 return Ok(());
             }
             Some(Mark::Command(name)) => match name.as_str() {
-                "lvert" | "vert" => return self.absolute(name == "lvert"),
+                "lvert" | "vert" => return self.absolute(if name == "lvert" { Bars::Sized } else { Bars::Plain }),
                 "sqrt" => return self.root(),
                 "frac" | "tfrac" | "dfrac" => return self.fraction(),
                 name => {
@@ -164,7 +173,7 @@ impl Formula<'_, '_> {
                     }
                 }
             },
-            Some(Mark::Char('|')) => return self.absolute(false),
+            Some(Mark::Char('|')) => return self.absolute(Bars::Plain),
             _ => {}
         }
         let before = self.cursor.clone();
@@ -341,13 +350,13 @@ impl Formula<'_, '_> {
     }
 
     /// Reads an absolute value |…|, whose first bar is next.
-    fn absolute(&mut self, is_left: bool) -> Result<(), ParseError> {
+    fn absolute(&mut self, bars: Bars) -> Result<(), ParseError> {
         let open = self.cursor.here();
         self.cursor.at += 1;
         self.out.push_all(&["abs", "("], &open);
         let first = self.cursor.at;
         let end = self
-            .closing_bar(first, is_left)
+            .closing_bar(first, bars)
             .ok_or_else(|| wrong(open.clone(), "this bar is never closed", "write \\left| … \\right|"))?;
         // The text between the bars is a formula of its own.
         let list = &self.cursor.list[first..end];
@@ -367,7 +376,8 @@ impl Formula<'_, '_> {
 
     /// Number of the closing bar: for \left and \right that of the same depth, for plain bars the next; `None` if there
     /// is none.
-    fn closing_bar(&self, first: usize, is_left: bool) -> Option<usize> {
+    fn closing_bar(&self, first: usize, bars: Bars) -> Option<usize> {
+        let is_left = bars == Bars::Sized;
         let mut open = 0_usize;
         for (at, placed) in self.cursor.list.iter().enumerate().skip(first) {
             match &placed.mark {

@@ -7,6 +7,15 @@ use crate::algebra::text::notation::refusal::wrong;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
+/// Kind of an argument without parentheses.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Argument {
+    /// Numbers only, such as 2π.
+    Number,
+    /// Term with a symbol, a root or a fraction.
+    Term,
+}
+
 impl Formula<'_, '_> {
     /// Reads a fraction whose command \frac is next, or a derivative by time that is written as one.
     pub(super) fn fraction(&mut self) -> Result<(), ParseError> {
@@ -187,7 +196,8 @@ impl Formula<'_, '_> {
         }
         // Nobody multiplies a coordinate inside of a function: \sin\theta(…) is (sin θ)·(…).
         let ends = is_coordinate && matches!(self.cursor.peek(), Some(Mark::Char('(' | '[')));
-        if ends { Ok(()) } else { self.end_of_argument(name, only_numbers) }
+        let argument = if only_numbers { Argument::Number } else { Argument::Term };
+        if ends { Ok(()) } else { self.end_of_argument(name, argument) }
     }
 
     /// True if the symbol of a coordinate comes next.
@@ -217,7 +227,8 @@ impl Formula<'_, '_> {
     }
 
     /// Refuses a next mark of which it is unclear if it belongs to the argument of a function.
-    fn end_of_argument(&mut self, name: &str, only_numbers: bool) -> Result<(), ParseError> {
+    fn end_of_argument(&mut self, name: &str, argument: Argument) -> Result<(), ParseError> {
+        let only_numbers = argument == Argument::Number;
         let apart = self.cursor.list.get(self.cursor.at).is_some_and(|next| next.apart);
         let is_rate = !only_numbers && self.begins_rate();
         let open = !is_rate

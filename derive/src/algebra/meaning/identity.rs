@@ -1,0 +1,29 @@
+//! Identities as values: two terms that a proof finds equal, and the evidence for it.
+//!
+//! A proof returns its identities as data, and whoever shows or checks them makes text of them. The terms belong to the
+//! store in which they were compared.
+
+use super::compare::Engine;
+use crate::algebra::value::modular::{Trial, trials};
+use crate::algebra::{Arena, Expr};
+
+/// Two terms that are equal for all values of their symbols for which both have a value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Identity {
+    /// Left side of the identity.
+    pub left: Expr,
+    /// Right side of the identity.
+    pub right: Expr,
+    /// Engine that proved the identity.
+    pub engine: Engine,
+}
+
+impl Identity {
+    /// Points of prime fields at which left − right is zero, for a second evaluation elsewhere. Empty if both sides are
+    /// the same term. They follow from the terms, so they are the same on every machine.
+    #[must_use]
+    pub fn trials(&self, arena: &mut Arena) -> Vec<Trial> {
+        let difference = arena.sub(self.left, self.right);
+        trials(arena, difference)
+    }
+}
