@@ -212,8 +212,8 @@ impl<'a> Planner<'a> {
         Function { name, about: about.to_owned(), arguments, returns, program, entries, parts, cost, explained }
     }
 
-    /// Program with the least cost for these outputs and for results that are steps or inputs: as given, or with common sub-sums and sub-products shared, by one
-    /// of the readings of its terms.
+    /// Program with the least cost for these outputs and for results that are steps or inputs: as given, or with common
+    /// sub-sums and sub-products shared, by one of the readings of its terms.
     fn cheapest(&self, steps: &[Definition], outputs: &[Output], results: &[Expr]) -> Program {
         let mut best = program(self.arena, &self.variables, steps, steps, outputs, results);
         let mut least = Cost::of(&best).weight();
