@@ -8,7 +8,10 @@ use std::fs::read_to_string;
 use std::path::Path;
 
 fn main() {
-    for path in ["build.rs", "Cargo.toml", "models", "generated/src"] {
+    // A package of the crates' registry comes without the models. Cargo would run this again and again for a missing path.
+    for path in
+        ["build.rs", "Cargo.toml", "models", "generated/src"].into_iter().filter(|path| Path::new(path).exists())
+    {
         println!("cargo::rerun-if-changed={path}");
     }
     println!("cargo::rustc-check-cfg=cfg(compiled, values(any()))");

@@ -3,12 +3,10 @@
 //! A file uses another if a path in it, an import or one written out, ends at an item that is defined there; re-exports
 //! are followed to the definition. Tests are left out, and so is what shows in no path: methods, and macros.
 
+use crate::crate_files::{Names, is_test, leaves, modules};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use syn::visit::{self, Visit};
-
-/// Path of a name: modules from the root of the crate, then the name.
-type Names = Vec<String>;
 
 /// Items, imports and paths of a file.
 #[derive(Default)]
@@ -25,36 +23,14 @@ struct Module {
 #[derive(Default)]
 struct Crate(BTreeMap<Names, Module>);
 
-fn is_test(attributes: &[syn::Attribute]) -> bool {
-    attributes.iter().any(|a| a.path().is_ident("cfg") && a.parse_args::<syn::Path>().is_ok_and(|p| p.is_ident("test")))
-}
-
 impl Crate {
     fn read(root: &Path) -> Self {
-        let mut all = Self::default();
-        all.read_module(root, Vec::new(), root.parent().unwrap());
-        all
-    }
-
-    /// Reads a file as the module `at`; its children are in `folder`.
-    fn read_module(&mut self, file: &Path, at: Names, folder: &Path) {
-        let text = std::fs::read_to_string(file).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
-        let tree = syn::parse_file(&text).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
-        let mut module = Module::default();
-        for item in &tree.items {
-            if let syn::Item::Mod(child) = item
-                && child.content.is_none()
-                && !is_test(&child.attrs)
-            {
-                let name = child.ident.to_string();
-                let inside = folder.join(&name);
-                let beside = folder.join(format!("{name}.rs"));
-                let path = if beside.exists() { beside } else { inside.join("mod.rs") };
-                self.read_module(&path, [&at[..], &[name]].concat(), &inside);
-            }
-        }
-        module.visit_file(&tree);
-        self.0.insert(at, module);
+        let visited = modules(root).into_iter().map(|(at, tree)| {
+            let mut module = Module::default();
+            module.visit_file(&tree);
+            (at, module)
+        });
+        Self(visited.collect())
     }
 
     /// The module in which what a path from `module` leads to is defined.
@@ -128,9 +104,7 @@ impl<'a> Visit<'a> for Module {
 
     fn visit_item_use(&mut self, item: &'a syn::ItemUse) {
         // What is only passed on is not used here.
-        let mut leaves = Vec::new();
-        collect(&item.tree, &mut Vec::new(), &mut leaves);
-        self.imports.extend(leaves);
+        self.imports.extend(leaves(&item.tree));
     }
 
     fn visit_path(&mut self, path: &'a syn::Path) {
@@ -139,28 +113,6 @@ impl<'a> Visit<'a> for Module {
             self.paths.push(names);
         }
         visit::visit_path(self, path);
-    }
-}
-
-/// The leaves of a tree of imports: the name in this module, and the path.
-fn collect(tree: &syn::UseTree, before: &mut Names, leaves: &mut Vec<(String, Names)>) {
-    match tree {
-        syn::UseTree::Path(path) => {
-            before.push(path.ident.to_string());
-            collect(&path.tree, before, leaves);
-            before.pop();
-        }
-        syn::UseTree::Group(group) => group.items.iter().for_each(|tree| collect(tree, before, leaves)),
-        syn::UseTree::Glob(_) => leaves.push(("*".to_owned(), before.clone())),
-        syn::UseTree::Name(name) if name.ident == "self" => {
-            leaves.push((before.last().cloned().unwrap_or_default(), before.clone()));
-        }
-        syn::UseTree::Name(name) => {
-            leaves.push((name.ident.to_string(), [&before[..], &[name.ident.to_string()]].concat()));
-        }
-        syn::UseTree::Rename(name) => {
-            leaves.push((name.rename.to_string(), [&before[..], &[name.ident.to_string()]].concat()));
-        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Whole-pipeline tests, as one program.
 
 mod agreement;
+mod api;
 #[path = "../derive/tests/common/arm.rs"]
 #[allow(dead_code, reason = "the arm alone is used")]
 mod arm;
@@ -8,6 +9,8 @@ mod arrows;
 mod battery;
 mod bicycle;
 mod circles;
+#[path = "support/crate_files.rs"]
+mod crate_files;
 mod descriptions;
 mod exact_motions;
 mod fresh;
@@ -27,6 +30,7 @@ mod mechanism;
 mod mutations;
 mod named;
 mod operation_counts;
+mod packages;
 mod passages;
 mod peers;
 mod prose;

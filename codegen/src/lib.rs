@@ -5,6 +5,9 @@
 //! (`workspace`, `emit`). The recurrences of [`taylor`] can also be interpreted. No code here reads a clock, an
 //! environment variable or the order of a hash map.
 
+// The examples of the README are tested too.
+#![cfg_attr(all(doctest, feature = "rust"), doc = include_str!("../README.md"))]
+
 #[cfg(any(feature = "rust", feature = "js", feature = "languages"))]
 pub mod emit;
 #[cfg(feature = "rust")]

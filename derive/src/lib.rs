@@ -39,6 +39,9 @@
 //! [`mechanics::Equations`] by Kane, Lagrange or Newton–Euler. No stage changes what an earlier one
 //! made, and the three formulations know nothing of one another.
 
+// The examples of the README are tested too.
+#![cfg_attr(doctest, doc = include_str!("../README.md"))]
+
 pub mod algebra;
 pub mod check;
 pub mod diagnostic;

@@ -18,6 +18,9 @@
 //! The library never prints, ends the process, or knows a command line. A scene runs by compiled equations if the
 //! program contains them ([`Scene::with`]). Otherwise the equations are interpreted, with the same results to rounding.
 
+// The examples of the README are tested too.
+#![cfg_attr(doctest, doc = include_str!("../README.md"))]
+
 pub mod code;
 mod equations_name;
 mod error;

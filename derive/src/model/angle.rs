@@ -130,7 +130,7 @@ mod tests {
     use crate::diagnostic::Source;
     use crate::model::load;
 
-    const MODEL: &str = include_str!("../../../models/pendulum/model.toml");
+    const MODEL: &str = include_str!("pendulum.toml");
 
     /// Goal: an axis says rad for angles alone. Method: formulas of the pendulum, in the model's names.
     #[test]

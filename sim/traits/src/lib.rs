@@ -14,6 +14,8 @@
 //! maxima that know what NaN is ([`larger`]).
 //!
 //! Absent on purpose: names, units and files. They belong to the model, not to its numbers.
+// The examples of the README are tested too.
+#![cfg_attr(doctest, doc = include_str!("../README.md"))]
 #![no_std]
 
 // Only the standard library detects the instructions of a processor, and has a fused product and sum.

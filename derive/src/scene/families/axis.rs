@@ -362,7 +362,7 @@ mod tests {
     use super::*;
     use crate::model::load;
 
-    const MODEL: &str = include_str!("../../../../models/pendulum/model.toml");
+    const MODEL: &str = include_str!("../../model/pendulum.toml");
     const SCENE: &str = "span = [0, 1]\n[start]\ntheta = 1\nomega = 0\n";
 
     fn grid(over: &[&str]) -> Result<Grid, Vec<Diagnostics>> {

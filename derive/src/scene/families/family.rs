@@ -67,7 +67,7 @@ mod tests {
     use crate::diagnostic::Source;
     use crate::scene::load;
 
-    const MODEL: &str = include_str!("../../../../models/pendulum/model.toml");
+    const MODEL: &str = include_str!("../../model/pendulum.toml");
     const SCENE: &str = "span = [0, \"10*sqrt(l/g)\"]\n[parameters]\nl = 2\n[start]\ntheta = \"90*deg\"\n\
                          omega = \"sqrt(g/l)\"\n[integration]\nrtol = \"l/1000\"\ndistance = { theta = \"90*deg\" }\n";
 
