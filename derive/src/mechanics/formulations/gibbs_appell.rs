@@ -89,7 +89,9 @@ impl AccelerationEnergy {
             let slopes = acceleration.slopes(arena, &mut gradient);
             products.add(*scale, &slopes, &inertial.slopes(arena, &mut gradient));
             let at_zero = inertial.substitute(arena, &mut without_rates).add(arena, gyroscopic);
-            slopes.iter().for_each(|(r, slope)| rest[*r].add(*scale, slope, &at_zero));
+            for (r, slope) in &slopes {
+                rest[*r].add(*scale, slope, &at_zero);
+            }
         }
         let mut matrix = products.sum(arena, frames);
         matrix.iter_mut().flatten().for_each(|e| *e = simplifier.simplify(arena, *e));

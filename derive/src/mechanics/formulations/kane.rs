@@ -99,7 +99,9 @@ impl Inertia {
             let rate = frames.time_derivative(arena, &momentum, &velocities.angular, &mut rates);
             let partials = velocity.slopes(arena, &mut gradient);
             products.add(scale, &partials, &momentum.slopes(arena, &mut gradient));
-            partials.iter().for_each(|(r, partial)| rest[*r].add(scale, partial, &rate));
+            for (r, partial) in &partials {
+                rest[*r].add(scale, partial, &rate);
+            }
         }
         let Kinematics { arena, frames, .. } = kinematics;
         let matrix = products.sum(arena, frames);
