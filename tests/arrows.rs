@@ -184,6 +184,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/mechanics/origin.rs",
             "derive/src/mechanics/solutions/quantities/parse.rs",
             "derive/src/model/reading/domain.rs",
+            "derive/src/model/reading/literals.rs",
             "derive/src/model/reading/notation.rs",
             "derive/src/model/reactions/interactions.rs",
             "derive/src/model/bodies/joints.rs",

@@ -326,16 +326,16 @@ fn expressions_that_cannot_be() {
 #[test]
 fn units_that_do_not_fit() {
     check(
-        "[bodies]\nb = { mass = \"2 kg\", inertia = \"I\" }\n[joints]\nj = { kind = \"pin\", body = \"b\", turned = { sequence = \"3\", \
+        "[bodies]\nb = { mass = \"2 m\", inertia = \"I\" }\n[joints]\nj = { kind = \"pin\", body = \"b\", turned = { sequence = \"3\", \
          angles = [\"3 m\"] } }\n",
         &expect![[r#"
-            error: a number with a unit cannot stand in the mass of body `b`
+            error: the mass of body `b` must be in kg, but `2 m` is in m
               --> model.toml:14:15
                |
-            14 | b = { mass = "2 kg", inertia = "I" }
-               |               ^^^^
+            14 | b = { mass = "2 m", inertia = "I" }
+               |               ^^^
                |
-               = help: declare a parameter such as `x0 = "2 kg"` and use its name
+               = help: state it in kg
 
             error: an angle must be in 1 or rad, but `3 m` is in m
               --> model.toml:16:71

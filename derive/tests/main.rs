@@ -36,6 +36,7 @@ mod interactions;
 mod joints;
 mod kinematic_equations;
 mod limits;
+mod literals;
 mod material_points;
 #[path = "common/mechanisms.rs"]
 mod mechanisms;

@@ -289,6 +289,8 @@ pub struct Model {
     pub unused: Vec<(&'static str, String)>,
     /// Byte range in the model file of each name's declaration, for diagnostics.
     pub declared: FxHashMap<String, Range<usize>>,
+    /// Names and terms of `[expressions]`, in the order of the model file.
+    pub expressions: Vec<(String, Expr)>,
 }
 
 impl Model {

@@ -103,8 +103,16 @@ pub fn load_bound(source: &Source, bindings: Vec<Binding>, varied: &[String]) ->
     reader.finish()?;
     reader.allow(table, "a model file", &KEYS);
     let varied = varied.to_vec();
-    let mut loading =
-        Loading { reader, arena: Arena::new(), names: Names::default(), units: FxHashMap::default(), bindings, varied };
+    let mut loading = Loading {
+        reader,
+        arena: Arena::new(),
+        names: Names::default(),
+        units: FxHashMap::default(),
+        bindings,
+        varied,
+        literals: Vec::new(),
+        stated_numbers: Vec::new(),
+    };
     let mut model = loading.model(table, source);
     if let Some(model) = &mut model {
         loading.notation(table, model);
@@ -147,6 +155,8 @@ impl Model {
 struct Connections {
     /// Velocities and positions that formulas name.
     velocities: Vec<NamedVelocity>,
+    /// Symbols of these velocities and positions, and their values in terms of the motion. Empty if none are needed.
+    values: Vec<(Expr, Expr)>,
     /// Constraints that contain coordinates only.
     configuration: Vec<StatedConstraint>,
     /// Constraints that contain rates or speeds.
@@ -182,16 +192,18 @@ impl<'a> Loading<'a> {
         let mut elements = Elements::read(self, table, &joints, &reactions);
         let shapes = self.shapes(table, &elements, &parameters);
         let before_constraints = self.reader.errors.len();
-        let Connections { velocities, configuration, motion, slips, holding, is_known } =
+        let Connections { velocities, values, configuration, motion, slips, holding, is_known } =
             self.connections(table, &mut elements, &coordinates, &joints);
         let Solved { constraints, replacements, kept, repeated: said, prescribing, opened, undefined } =
             solve_all(&mut self.reader, &mut self.arena, &mut coordinates, &elements.potentials, configuration);
         self.report_undefined(undefined);
         motion_errors += self.reader.errors.len() - before_constraints;
         let mut domain = self.domain(table);
+        let inputs_at = parameters.iter().position(|parameter| parameter.is_input).unwrap_or(parameters.len());
+        parameters.splice(inputs_at..inputs_at, std::mem::take(&mut self.stated_numbers));
         signals.put_in(&mut self.arena, &mut elements, &mut domain);
         let stated_speeds = texts.len();
-        let speeds = self.speeds(texts, &replacements);
+        let speeds = self.speeds(texts, &values, &replacements);
         let openings = openings(&mut self.arena, &opened, &elements, &[&kept, &motion], &replacements);
         let mut fixed = Substitution::new(&replacements);
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
@@ -227,6 +239,8 @@ impl<'a> Loading<'a> {
             _ => None,
         };
         self.put_into_conditions(&mut fixed, &mut domain, &mut signals);
+        let put = |(name, e)| (name, fixed.apply(&mut self.arena, e));
+        let expressions = self.names.expressions().into_iter().map(put).collect();
         let Ties { motion, loops, repeated, closed, dependent, branch, .. } =
             ties.filter(|_| self.reader.errors.is_empty())?;
         let mut model = Model {
@@ -268,6 +282,7 @@ impl<'a> Loading<'a> {
             repeated: said.into_iter().map(Repeated::of_loop).chain(repeated).collect(),
             unused: self.names.unused(),
             declared: self.names.places(),
+            expressions,
         };
         self.complete(&mut model, holding, &prescribing, &mut fixed);
         Some(model)
@@ -362,10 +377,11 @@ impl<'a> Loading<'a> {
             || !springs.is_empty()
             || !friction.is_empty()
             || !potentials.is_empty()
+            || self.names.speeds_name_velocities
             || stated.iter().any(names_motion);
         // With an error in frames or points, nothing is said about velocities.
         let is_known = !needs_motion || self.reader.errors.is_empty();
-        let (mut slips, mut holding) = (Vec::new(), Vec::new());
+        let (mut slips, mut holding, mut values) = (Vec::new(), Vec::new(), Vec::new());
         if !is_known {
             stated.clear();
         } else if needs_motion {
@@ -374,7 +390,8 @@ impl<'a> Loading<'a> {
             elements.contacts.rolling = rolling.iter().map(|rolling| rolling.name.text.clone()).collect();
             slips = self.slips(&mut moving, elements, rolling);
             let value = |v: &NamedVelocity| (v.symbol, moving.named(&mut self.arena, elements, v));
-            let mut put = Substitution::new(&velocities.iter().map(value).collect::<Vec<_>>());
+            values = velocities.iter().map(value).collect::<Vec<_>>();
+            let mut put = Substitution::new(&values);
             for constraint in &mut stated {
                 constraint.equation = put.apply(&mut self.arena, constraint.equation);
             }
@@ -391,7 +408,7 @@ impl<'a> Loading<'a> {
         }
         elements.contacts.compared = compared;
         let (configuration, motion) = stated.into_iter().partition(|c| self.is_of_configuration(c.equation));
-        Connections { velocities, configuration, motion, slips, holding, is_known }
+        Connections { velocities, values, configuration, motion, slips, holding, is_known }
     }
 
     /// True if an equation contains no rates and no speeds.

@@ -176,10 +176,13 @@ const REACTION: Kind = Table(&[
     ABOUT,
 ]);
 
-const CONSTRAINT: Kind = Table(&[
-    needed("equation", Text, "between coordinates, or linear in velocities"),
-    key("enforced_by", Text, "the reaction that enforces it"),
-    ABOUT,
+const CONSTRAINT: Kind = Either(&[
+    Text,
+    Table(&[
+        needed("equation", Text, "between coordinates, or linear in velocities"),
+        key("enforced_by", Text, "the reaction that enforces it"),
+        ABOUT,
+    ]),
 ]);
 
 const ROLLING: Kind = Table(&[

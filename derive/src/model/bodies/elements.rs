@@ -55,6 +55,7 @@ impl Elements {
         all.read_points(loading, table, joints);
         all.read_bodies(loading, table, joints);
         all.read_particles(loading, table);
+        loading.names.find_places(&mut loading.reader);
         all.read_gravity(loading, table);
         all.read_forces(loading, table);
         all.read_torques(loading, table);

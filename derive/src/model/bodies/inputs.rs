@@ -9,7 +9,7 @@ use crate::algebra::{Arena, Expr, Rational};
 use crate::model::input::{Binding, Input};
 use crate::model::reading::names::{Allowed, Kind};
 use crate::model::reading::reader::Loading;
-use crate::model::{Condition, Parameter};
+use crate::model::{Condition, Parameter, StatedUnit, Unit};
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};
 
@@ -58,7 +58,10 @@ impl<'a> Loading<'a> {
                 (None, None) => Some(Located { text: "0".to_owned(), span: name.span.clone(), exact: false }),
             };
             let e = formula.and_then(|formula| {
-                self.names.formula(&mut self.reader, &mut self.arena, &formula, PARTS, &format!("the value of {what}"))
+                let (formula, stated) = self.number_of_input(&formula, &unit, &what)?;
+                let what = format!("the value of {what}");
+                let e = self.names.formula(&mut self.reader, &mut self.arena, &formula, PARTS, &what)?;
+                Some(stated.map_or(e, |stated| stated.apply(&mut self.arena, e)))
             });
             let Some(e) = e else {
                 self.names.spoil(&name.text);
@@ -97,6 +100,19 @@ impl<'a> Loading<'a> {
             list.push(Input { name: name.text, unit, about, value, is_parameter });
         }
         Signals { list, replacements }
+    }
+
+    /// Parts of the formula of an input: the number, and the unit if one follows it. Reports a unit of another kind
+    /// than that of the input.
+    fn number_of_input(&mut self, formula: &Located, unit: &Unit, what: &str) -> Option<(Located, Option<StatedUnit>)> {
+        let Some(stated) = StatedUnit::of(&formula.text) else { return Some((formula.clone(), None)) };
+        if stated.unit != *unit {
+            let (needed, found) = (unit.words(), stated.unit.words());
+            let message = format!("the value of {what} must be in {needed}, but `{}` is in {found}", formula.text);
+            self.reader.error(formula.span.clone(), message, format!("state it in {needed}"));
+            return None;
+        }
+        Some((stated.number(formula), Some(stated)))
     }
 }
 

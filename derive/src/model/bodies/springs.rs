@@ -52,9 +52,9 @@ impl<'a> Loading<'a> {
                 );
                 continue;
             }
-            let stiffness = self.spring_number(entry, "stiffness", &Unit::new(0, 1, -2));
-            let free_length = self.spring_number(entry, "free_length", &Unit::new(1, 0, 0));
-            let damping = self.spring_number(entry, "damping", &Unit::new(0, 1, -1));
+            let stiffness = self.spring_number(entry, "stiffness", &what, &Unit::new(0, 1, -2));
+            let free_length = self.spring_number(entry, "free_length", &what, &Unit::new(1, 0, 0));
+            let damping = self.spring_number(entry, "damping", &what, &Unit::new(0, 1, -1));
             if let (Some(on), Some((against, to)), Some(stiffness), Some(free_length), Some(damping)) =
                 (on, against, stiffness, free_length, damping)
             {
@@ -65,9 +65,9 @@ impl<'a> Loading<'a> {
     }
 
     /// Value in parameters of a spring under a key, in `unit`; 0 if the key is absent.
-    fn spring_number(&mut self, entry: &'a DeTable<'a>, key: &str, unit: &Unit) -> Option<Expr> {
+    fn spring_number(&mut self, entry: &'a DeTable<'a>, key: &str, owner: &str, unit: &Unit) -> Option<Expr> {
         let Some(value) = self.reader.get(entry, key) else { return Some(Expr::ZERO) };
-        let what = format!("`{key}`");
+        let what = format!("`{key}` of {owner}");
         let formula = self.reader.formula(value, &what)?;
         self.quantity(&formula, PARAMETERS, unit, &what)
     }

@@ -44,21 +44,24 @@ impl<'a> Loading<'a> {
     pub fn constraints(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedConstraint> {
         let mut stated = Vec::new();
         for (name, value) in self.section(table, "constraints", &[]) {
-            let entry = self.entry(&name, value, Kind::Constraint, None, "{ equation = \"z = 0\" }");
-            let Some((entry, what)) = entry else { continue };
-            self.reader.allow(entry, "a constraint", &["equation", "enforced_by", "about"]);
-            let enforced_by = self.reader.get(entry, "enforced_by").and_then(|v| {
-                let reaction = self.reader.string(v, "`enforced_by`")?;
-                let known = self.names.expect(&mut self.reader, &reaction, Kind::Reaction);
-                elements.reactions.iter().position(|r| known && r.name == reaction.text)
-            });
-            let Some(value) = self.reader.need(entry, "equation", &what, &name.span) else { continue };
+            let (value, enforced_by) = if value.get_ref().is_str() {
+                // `NAME = "z = 0"` is the short form for a constraint that needs only its equation.
+                self.names.declare(&mut self.reader, &name, Kind::Constraint, None);
+                (value, None)
+            } else {
+                let entry = self.entry(&name, value, Kind::Constraint, None, "\"z = 0\" or { equation = \"z = 0\" }");
+                let Some((entry, what)) = entry else { continue };
+                self.reader.allow(entry, "a constraint", &["equation", "enforced_by", "about"]);
+                let enforced_by = self.enforced_by(entry, elements);
+                let Some(value) = self.reader.need(entry, "equation", &what, &name.span) else { continue };
+                (value, enforced_by)
+            };
             let Some(text) = self.reader.string(value, "`equation`") else { continue };
             let help = "write the equation as \"z = 0\"";
             let Some((left, (_, right))) = self.split(&text, &["="], help) else { continue };
             let what = "a constraint";
-            let left = self.names.formula(&mut self.reader, &mut self.arena, &left, MOTION, what);
-            let right = self.names.formula(&mut self.reader, &mut self.arena, &right, MOTION, what);
+            let left = self.formula(&left, MOTION, what);
+            let right = self.formula(&right, MOTION, what);
             let (Some(left), Some(right)) = (left, right) else { continue };
             self.know_units_of_velocities();
             if !self.comparable(left, right, &text.span) {
@@ -74,6 +77,14 @@ impl<'a> Loading<'a> {
             });
         }
         stated
+    }
+
+    /// Index of the reaction that a constraint names; `None` if it names none.
+    fn enforced_by(&mut self, entry: &'a DeTable<'a>, elements: &Elements) -> Option<usize> {
+        let value = self.reader.get(entry, "enforced_by")?;
+        let reaction = self.reader.string(value, "`enforced_by`")?;
+        let known = self.names.expect(&mut self.reader, &reaction, Kind::Reaction);
+        elements.reactions.iter().position(|r| known && r.name == reaction.text)
     }
 }
 

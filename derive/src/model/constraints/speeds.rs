@@ -45,6 +45,7 @@ impl<'a> Loading<'a> {
             let what = "the definition of a speed";
             // A speed has the unit of its definition, which is read here, since forces may use speeds.
             let e = self.names.formula(&mut self.reader, &mut self.arena, formula, VELOCITY, what);
+            self.know_units_of_velocities();
             let unit = e.and_then(|e| self.unit_of(e, &formula.span));
             let symbol = self.arena.symbol(&name.text);
             self.units.extend(unit.map(|unit| (symbol, unit)));
@@ -56,12 +57,15 @@ impl<'a> Loading<'a> {
         texts
     }
 
-    /// Reads the definitions of the speeds; values replace the constrained variables in them.
+    /// Reads the definitions of the speeds. Values replace the velocities of points and frames in them, and then the
+    /// constrained variables.
     pub fn speeds(
         &mut self,
         texts: Vec<(Located, Located)>,
+        velocities: &[(Expr, Expr)],
         replacements: &[(Expr, Expr)],
     ) -> Vec<(Speed, Range<usize>)> {
+        let mut of_motion = Substitution::new(velocities);
         let mut fixed = Substitution::new(replacements);
         let mut speeds = Vec::new();
         for (name, formula) in texts {
@@ -70,6 +74,7 @@ impl<'a> Loading<'a> {
             let Some(e) = self.names.formula(&mut scratch, &mut self.arena, &formula, VELOCITY, "a speed") else {
                 continue;
             };
+            let e = of_motion.apply(&mut self.arena, e);
             let definition = fixed.apply(&mut self.arena, e);
             let rate = self.arena.symbol(&format!("{}'", name.text));
             let symbol = self.arena.symbol(&name.text);

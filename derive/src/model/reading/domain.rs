@@ -17,8 +17,8 @@ impl<'a> Loading<'a> {
             let help = "write a strict inequality, such as \"abs(q2) < pi/2\" or \"N > 0\"";
             let Some((left, (sign, right))) = self.split(&text, &["<", ">"], help) else { continue };
             let what = "a condition of the domain";
-            let left = self.names.formula(&mut self.reader, &mut self.arena, &left, ANYTHING, what);
-            let right = self.names.formula(&mut self.reader, &mut self.arena, &right, ANYTHING, what);
+            let left = self.formula(&left, ANYTHING, what);
+            let right = self.formula(&right, ANYTHING, what);
             let (Some(left), Some(right)) = (left, right) else { continue };
             let asked = self.names.reactions.iter().map(AskedReaction::symbol);
             self.units.extend(asked);

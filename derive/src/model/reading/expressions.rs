@@ -25,9 +25,7 @@ impl<'a> Loading<'a> {
             };
             let what = "an expression";
             let formula = value.and_then(|value| self.reader.formula(value, what));
-            let e = formula
-                .as_ref()
-                .and_then(|formula| self.names.formula(&mut self.reader, &mut self.arena, formula, PARTS, what));
+            let e = formula.as_ref().and_then(|formula| self.formula(formula, PARTS, what));
             let (Some(formula), Some(e)) = (formula, e) else {
                 self.names.spoil(&name.text);
                 continue;

@@ -2,6 +2,7 @@
 
 pub(super) mod domain;
 pub(super) mod expressions;
+pub(super) mod literals;
 pub(super) mod names;
 pub(super) mod notation;
 pub(super) mod parameters;

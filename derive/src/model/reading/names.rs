@@ -78,8 +78,8 @@ pub const PARAMETERS: Allowed = Allowed(&[Kind::Parameter]);
 pub const CONFIGURATION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate]);
 /// Allows quantities that potentials may contain: parameters, coordinates and positions.
 pub const PLACES: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Position]);
-/// Allows parameters, coordinates and their time derivatives, for definitions of speeds.
-pub const VELOCITY: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate]);
+/// Allows quantities that definitions of speeds may contain: parameters, coordinates, their rates, and velocities.
+pub const VELOCITY: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Velocity]);
 /// Allows quantities that constraints may contain: parameters, coordinates, their rates, speeds, and velocities of
 /// points.
 pub const MOTION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Velocity]);
@@ -115,6 +115,12 @@ pub struct Names {
     used: RefCell<FxHashSet<String>>,
     /// Velocities and positions that formulas name, each once.
     pub velocities: Vec<StatedVelocity>,
+    /// Velocities that speeds name before frames and points are declared.
+    awaiting: Vec<StatedVelocity>,
+    /// True once frames, points and bodies are declared.
+    has_places: bool,
+    /// True if the definition of a speed names a velocity.
+    pub speeds_name_velocities: bool,
     /// Reactions that formulas name before reactions are found.
     pub reactions: Vec<AskedReaction>,
 }
@@ -158,6 +164,12 @@ impl Names {
     pub fn insert(&mut self, text: &str, kind: Kind, span: Range<usize>, symbol: Option<Expr>) {
         self.known.insert(text.to_owned(), (kind, span, symbol));
         self.order.push(text.to_owned());
+    }
+
+    /// Declares a derived name without checks, and marks it as used.
+    pub fn insert_used(&mut self, text: &str, kind: Kind, span: Range<usize>, symbol: Expr) {
+        self.insert(text, kind, span, Some(symbol));
+        self.used.borrow_mut().insert(text.to_owned());
     }
 
     /// Declares the name of an expression `e` whose terms are `parts`.
@@ -227,6 +239,12 @@ impl Names {
         let kinds = [Kind::Parameter, Kind::Expression, Kind::Input, Kind::Frame, Kind::Point];
         let names = self.of_kind(&kinds).into_iter().filter(|name| !used.contains(*name));
         names.map(|name| (self.known[name].0.noun(), name.to_owned())).collect()
+    }
+
+    /// Names of all expressions, in order of declaration, and their terms.
+    pub fn expressions(&self) -> Vec<(String, Expr)> {
+        let names = self.order.iter().filter(|name| self.known[*name].0 == Kind::Expression);
+        names.filter_map(|name| Some((name.clone(), self.known[name].2?))).collect()
     }
 
     /// Kind of a name; `None` if it is not declared.
@@ -344,6 +362,10 @@ impl Names {
 
     /// Keeps the velocities that a formula names; `None`, with an error, if one of them refers to an undeclared name.
     fn name_velocities(&mut self, reader: &mut Reader<'_>, stated: Vec<StatedVelocity>) -> Option<()> {
+        if !self.has_places {
+            self.awaiting.extend(stated);
+            return Some(());
+        }
         let unknown = stated.iter().filter(|velocity| !self.knows(reader, velocity)).count();
         for velocity in stated {
             if unknown == 0 && self.velocities.iter().all(|other| other.symbol != velocity.symbol) {
@@ -351,6 +373,20 @@ impl Names {
             }
         }
         (unknown == 0).then_some(())
+    }
+
+    /// Velocities that speeds name before frames and points are declared.
+    pub fn awaiting(&self) -> &[StatedVelocity] {
+        &self.awaiting
+    }
+
+    /// Keeps the velocities that speeds name, now that frames, points and bodies are declared. Reports those that refer
+    /// to undeclared names.
+    pub fn find_places(&mut self, reader: &mut Reader<'_>) {
+        self.has_places = true;
+        self.speeds_name_velocities = !self.awaiting.is_empty();
+        let awaiting = std::mem::take(&mut self.awaiting);
+        self.name_velocities(reader, awaiting);
     }
 
     /// True if each name in a velocity is declared as the kind for which it is used; reports the names that are not.

@@ -75,7 +75,7 @@ impl<'a> Loading<'a> {
     }
 
     /// Value of a formula that must be a plain number, in SI; reports any other formula.
-    fn constant(&mut self, formula: &Located) -> Option<Rational> {
+    pub(super) fn constant(&mut self, formula: &Located) -> Option<Rational> {
         let what = "a parameter's value";
         let stated = StatedUnit::of(&formula.text);
         let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number(formula));

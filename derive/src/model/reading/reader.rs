@@ -4,6 +4,7 @@ use super::names::Kind;
 use super::names::{Allowed, Names};
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::shown;
+use crate::model::Parameter;
 use crate::model::input::Binding;
 use crate::model::units::{StatedUnit, Unit, bare_number, unit_of};
 use crate::read::{Entry, Located, Reader};
@@ -26,6 +27,10 @@ pub struct Loading<'a> {
     pub bindings: Vec<Binding>,
     /// Names of inputs to whose formula a parameter of the same name is added.
     pub varied: Vec<String>,
+    /// Byte range of each number with a unit that stands in a formula, and the symbol of its parameter.
+    pub literals: Vec<(Range<usize>, Expr)>,
+    /// Parameters for numbers with units that stand in formulas.
+    pub stated_numbers: Vec<Parameter>,
 }
 
 impl<'a> Loading<'a> {
@@ -138,31 +143,17 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Reads a formula that must have this unit; reports another unit.
+    /// Reads a formula, or a number with a unit, that must have this unit; reports another unit.
     pub fn quantity(&mut self, formula: &Located, allowed: Allowed, unit: &Unit, what: &str) -> Option<Expr> {
-        if let Some(stated) = StatedUnit::of(&formula.text) {
-            let number = stated.number(formula);
-            let e = self.names.formula(&mut self.reader, &mut self.arena, &number, allowed, what)?;
-            if !unit.is_plain() {
-                // A number in a formula has no unit to check. A quantity with a unit needs a name.
-                let message = format!("a number with a unit cannot stand in {what}");
-                let help = format!("declare a parameter such as `x0 = \"{}\"` and use its name", shown(&formula.text));
-                self.reader.error(formula.span.clone(), message, help);
-                return None;
-            }
-            if !stated.unit.is_plain() {
-                let message = format!(
-                    "{what} must be in {}, but `{}` is in {}",
-                    unit.words(),
-                    shown(&formula.text),
-                    stated.unit.words()
-                );
-                self.reader.error(formula.span.clone(), message, "state it in rad or deg");
-                return None;
-            }
-            return Some(stated.apply(&mut self.arena, e));
+        if let Some(stated) = StatedUnit::of(&formula.text).filter(|stated| stated.unit != *unit) {
+            let (needed, found) = (unit.words(), stated.unit.words());
+            let message = format!("{what} must be in {needed}, but `{}` is in {found}", shown(&formula.text));
+            let help =
+                if unit.is_plain() { "state it in rad or deg".to_owned() } else { format!("state it in {needed}") };
+            self.reader.error(formula.span.clone(), message, help);
+            return None;
         }
-        let e = self.names.formula(&mut self.reader, &mut self.arena, formula, allowed, what)?;
+        let e = self.formula(formula, allowed, what)?;
         self.know_units_of_velocities();
         if let Some(found) = self.unit_of(e, &formula.span)
             && found != *unit
@@ -181,6 +172,7 @@ impl<'a> Loading<'a> {
 
     /// Records the units of the velocities that formulas have named so far.
     pub fn know_units_of_velocities(&mut self) {
-        self.units.extend(self.names.velocities.iter().map(|velocity| (velocity.symbol, velocity.unit())));
+        let stated = self.names.velocities.iter().chain(self.names.awaiting());
+        self.units.extend(stated.map(|velocity| (velocity.symbol, velocity.unit())));
     }
 }

@@ -69,6 +69,13 @@ fn degree(arena: &mut Arena) -> Expr {
     arena.scale(pi, &Rational::fraction(1, 180).expect("not zero"))
 }
 
+/// Named expressions of a model that contain no other symbols than these.
+fn expressions_in(model: &Model, symbols: &[Expr]) -> Vec<(String, Expr)> {
+    let is_known = |e: &Expr| model.arena.symbol_name(*e).is_none() || symbols.contains(e);
+    let list = model.expressions.iter().filter(|(_, e)| model.arena.reachable(&[*e]).iter().all(is_known));
+    list.cloned().collect()
+}
+
 /// Parsed formulas of a file, which stay the same in every reading.
 #[derive(Default)]
 pub struct Terms {
@@ -291,16 +298,18 @@ impl<'a> ValueReader<'a, '_> {
             model.parameters.iter().take(known).map(|p| (p.name.clone(), p.symbol)).collect();
         let own = self.names.iter().map(|named| (named.name.clone(), named.symbol));
         let known: Vec<(String, Expr)> = known.into_iter().chain(own).collect();
+        let symbols: Vec<Expr> = known.iter().map(|(_, e)| *e).collect();
+        let of_parameters = expressions_in(model, &symbols);
         let stated = StatedUnit::of(&formula.text);
         let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number(formula));
         let result = parse(&mut model.arena, &number.text, &mut |arena, name| {
             if name == "deg" {
                 return Ok(degree(arena));
             }
-            if let Some((_, symbol)) = known.iter().find(|(n, _)| n == name) {
-                return Ok(*symbol);
+            if let Some((_, e)) = known.iter().chain(&of_parameters).find(|(n, _)| n == name) {
+                return Ok(*e);
             }
-            let names = known.iter().map(|(n, _)| n.as_str()).chain(["deg", "pi"]);
+            let names = known.iter().chain(&of_parameters).map(|(n, _)| n.as_str()).chain(["deg", "pi"]);
             Err((format!("`{name}` cannot stand in {what}"), Some(nearest(name, names))))
         });
         let expression = match result {
@@ -316,7 +325,6 @@ impl<'a> ValueReader<'a, '_> {
             self.reader.lost(&model.arena, formula, lost);
             return None;
         }
-        let symbols: Vec<Expr> = known.iter().map(|(_, e)| *e).collect();
         let tape = Tape::new(&model.arena, &symbols, &[expression]).ok()?;
         let varies = symbols.iter().any(|symbol| model.arena.mentions(expression, *symbol));
         Some(Term { expression, tape, varies, constant: None })
@@ -341,6 +349,7 @@ impl<'a> ValueReader<'a, '_> {
         known.extend(model.reactions.iter().map(|r| (r.name.clone(), r.symbol)));
         known.extend(model.constraints.iter().map(|c| (c.fixes.clone(), c.value)));
         known.extend(model.dependent_speeds.iter().map(|speed| (speed.name.clone(), speed.definition)));
+        known.extend(model.expressions.iter().cloned());
         if !others.is_empty() {
             known.extend(model.speeds.iter().map(|s| (format!("{}'", s.name), s.rate)));
         }
