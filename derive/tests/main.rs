@@ -1,5 +1,6 @@
 //! All tests of the crate, as one program.
 
+mod added_masses;
 #[path = "common/arm.rs"]
 mod arm;
 mod cases;

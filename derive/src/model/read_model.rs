@@ -190,8 +190,7 @@ impl<'a> Loading<'a> {
         motion_errors += self.reader.errors.len() - before_constraints;
         let mut domain = self.domain(table);
         signals.put_in(&mut self.arena, &mut elements, &mut domain);
-        let stated_speeds = texts.len();
-        let speeds = self.speeds(texts, &replacements);
+        let (stated_speeds, speeds) = (texts.len(), self.speeds(texts, &replacements));
         let openings = openings(&mut self.arena, &opened, &elements, &[&kept, &motion], &replacements);
         let mut fixed = Substitution::new(&replacements);
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
@@ -244,6 +243,7 @@ impl<'a> Loading<'a> {
             frames: elements.frames,
             points: elements.points,
             bodies: elements.bodies,
+            added_masses: elements.added_masses,
             gravity: elements.gravity,
             inputs: signals.list,
             bindings: std::mem::take(&mut self.bindings),

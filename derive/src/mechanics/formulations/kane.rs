@@ -117,9 +117,12 @@ impl Inertia {
         let mut rates = motion_rates_without_acceleration(model);
         let mut products: Vec<Vec<Dots>> = (0..n).map(|r| (r..n).map(|_| Dots::default()).collect()).collect();
         let mut rest: Vec<Dots> = (0..n).map(|_| Dots::default()).collect();
-        for Momentum { scale, velocity, momentum } in kinematics.momenta(model, velocities) {
+        for Momentum { scale, velocity, momentum, carried } in kinematics.momenta(model, velocities) {
             let Kinematics { arena, frames, .. } = kinematics;
-            let rate = frames.time_derivative(arena, &momentum, &velocities.angular, &mut rates);
+            let mut rate = frames.time_derivative(arena, &momentum, &velocities.angular, &mut rates);
+            if let Some(carried) = carried {
+                rate = rate.add(arena, &carried);
+            }
             let slopes = momentum.slopes(arena, &mut gradient);
             for (r, partial) in velocity.slopes(arena, &mut gradient) {
                 rest[r].add(scale, &partial, &rate);
