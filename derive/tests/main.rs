@@ -9,6 +9,7 @@ mod certificates;
 mod chain;
 mod chained_constraints;
 mod chains;
+mod changed_variables;
 mod check_loads;
 mod check_poses;
 mod checks;
