@@ -180,7 +180,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/algebra/term/rational.rs",
             "derive/src/diagnostic.rs",
             "derive/src/publication/row_text.rs",
-            "derive/src/diff/printed/systems.rs",
+            "derive/src/diff/printed/listings.rs",
             "derive/src/mechanics/origin.rs",
             "derive/src/mechanics/solutions/quantities/parse.rs",
             "derive/src/model/reading/domain.rs",

@@ -1,5 +1,6 @@
 //! All tests of the crate, as one program.
 
+mod added_masses;
 #[path = "common/arm.rs"]
 mod arm;
 mod cases;
@@ -8,6 +9,7 @@ mod certificates;
 mod chain;
 mod chained_constraints;
 mod chains;
+mod changed_variables;
 mod check_loads;
 mod check_poses;
 mod checks;

@@ -270,13 +270,13 @@ fn wrong_points_and_orders_are_refused() {
     check(
         &format!("order = 2{entry}"),
         &expect![[r#"
-        error: `order` without a point that it is about
-         --> publication.toml:1:9
-          |
-        1 | order = 2
-          |         ^
-          |
-          = help: add the point, as in about = { q1 = 0 }"#]],
+            error: `order` without a point that it is about
+             --> publication.toml:1:9
+              |
+            1 | order = 2
+              |         ^
+              |
+              = help: add the point, as in about = { q1 = 0 }, or what is small, as in small = ["epsilon"]"#]],
     );
     check(
         &format!("about = {{ q = 0 }}\norder = 0{entry}"),
@@ -326,5 +326,47 @@ fn wrong_points_and_orders_are_refused() {
           |         ^^^^^^^
           |
           = help: write it as about = { q1 = 0, u3 = "w" }"#]],
+    );
+}
+
+/// Truth by hand: with a small moment of inertia I, m² l⁴/(m l² − I) is I + m l² to first order, not to second.
+#[test]
+fn formulas_may_hold_to_an_order_in_small_parameters() {
+    let text = |right: &str, more: &str| {
+        format!(
+            r#"
+            small = ["I"]
+            {more}
+            [[equation]]
+            id = "1"
+            section = "1"
+            quantity = "M[2,2]"
+            printed = "{right}"
+            "#
+        )
+    };
+    let inverse = "m^2*length^4/(m*length^2 - I)";
+    said(
+        &text(inverse, ""),
+        &expect![[r#"
+            1 equal | to first order about I = 0
+        "#]],
+    );
+    said(
+        &text(inverse, "order = 2"),
+        &expect![[r#"
+            1 different | to second order about I = 0
+        "#]],
+    );
+    check(
+        &text("m", "").replace("[\"I\"]", "[\"q\"]"),
+        &expect![[r#"
+            error: `q` is no parameter
+             --> publication.toml:2:23
+              |
+            2 |             small = ["q"]
+              |                       ^
+              |
+              = help: known here: `m`, `length`, `I`, `g`"#]],
     );
 }

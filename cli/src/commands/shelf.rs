@@ -1,11 +1,14 @@
 //! `tripos shelf`: verdicts on all publications of a folder, and a page about them.
 
+mod motion;
+
 use crate::failure::{Failure, Output, print_either, status};
 use crate::judged::Judged;
 use crate::output;
 use crate::page::markup::html::escape;
 use crate::words::{entries, shortened};
 use crate::workspace::{current_folder, read_model, workspace_around};
+use motion::{Motion, motions};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -30,10 +33,12 @@ struct Verdict {
     mistakes: Vec<(String, String, usize)>,
     /// First integrals of the true motion that printed systems break: the system, and the integral.
     broken: Vec<(String, String)>,
+    /// Motions that wrong printed systems give.
+    motions: Vec<Motion>,
 }
 
 impl Verdict {
-    fn new(judged: &Judged) -> Self {
+    fn new(judged: &Judged, motions: Vec<Motion>) -> Self {
         let Judged { model, publication, derivations, difference, .. } = judged;
         let mistake = |root: &tripos_derive::diff::Root| {
             (difference.findings[root.finding].id.clone(), root.mistake.clone(), root.entries())
@@ -49,6 +54,7 @@ impl Verdict {
             undecided: difference.count("undecided"),
             mistakes: difference.roots.iter().map(mistake).collect(),
             broken: broken.collect(),
+            motions,
         }
     }
 
@@ -112,7 +118,8 @@ fn volume(folder: &Path) -> Volume {
     let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let judged = || -> Result<Verdict, Failure> {
         let model = read_model(folder)?;
-        Ok(Verdict::new(&Judged::new(&model, &Source::read(&folder.join("publication.toml"))?)?))
+        let judged = Judged::new(&model, &Source::read(&folder.join("publication.toml"))?)?;
+        Ok(Verdict::new(&judged, motions(folder, &judged)?))
     };
     Volume { name, verdict: judged().map_err(|failure| failure.to_string()) }
 }
@@ -135,6 +142,9 @@ fn text_of(volumes: &[Volume]) -> String {
         for (system, integral) in &verdict.broken {
             let _ = writeln!(out, "  {system} breaks {integral}");
         }
+        for motion in &verdict.motions {
+            let _ = writeln!(out, "  {}", motion.words());
+        }
     }
     let right = volumes.iter().filter(|v| v.verdict.as_ref().is_ok_and(Verdict::is_right)).count();
     let mistakes: usize = volumes.iter().filter_map(|v| v.verdict.as_ref().ok()).map(|v| v.mistakes.len()).sum();
@@ -156,6 +166,7 @@ fn json_of(volumes: &[Volume]) -> Value {
                 .map(|(id, mistake, count)| json!({ "id": id, "mistake": mistake, "entries": count })).collect::<Vec<_>>(),
             "breaks": v.broken.iter()
                 .map(|(system, integral)| json!({ "system": system, "integral": integral })).collect::<Vec<_>>(),
+            "motions": v.motions.iter().map(Motion::json).collect::<Vec<_>>(),
         }),
     };
     json!({ "publications": volumes.iter().map(one).collect::<Vec<_>>() })
@@ -196,6 +207,9 @@ fn page(volumes: &[Volume]) -> String {
         }
         for (system, integral) in &verdict.broken {
             let _ = writeln!(out, "<p>The motion of {} does not keep: {}</p>", escape(system), escape(integral));
+        }
+        for motion in &verdict.motions {
+            let _ = writeln!(out, "<p>{}</p>", escape(&motion.words()));
         }
         out += "</article>\n";
     }

@@ -16,8 +16,10 @@ mod states;
 
 pub use coordinates::{CoordinateSearch, CoordinateTable, find_coordinates};
 pub use edits::declared::{Declaration, Edit, Property, Section};
-pub use edits::models::{Change, Derived, ModelDifference, diff_models};
+pub use edits::derived::Derived;
+pub use edits::models::{Change, ModelDifference, diff_models};
 pub use edits::scenes::{Setting, diff_scenes};
+pub use edits::variables::{VariableChange, VariableKind};
 pub use formulas::finding::{Finding, Judgement};
 pub use printed::consequences::{Agreement, Consequences, Rate};
 pub use printed::emitted::printed_equations;
@@ -125,7 +127,8 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
         }
     }
     let Found { findings, claims, tables, motions } = found;
-    let roots = roots::find(&mut quantities, &permitted, &findings, &claims, &tables);
+    let swapped = formulas::swapped::swapped_lists(model, publication);
+    let roots = roots::find(&mut quantities, &permitted, &findings, &claims, &tables, &swapped);
     let (consequences, agreements) = printed::consequences::draw(model, derivations, &mut comparer, proof, &motions);
     Difference { findings, roots, consequences, agreements }
 }
@@ -184,7 +187,7 @@ pub fn motions(model: &Model, derivations: &mut Derivations, publication: &Publi
                 list.extend(printed::systems::system_motion(&mut quantities, &names, entry, system));
             }
             EntryKind::Listing(listing) => {
-                if let Ok((motion, true)) = printed::systems::listing_motion(&mut quantities, &names, entry, listing) {
+                if let Ok((motion, true)) = printed::listings::listing_motion(&mut quantities, &names, entry, listing) {
                     list.push(motion);
                 }
             }

@@ -104,6 +104,11 @@ pub enum DeriveError {
         /// Largest number that is derived.
         most: usize,
     },
+    /// A body has an added mass, whose parameters are not identified.
+    AddedMass {
+        /// Name of the body.
+        body: String,
+    },
     /// A mechanism has loops, which its reduced equations would not keep closed.
     LoopsReduced {
         /// Name of one of the loops.
@@ -177,6 +182,7 @@ impl DeriveError {
                 None,
                 "join bodies that hardly move against one another, or cut long branches: each body counts all that lies between it and the ground",
             ),
+            Self::AddedMass { body } => (Some(body), "leave `added_mass` out of the model that is identified"),
             Self::LoopsReduced { name } => {
                 (Some(name), "run the scene by one of the model's formulations: they keep it closed")
             }
@@ -267,6 +273,10 @@ impl fmt::Display for DeriveError {
             Self::TooLarge { bodies, coordinates, count, what, most } => write!(
                 f,
                 "the equations are too large: {bodies} bodies and {coordinates} coordinates make {count} {what}, more than {most}"
+            ),
+            Self::AddedMass { body } => write!(
+                f,
+                "inertial parameters are not identified: `{body}` has an added mass, which no motion tells from its own"
             ),
             Self::LoopsReduced { name } => write!(
                 f,

@@ -111,7 +111,7 @@ impl VectorName {
     }
 }
 
-/// Row of Kane's equations F + F* = 0, or M u̇ = f, or of Lagrange's equations E q̈ = A.
+/// Row of Kane's equations F + F* = 0, or M u̇ = f, or of Lagrange's equations E q̈ = A, d/dt ∂L/∂q̇ − ∂L/∂q = Q.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Row {
     /// Generalized active force F of a speed.
@@ -126,22 +126,34 @@ pub enum Row {
     VelocityTerms,
     /// Slope ∂V/∂q of the potential energy, g of M q̈ + C q̇ + g = τ.
     PotentialSlope,
+    /// Generalized momentum ∂L/∂q̇, with no constraint put in.
+    Momentum,
+    /// Rate d/dt ∂L/∂q̇ of the generalized momentum along the motion, linear in q̈.
+    MomentumRate,
+    /// Slope ∂/∂t ∂L/∂q̇ of the generalized momentum in the time alone, with q and q̇ held.
+    HeldMomentumRate,
+    /// Slope ∂L/∂q of the Lagrangian, with q̇ held.
+    LagrangianSlope,
 }
 
 impl Row {
     /// All rows in the order of the variants, each with its name in publication files.
-    pub(crate) const ALL: [(Self, &'static str); 6] = [
+    pub(crate) const ALL: [(Self, &'static str); 10] = [
         (Self::ActiveForce, "F"),
         (Self::InertiaForce, "Fstar"),
         (Self::Forcing, "f"),
         (Self::LagrangeForcing, "A"),
         (Self::VelocityTerms, "h"),
         (Self::PotentialSlope, "g"),
+        (Self::Momentum, "dL_dqdot"),
+        (Self::MomentumRate, "ddt_dL_dqdot"),
+        (Self::HeldMomentumRate, "partial_t_dL_dqdot"),
+        (Self::LagrangianSlope, "dL_dq"),
     ];
 
     /// True if the rows belong to coordinates, false if they belong to speeds.
     pub(crate) const fn is_of_coordinates(self) -> bool {
-        matches!(self, Self::LagrangeForcing | Self::VelocityTerms | Self::PotentialSlope)
+        !matches!(self, Self::ActiveForce | Self::InertiaForce | Self::Forcing)
     }
 }
 

@@ -136,6 +136,20 @@ pub struct Body {
     pub rigid: Option<(usize, Inertia)>,
 }
 
+/// Added mass of a rigid body: the kinetic energy ½ νᵀ M_A ν of the fluid that moves with it.
+///
+/// The fluid has the impulse p and the moment of impulse h with (p, h) = M_A ν. It acts on the body with the force
+/// −dp/dt and, about the mass centre, the moment −(dh/dt + v × p), rates being those in the inertial frame (T. I.
+/// Fossen, *Handbook of Marine Craft Hydrodynamics and Motion Control* (2011), §6.3; H. Lamb, *Hydrodynamics* (1932),
+/// §124).
+#[derive(Clone, Debug)]
+pub struct AddedMass {
+    /// Index of the body.
+    pub body: usize,
+    /// Symmetric matrix M_A for ν = (v, ω), in the frame of the body: v of the mass centre; kg, kg m, kg m².
+    pub tensor: [[Expr; 6]; 6],
+}
+
 /// Uniform gravity, which acts on every body.
 #[derive(Clone, Debug)]
 pub struct Gravity {
@@ -247,6 +261,8 @@ pub struct Model {
     pub forces: Vec<Force>,
     /// Applied torques, including those of friction about axes.
     pub torques: Vec<Torque>,
+    /// Added masses of bodies, at most one for each.
+    pub added_masses: Vec<AddedMass>,
     /// Potential energies that the model file states.
     pub potentials: Vec<Potential>,
     /// All potentials as forces and torques between bodies. Empty if there is no potential, or if none are found.

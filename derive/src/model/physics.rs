@@ -1,7 +1,7 @@
 //! Checks for masses and inertias that no body can have: at the default values of a model, and at those of a scene or
 //! state.
 
-use super::{Body, Model, Parameter};
+use super::{AddedMass, Body, Model, Parameter};
 use crate::algebra::value::evaluate::Tape;
 use crate::algebra::{Arena, Expr};
 
@@ -40,12 +40,22 @@ impl Model {
             let places = (0..self.parameters.len()).filter(|at| mentions(&self.parameters[*at]));
             Some(ImpossibleBody { message, help, parameters: places.collect() })
         });
-        objections.collect()
+        let added = self.added_masses.iter().filter_map(|added| {
+            let name = &self.bodies[added.body].name;
+            let (message, help) = added_objection(&self.arena, &known, added, name, "these")?;
+            let mentions = |p: &Parameter| added.tensor.iter().flatten().any(|e| self.arena.mentions(*e, p.symbol));
+            let places = (0..self.parameters.len()).filter(|at| mentions(&self.parameters[*at]));
+            Some(ImpossibleBody { message, help, parameters: places.collect() })
+        });
+        objections.chain(added).collect()
     }
 }
 
 /// Relative rounding allowed in the checks of an inertia: a thin disk fulfils 1 + 1 ≥ 2 with equality.
 pub const TOLERANCE: f64 = 1e-12;
+
+/// Least eigenvalue of an added mass with unit diagonal, below zero, that counts as rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// Message and advice for a body that cannot exist at the `known` values; `None` if it can exist. `which` names these
 /// values in the message, such as "the default".
@@ -92,6 +102,27 @@ pub fn objection(arena: &Arena, known: &[(Expr, f64)], body: &Body, which: &str)
         format!("{moments}, products {}, {}, {} (xy, yz, zx)", at(1), at(5), at(6))
     };
     broken.then(|| (format!("no body has the central inertia of `{}`: {why}", body.name), way_out(&values)))
+}
+
+/// Message and advice for an added mass that no fluid has at the `known` values; `None` if its kinetic energy is never
+/// negative.
+pub fn added_objection(
+    arena: &Arena,
+    known: &[(Expr, f64)],
+    added: &AddedMass,
+    name: &str,
+    which: &str,
+) -> Option<(String, String)> {
+    let values = values_at(arena, known, added.tensor.as_flattened())?;
+    // Lengths are scaled so that entries of translation and rotation have one size: a congruence keeps the signs.
+    let size = |at: usize| values[7 * at].abs().sqrt().max(f64::MIN_POSITIVE);
+    let scaled = nalgebra::Matrix6::from_fn(|i, j| values[6 * i + j] / size(i) / size(j));
+    let is_number = scaled.iter().all(|x| x.is_finite());
+    let least = if is_number { scaled.symmetric_eigenvalues().min() } else { f64::NAN };
+    (least.is_nan() || least < -ROUNDING).then(|| {
+        let message = format!("the added mass of `{name}` gives motions a negative kinetic energy at {which} values");
+        (message, "M_A is positive semidefinite: in the signs of hydrodynamics, M_A is diag(−X_u̇, −Y_v̇, …)".to_owned())
+    })
 }
 
 /// Axis of the only moment of an inertia; `None` if it has others, or products.

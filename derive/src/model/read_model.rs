@@ -258,6 +258,7 @@ impl<'a> Loading<'a> {
             frames: elements.frames,
             points: elements.points,
             bodies: elements.bodies,
+            added_masses: elements.added_masses,
             gravity: elements.gravity,
             inputs: signals.list,
             bindings: std::mem::take(&mut self.bindings),

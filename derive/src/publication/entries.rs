@@ -63,7 +63,9 @@ fn keys(kind: Kind) -> Vec<&'static str> {
     let formulas: &[&str] = match kind {
         Kind::Definition => &[],
         Kind::Initial => &["notation"],
-        Kind::Equation | Kind::Matrix | Kind::System | Kind::Listing => &["notation", "file", "part", "about", "order"],
+        Kind::Equation | Kind::Matrix | Kind::System | Kind::Listing => {
+            &["notation", "file", "part", "about", "small", "order"]
+        }
     };
     [&["id", "section", "repaired", "note"], formulas, own].concat()
 }

@@ -1,6 +1,7 @@
 //! Variables that a program assigns, while formulas of the program are read.
 
 use crate::algebra::Expr;
+use crate::diagnostic::shown;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 
@@ -29,8 +30,30 @@ pub struct Locals {
 #[derive(Clone)]
 pub enum Local {
     Value(Expr),
-    /// Reason why the assignment was not read: place in the reader, message and help.
-    Unread(Range<usize>, String, String),
+    Unread(Unread),
+}
+
+/// Reason why an assignment of a program was not read.
+#[derive(Clone)]
+pub struct Unread {
+    /// Place of the reason in the reader.
+    pub place: Range<usize>,
+    pub message: String,
+    pub help: String,
+    /// True if the message names the assignment that was not read, which may be an earlier one.
+    pub names_assignment: bool,
+}
+
+impl Unread {
+    /// Reason with the name of the assigned variable in its message, unless an earlier assignment is named there.
+    #[must_use]
+    pub fn naming(mut self, name: &str) -> Self {
+        if !self.names_assignment {
+            self.message = format!("the assignment of `{}` was not read: {}", shown(name), self.message);
+            self.names_assignment = true;
+        }
+        self
+    }
 }
 
 impl Locals {
@@ -54,12 +77,12 @@ impl Locals {
         self.numbers.get(name).copied()
     }
 
-    /// Place of the assignment whose error has this message; `None` if no assignment has it.
-    pub fn unread(&self, message: &str) -> Option<Range<usize>> {
-        self.values.iter().find_map(|local| match local {
-            Local::Unread(place, unread, _) if unread == message => Some(place.clone()),
-            _ => None,
-        })
+    /// Reason why the assignment with this number was not read; `None` if it was read.
+    pub fn unread(&self, number: usize) -> Option<&Unread> {
+        match self.values.get(number)? {
+            Local::Unread(unread) => Some(unread),
+            Local::Value(_) => None,
+        }
     }
 
     /// Names of the entries of a vector or matrix, each with the text behind the name of the whole.

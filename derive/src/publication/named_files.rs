@@ -2,7 +2,7 @@
 
 use super::entries::Item;
 use super::files::notation_of_file;
-use super::locals::{Local, Locals};
+use super::locals::{Local, Locals, Unread};
 use super::matrix::cells;
 use super::printed::{Choice, Paper, Problem, Statement, Traced, is_access, is_number, statements, without_comments};
 use super::read::Loading;
@@ -203,8 +203,9 @@ impl<'a> Loading<'a, '_> {
         let Statement { targets, operator, right, is_nested, place } = statement;
         let line = self.reader.made(Some(Arc::clone(source)), " ".to_owned(), Traced::from_place(" ", &place).places);
         let unread = |name: &str, why: &str| {
-            let message = format!("the assignment of `{}` was not read: {why}", shown(name));
-            Local::Unread(line.span.clone(), message, "name the part of the program that decides".to_owned())
+            let help = "name the part of the program that decides".to_owned();
+            let place = line.span.clone();
+            Local::Unread(Unread { place, message: why.to_owned(), help, names_assignment: false }.naming(name))
         };
         if is_nested {
             for name in &targets {
@@ -237,18 +238,12 @@ impl<'a> Loading<'a, '_> {
                 self.set(&name, Local::Value(value));
             }
             (Local::Value(value), Some(operator)) => self.change(&name, operator, value, &unread),
-            (Local::Unread(place, message, help), _) => {
+            (Local::Unread(unread), _) => {
                 let is_whole = operator.is_none() && self.entries_of(&name, &formula, notation);
                 if is_whole {
                     return;
                 }
-                let is_first = !message.starts_with("the assignment of");
-                let message = if is_first {
-                    format!("the assignment of `{}` was not read: {message}", shown(&name))
-                } else {
-                    message
-                };
-                let wrong = || Local::Unread(place, message, help);
+                let wrong = || Local::Unread(unread.naming(&name));
                 if operator.is_none() {
                     self.take_declared(&name, &formula.text, wrong);
                 } else {
@@ -330,11 +325,8 @@ impl<'a> Loading<'a, '_> {
                 let entry = Located { text: text[cell.clone()].to_owned(), span: formula.part(range), exact: true };
                 let value = self.words.local(&mut self.model.arena, &entry, notation);
                 let value = match value {
-                    Local::Unread(place, message, help) if !message.starts_with("the assignment of") => {
-                        let message = format!("the assignment of `{}` was not read: {message}", shown(name));
-                        Local::Unread(place, message, help)
-                    }
-                    value => value,
+                    Local::Unread(unread) => Local::Unread(unread.naming(name)),
+                    value @ Local::Value(_) => value,
                 };
                 let (i, j) = (i + first, j + first);
                 let mut names = if notation == Notation::Matlab {

@@ -1,9 +1,9 @@
 //! Values of the names that a publication gives to derived quantities.
 
 use super::Publication;
-use crate::algebra::Expr;
 use crate::algebra::term::calculus::Substitution;
-use crate::mechanics::Quantities;
+use crate::algebra::{Arena, Expr};
+use crate::mechanics::{Quantities, Quantity, QuantityKind, Row};
 
 /// Symbols of a publication with the derived values for which they stand; a symbol without a value has a reason.
 pub struct Names {
@@ -11,20 +11,39 @@ pub struct Names {
     values: Vec<(Expr, Expr)>,
     /// Symbols without a value, each with the reason.
     missing: Vec<(Expr, String)>,
+    /// Symbols of slopes ∂/∂t, each with the value of the rate d/dt of the same momentum.
+    held: Vec<(Expr, Expr)>,
 }
 
 impl Names {
     /// Derived values of the symbols of a publication's `[names]`.
     #[must_use]
     pub fn new(publication: &Publication, quantities: &mut Quantities<'_>) -> Self {
-        let (mut values, mut missing) = (Vec::new(), Vec::new());
+        let (mut values, mut missing, mut held) = (Vec::new(), Vec::new(), Vec::new());
         for (_, quantity, symbol) in &publication.names {
+            if let QuantityKind::Row(Row::HeldMomentumRate, at) = *quantity.kind() {
+                let rate = Quantity::new(QuantityKind::Row(Row::MomentumRate, at), quantities.model);
+                held.extend(quantities.value(&rate).ok().map(|value| (*symbol, value)));
+            }
             match quantities.value(quantity) {
                 Ok(value) => values.push((*symbol, value)),
                 Err(why) => missing.push((*symbol, why)),
             }
         }
-        Self { values, missing }
+        Self { values, missing, held }
+    }
+
+    /// Names with d/dt in the place of ∂/∂t, if one of these terms contains a ∂/∂t; else `None`.
+    #[must_use]
+    pub fn with_total_rates(&self, arena: &Arena, terms: &[Expr]) -> Option<Self> {
+        let parts = arena.reachable(terms);
+        let is_used = self.held.iter().any(|(symbol, _)| parts.binary_search(symbol).is_ok());
+        let total = |(symbol, value): &(Expr, Expr)| {
+            let rate = self.held.iter().find(|(held, _)| held == symbol);
+            (*symbol, rate.map_or(*value, |(_, rate)| *rate))
+        };
+        let values = self.values.iter().map(total).collect();
+        is_used.then(|| Self { values, missing: self.missing.clone(), held: Vec::new() })
     }
 
     /// Replaces the symbols of derived quantities in a printed term by their values, in the arena of the derivations.

@@ -1,8 +1,9 @@
-//! Keys `about` and `order` of a publication file: formulas that hold near a point only, up to an order in the
-//! deviations from the point.
+//! Keys `about`, `small` and `order` of a publication file: formulas that hold near a point only, or for small
+//! parameters, up to an order in the deviations from the point.
 
 use super::read::Loading;
 use super::{Approximation, PointValue};
+use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
 use crate::diagnostic::{nearest, shown};
 use crate::read::Located;
@@ -12,22 +13,36 @@ use toml::de::{DeTable, DeValue};
 const MOST: u32 = 4;
 
 impl<'a> Loading<'a, '_> {
-    /// Reads the point and the order that a table states. If the table states none, those of the publication file are
-    /// returned. `None` if the table states an empty point.
+    /// Reads the point, the small parameters and the order that a table states. What the table does not state is that
+    /// of the publication file. `None` if nothing is near a value.
     pub fn near(&mut self, table: &'a DeTable<'a>) -> Option<Approximation> {
         let order = self.order(table);
-        let Some(value) = self.reader.get(table, "about") else {
-            return match (&self.near, order) {
-                (Some(near), Some(order)) => Some(Approximation { order, ..near.clone() }),
-                (near, None) => near.clone(),
-                (None, Some(_)) => {
-                    let span = self.reader.get(table, "order").map_or(0..0, toml::Spanned::span);
-                    let help = "add the point, as in about = { q1 = 0 }";
-                    self.reader.error(span, "`order` without a point that it is about", help);
-                    None
-                }
-            };
+        let small = self.small(table);
+        let is_stated = self.reader.get(table, "about").is_some();
+        let mut values = match &self.near {
+            _ if is_stated => self.point(table)?,
+            Some(near) => near.values.clone(),
+            None => Vec::new(),
         };
+        for parameter in small {
+            if values.iter().all(|known| known.symbol != parameter.symbol) {
+                values.push(parameter);
+            }
+        }
+        if values.is_empty() {
+            if let Some(order) = self.reader.get(table, "order").filter(|_| !is_stated) {
+                let help = "add the point, as in about = { q1 = 0 }, or what is small, as in small = [\"epsilon\"]";
+                self.reader.error(order.span(), "`order` without a point that it is about", help);
+            }
+            return None;
+        }
+        let order = order.or(self.near.as_ref().map(|near| near.order)).unwrap_or(1);
+        Some(Approximation { order, values })
+    }
+
+    /// Values of variables that the key `about` of a table states.
+    fn point(&mut self, table: &'a DeTable<'a>) -> Option<Vec<PointValue>> {
+        let value = self.reader.get(table, "about")?;
         let point = self.reader.table(value, "`about`", "about = { q1 = 0, u3 = \"w\" }")?;
         let mut values = Vec::new();
         for (name, value) in self.reader.entries(point) {
@@ -43,8 +58,28 @@ impl<'a> Loading<'a, '_> {
                 values.push(PointValue { name: name.text, symbol, value });
             }
         }
-        let order = order.or(self.near.as_ref().map(|near| near.order)).unwrap_or(1);
-        (!values.is_empty()).then_some(Approximation { order, values })
+        Some(values)
+    }
+
+    /// Parameters that the key `small` of a table names, each near 0.
+    fn small(&mut self, table: &'a DeTable<'a>) -> Vec<PointValue> {
+        let Some(value) = self.reader.get(table, "small") else { return Vec::new() };
+        let DeValue::Array(array) = value.get_ref() else {
+            self.reader.error(value.span(), "`small` must be a list of names", "write small = [\"epsilon\"]");
+            return Vec::new();
+        };
+        let mut list = Vec::new();
+        for name in array {
+            let Some(name) = self.reader.string(name, "a small parameter") else { continue };
+            if let Some(p) = self.model.parameters.iter().find(|p| p.name == name.text) {
+                list.push(PointValue { name: name.text, symbol: p.symbol, value: Expr::ZERO });
+                continue;
+            }
+            let message = format!("`{}` is no parameter", shown(&name.text));
+            let help = nearest(&name.text, self.model.parameters.iter().map(|p| p.name.as_str()));
+            self.reader.error(name.span, message, help);
+        }
+        list
     }
 
     fn order(&mut self, table: &'a DeTable<'a>) -> Option<u32> {
@@ -62,7 +97,7 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Symbol of a coordinate, a time derivative, a speed or a reaction by its name; reports another name.
-    fn stays(&mut self, name: &Located) -> Option<crate::algebra::Expr> {
+    fn stays(&mut self, name: &Located) -> Option<Expr> {
         let model = &self.model;
         let mut known = Vec::new();
         for c in &model.coordinates {
@@ -79,7 +114,7 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Reads a formula in parameters, in the language of model files; reports other symbols.
-    fn of_parameters(&mut self, formula: &Located) -> Option<crate::algebra::Expr> {
+    fn of_parameters(&mut self, formula: &Located) -> Option<Expr> {
         let e = self.formula(formula, Notation::default())?;
         let (arena, parameters) = (&self.model.arena, self.model.p());
         let other = arena

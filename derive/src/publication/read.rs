@@ -18,7 +18,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Keys at the top of a publication file.
-pub const KEYS: [&str; 18] = [
+pub const KEYS: [&str; 19] = [
     "schema",
     "file",
     "macros",
@@ -31,6 +31,7 @@ pub const KEYS: [&str; 18] = [
     "source",
     "notation",
     "about",
+    "small",
     "order",
     "symbols",
     "coordinates",

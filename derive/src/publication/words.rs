@@ -1,6 +1,6 @@
 //! Meanings of the names in formulas of a publication.
 
-use super::locals::{Local, Locals, local_number};
+use super::locals::{Local, Locals, Unread, local_number};
 use super::shorthand::Shorthand;
 use super::spelling::{Speller, Spellings, Stated};
 use crate::algebra::term::calculus::Differential;
@@ -22,6 +22,17 @@ const PRIMES: usize = 2;
 /// Largest number of terms that abbreviations may add to the formulas of one file. Without a limit, a long abbreviation
 /// that is used often would fill any memory.
 const MAX_EXPANSION: usize = 200_000;
+
+/// Course of the reading of a formula.
+#[derive(Default)]
+struct Course {
+    /// True if a wrong declaration, which is reported, spoils the formula.
+    spoiled: bool,
+    /// True if the error of the formula may occur again.
+    repeated: bool,
+    /// Number of the program's variable whose assignment was not read, if the error is that of the assignment.
+    assignment: Option<usize>,
+}
 
 /// Meaning of a name in the formulas of a publication.
 #[derive(Clone, Copy)]
@@ -291,18 +302,18 @@ impl Words {
         notation: Notation,
     ) -> Option<Expr> {
         // An error that one cause may raise at many places is reported once.
-        let (mut spoiled, mut repeated) = (false, false);
-        match self.read(arena, formula, notation, &mut spoiled, &mut repeated) {
+        let mut course = Course::default();
+        match self.read(arena, formula, notation, &mut course) {
             Ok(e) => {
-                let is_read = !spoiled && reader.is_computable(arena, formula, e);
+                let is_read = !course.spoiled && reader.is_computable(arena, formula, e);
                 if is_read {
                     self.keep_as_printed(arena, formula, notation, e);
                 }
                 is_read.then_some(e)
             }
             Err(error) => {
-                let (span, help) = (self.place(formula, &error), error.help.unwrap_or_default());
-                if repeated {
+                let (span, help) = (self.place(formula, &error, &course), error.help.unwrap_or_default());
+                if course.repeated {
                     reader.error_once(span, error.message, help);
                 } else {
                     reader.error(span, error.message, help);
@@ -314,19 +325,29 @@ impl Words {
 
     /// Reads a formula of a program without reporting its error.
     pub fn local(&mut self, arena: &mut Arena, formula: &Located, notation: Notation) -> Local {
-        let (mut spoiled, mut repeated) = (false, false);
-        match self.read(arena, formula, notation, &mut spoiled, &mut repeated) {
-            Ok(e) if !spoiled => Local::Value(e),
-            Ok(_) => {
-                Local::Unread(formula.span.clone(), "it uses a name that is declared wrongly".into(), String::new())
-            }
-            Err(error) => Local::Unread(self.place(formula, &error), error.message, error.help.unwrap_or_default()),
-        }
+        let mut course = Course::default();
+        let unread = match self.read(arena, formula, notation, &mut course) {
+            Ok(e) if !course.spoiled => return Local::Value(e),
+            Ok(_) => Unread {
+                place: formula.span.clone(),
+                message: "it uses a name that is declared wrongly".to_owned(),
+                help: String::new(),
+                names_assignment: false,
+            },
+            Err(error) => Unread {
+                place: self.place(formula, &error, &course),
+                message: error.message,
+                help: error.help.unwrap_or_default(),
+                names_assignment: course.assignment.is_some(),
+            },
+        };
+        Local::Unread(unread)
     }
 
     /// Place of an error of a formula: that of the assignment that it is about, if there is one.
-    fn place(&self, formula: &Located, error: &ParseError) -> Range<usize> {
-        self.locals.unread(&error.message).unwrap_or_else(|| formula.part(error.span.clone()))
+    fn place(&self, formula: &Located, error: &ParseError, course: &Course) -> Range<usize> {
+        let unread = course.assignment.and_then(|number| self.locals.unread(number));
+        unread.map_or_else(|| formula.part(error.span.clone()), |unread| unread.place.clone())
     }
 
     /// Meaning of a variable of a program by the model and the publication file, without the program's assignments;
@@ -390,20 +411,19 @@ impl Words {
         self.shorthand = kept;
     }
 
-    /// Reads a formula as a term. Sets `spoiled` if a wrong declaration spoils it, and `repeated` if its error may
-    /// occur again.
+    /// Reads a formula as a term, and notes the course of the reading.
     fn read(
         &mut self,
         arena: &mut Arena,
         formula: &Located,
         notation: Notation,
-        spoiled: &mut bool,
-        repeated: &mut bool,
+        course: &mut Course,
     ) -> Result<Expr, ParseError> {
         let locals = Arc::clone(&self.locals);
         let coordinates = self.coordinates.as_slice();
         let mut speller = Speller { spellings: &self.spellings, locals: &locals, coordinates, repeated: false };
-        let plain = translate(&formula.text, notation, &mut speller).inspect_err(|_| *repeated = speller.repeated)?;
+        let plain =
+            translate(&formula.text, notation, &mut speller).inspect_err(|_| course.repeated = speller.repeated)?;
         let (known, spellings, expansion) = (&self.known, &self.spellings, &mut self.expansion);
         let clock = &mut self.clock;
         let mut unknown = None;
@@ -412,18 +432,21 @@ impl Words {
             // Other notations have replaced their symbols already.
             let stated = spellings.variable(name).filter(|_| notation == Notation::Tripos);
             let name = stated.as_deref().unwrap_or(name);
-            if let Some(local) = local_number(name).and_then(|number| locals.value(number)) {
+            if let Some((number, local)) = local_number(name).and_then(|number| Some((number, locals.value(number)?))) {
                 return match local {
                     Local::Value(e) => {
                         *expansion += width(arena, *e);
                         if *expansion > MAX_EXPANSION {
-                            *repeated = true;
+                            course.repeated = true;
                             let help = "name a part of the program that has fewer assignments";
                             return Err(("the assignments make these formulas too long".to_owned(), Some(help.into())));
                         }
                         Ok(*e)
                     }
-                    Local::Unread(_, message, help) => Err((message.clone(), Some(help.clone()))),
+                    Local::Unread(unread) => {
+                        course.assignment = Some(number);
+                        Err((unread.message.clone(), Some(unread.help.clone())))
+                    }
                 };
             }
             match known.get(name).copied() {
@@ -431,14 +454,14 @@ impl Words {
                 Some(Word::Declared(e)) => {
                     *expansion += width(arena, e);
                     if *expansion > MAX_EXPANSION {
-                        *repeated = true;
+                        course.repeated = true;
                         let help = "shorten the abbreviations, or split the file";
                         return Err(("abbreviations make these formulas too long".to_owned(), Some(help.to_owned())));
                     }
                     Ok(e)
                 }
                 Some(Word::Spoiled) => {
-                    *spoiled = true;
+                    course.spoiled = true;
                     Ok(arena.symbol("not read"))
                 }
                 Some(Word::Later) => {
@@ -446,7 +469,7 @@ impl Words {
                     Err((message, Some("an abbreviation may use those above it".to_owned())))
                 }
                 None => {
-                    *repeated = true;
+                    course.repeated = true;
                     unknown = Some(name.to_owned());
                     Err((format!("unknown name `{}`", shown(name)), None))
                 }

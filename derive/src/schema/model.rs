@@ -94,6 +94,15 @@ const BODY: Kind = Table(&[
         ]),
         "its central inertia; one moment is enough for what turns about one axis",
     ),
+    key(
+        "added_mass",
+        Table(&[
+            key("diagonal", List(&Formula), "six entries: kg, kg, kg, kg m^2, kg m^2, kg m^2"),
+            key("matrix", List(&List(&Formula)), "six rows of six entries; symmetric"),
+            key("about_point", Text, "another point than the mass centre"),
+        ]),
+        "the mass of the fluid that moves with it, in the frame of the body",
+    ),
     ABOUT,
 ]);
 

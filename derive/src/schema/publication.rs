@@ -20,6 +20,7 @@ const NOTATION: Key = key(
 
 const ABOUT: Key =
     key("about", Named(&Formula), "the point near which formulas hold, as { q1 = 0, u3 = \"w\" }; {} for everywhere");
+const SMALL: Key = key("small", List(&Text), "parameters near 0, up to the order, as [\"epsilon\"]");
 const ORDER: Key = key("order", Whole(1), "up to which order in the deviations from that point: 1 if nothing is said");
 
 const FILE: Key =
@@ -28,6 +29,13 @@ const PART: Key =
     key("part", Text, "of a program: a function, lines as in 12-40, or NAME of `begin NAME` and `end NAME`");
 const LABEL: Key = key("label", Text, "of an equation of the file, in the place of what is printed");
 const LINE: Key = key("line", Whole(1), "which equation of the label, from 1");
+
+/// Keys of an entry with formulas: those that every such entry may have, then its own.
+macro_rules! of_formulas {
+    ($($own:expr),* $(,)?) => {
+        &[ID, SECTION, REPAIRED, NOTE, NOTATION, FILE, PART, ABOUT, SMALL, ORDER, $($own),*]
+    };
+}
 
 /// Keys of a publication file at its top level.
 pub(crate) const KEYS: &[Key] = &[
@@ -38,6 +46,7 @@ pub(crate) const KEYS: &[Key] = &[
     key("macros", Text, "definitions of macros, such as \\newcommand{\\w}{\\omega}"),
     NOTATION,
     ABOUT,
+    SMALL,
     ORDER,
     key("symbols", Named(&Text), "symbols of the text, each with the name that it stands for"),
     key("coordinates", Named(&Formula), "coordinates and speeds of the text, as formulas in those of the model"),
@@ -51,16 +60,7 @@ pub(crate) const KEYS: &[Key] = &[
     key("initial", List(&Table(INITIAL)), "numbers: parameters, or values at the start"),
 ];
 
-const EQUATION: &[Key] = &[
-    ID,
-    SECTION,
-    REPAIRED,
-    NOTE,
-    NOTATION,
-    FILE,
-    PART,
-    ABOUT,
-    ORDER,
+const EQUATION: &[Key] = of_formulas![
     key("quantity", Text, "the derived quantity, such as v(P) @ A [1]; nothing for an equation of motion"),
     key("printed", Formula, "as it is printed, or the name of a variable of the program"),
     LABEL,
@@ -69,16 +69,7 @@ const EQUATION: &[Key] = &[
     key("frame", Text, "the frame of the components of a Newton-Euler equation"),
 ];
 
-const WHOLE_MATRIX: &[Key] = &[
-    ID,
-    SECTION,
-    REPAIRED,
-    NOTE,
-    NOTATION,
-    FILE,
-    PART,
-    ABOUT,
-    ORDER,
+const WHOLE_MATRIX: &[Key] = of_formulas![
     needed("quantity", Text, "a quantity with indices, without them, such as M or I(disk) @ B"),
     key("printed", Text, "the whole matrix, as in [a, b; c, d]"),
     LABEL,
@@ -88,16 +79,7 @@ const WHOLE_MATRIX: &[Key] = &[
 
 const DEFINITION: &[Key] = &[ID, SECTION, REPAIRED, NOTE, needed("printed", Text, "as it is printed")];
 
-const SYSTEM: &[Key] = &[
-    ID,
-    SECTION,
-    REPAIRED,
-    NOTE,
-    NOTATION,
-    FILE,
-    PART,
-    ABOUT,
-    ORDER,
+const SYSTEM: &[Key] = of_formulas![
     FORMULATION,
     key("frame", Text, "the frame of the components of a Newton-Euler system"),
     key("equations", FORMULAS, "its rows as equations, in the place of unknowns, matrix and right"),
@@ -110,16 +92,7 @@ const SYSTEM: &[Key] = &[
     key("right_ids", Text, "ids of single entries, with {i}"),
 ];
 
-const LISTING: &[Key] = &[
-    ID,
-    SECTION,
-    REPAIRED,
-    NOTE,
-    NOTATION,
-    FILE,
-    PART,
-    ABOUT,
-    ORDER,
+const LISTING: &[Key] = of_formulas![
     FORMULATION,
     needed("state", List(&Text), "what is integrated"),
     needed("derivative", FORMULAS, "its derivative as assigned"),

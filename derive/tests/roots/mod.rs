@@ -63,7 +63,7 @@ fn outline(difference: &Difference) -> String {
 fn the_errors_of_the_course_report_come_of_few_mistakes() {
     let difference = disk("../models/disk/publication.toml");
     expect![[r"
-        kane-3.2-line1-b1: omega(B) stands in the place of omega(C) in omega x H (13)
+        kane-3.2-line1-b1: omega(B) stands in the place of omega(C) in omega x H (17)
           kane-3.2-line1-b2 repeated kane-3.2-line1-b1
           kane-3.2-line3-b2 repeated kane-3.2-line1-b2
           kane-final-row2 follows kane-3.2-line3-b2
@@ -71,9 +71,13 @@ fn the_errors_of_the_course_report_come_of_few_mistakes() {
           newton-euler-3.2-left-b2 repeated kane-3.2-line3-b2
           newton-euler-final-row4 follows newton-euler-3.2-left-b1
           newton-euler-final-row5 follows newton-euler-3.2-left-b2
+          listing-5.3-line41-T1 repeated newton-euler-3.2-left-b1
+          listing-5.3-line41-T2 repeated newton-euler-3.2-left-b2
+          listing-5.3-line69-row4 repeated newton-euler-final-row4
+          listing-5.3-line70-row5 repeated newton-euler-final-row5
           listing-5.4-dz7 repeated kane-final-row2
-          listing-5.6-dz6 follows newton-euler-final-row4
-          listing-5.6-dz7 follows listing-5.4-dz7
+          listing-5.6-dz6 follows listing-5.3-line69-row4
+          listing-5.6-dz7 follows listing-5.3-line70-row5
           listing-5.6-dz9 follows newton-euler-final-row4 + newton-euler-final-row5
           listing-5.6-dz10 follows newton-euler-final-row4 + newton-euler-final-row5
         kane-3.2-line2-b1: I·alpha has the factor -1/M (3)
@@ -82,7 +86,12 @@ fn the_errors_of_the_course_report_come_of_few_mistakes() {
         kane-3.2-line3-b1: 3*u2*u3 should be 2*u2*u3 (1)
         kane-final-row1: in the right-hand side, the term -3*R*u2*u3 should be -2*R*u2*u3, the term -R*u2^2*tan(q2) should be -3*R*u2^2*tan(q2) (2)
           listing-5.4-dz6 repeated kane-final-row1
-        lagrange-3.2: it differs in several terms (1)
+        lagrange-3.2: R*q2 should be R*q2'; q1'*cos(q1) should be q4'*cos(q1) (1)
+        lagrange-3.6-q1: ∂/∂t stands in the place of d/dt (5)
+          lagrange-3.6-q2 repeated lagrange-3.6-q1
+          lagrange-3.6-q3 repeated lagrange-3.6-q2
+          lagrange-3.6-q4 repeated lagrange-3.6-q3
+          lagrange-3.6-q5 repeated lagrange-3.6-q4
         lagrange-final-row1: in the coefficient of q1'', R^2*(6 - 5*cos(q2)^2)/2 should be R*(6 - 5*cos(q2)^2)/4 (3)
           lagrange-3.8-E11 repeated lagrange-final-row1
           listing-5.5-E11 repeated lagrange-3.8-E11
@@ -92,13 +101,14 @@ fn the_errors_of_the_course_report_come_of_few_mistakes() {
         lagrange-final-row5: in the right-hand side, -R*q1'^2*cos(q1)*cos(q2) should be -R*q1'^2*cos(q1)*sin(q2) (3)
           lagrange-3.9-A5 repeated lagrange-final-row5
           listing-5.5-dz10 repeated lagrange-3.9-A5
-        4.3-q1': it contradicts other printed numbers (4)
+        4.3-q1': the values of q1', q2', q3' and those of u1, u2, u3 stand in each other's place (7)
+          4.3-q2' contradicts listing-5.7-qd20
+          4.4-u1 contradicts 4.3-q2'
           4.4-u2 contradicts 4.3-q1'
           4.4-u3 contradicts 4.3-q1'
           listing-5.7-qd10 contradicts 4.3-q1'
-        4.3-q2': it contradicts other printed numbers (3)
-          4.4-u1 contradicts 4.3-q2'
           listing-5.7-qd20 contradicts 4.3-q2'
+        listing-5.2-line23-v2: the term -u4*sin(q1)*cos(q1) should be -u4*sin(q1)*sin(q2) (1)
         listing-5.4-dz10: the term -2*R*u2*cos(q1)*sin(q2)*(1 + tan(q2)^2) should be -R*u2^2*cos(q1)*tan(q2)/cos(q2) (1)
         listing-5.7-I11: it is off by the factor 1/R, in several components (3)
           listing-5.7-I22 repeated listing-5.7-I11

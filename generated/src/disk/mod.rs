@@ -105,7 +105,7 @@ pub const SPEEDS: [&str; 5] = ["u1", "u2", "u3", "u4", "u5"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "disk",
     text_hash: "54a1cd4035aa304c",
-    publication_hash: "e3e31532fb92edb5",
+    publication_hash: "0605eac23fe5d309",
     systems: &[
         CompiledSystem {
             name: "kane",

@@ -17,7 +17,8 @@ use tripos_derive::algebra::text::print::{text, whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::{Diagnostics, Source};
 use tripos_derive::diff::{
-    Change, Declaration, Derived, Edit, ModelDifference, Property, Section, Setting, diff_models, diff_scenes,
+    Change, Declaration, Derived, Edit, ModelDifference, Property, Section, Setting, VariableChange, diff_models,
+    diff_scenes,
 };
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::plain::path_in_line;
@@ -128,6 +129,7 @@ fn json_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference
         "new": short_name(new),
         "same": difference.is_empty() && scenes.is_empty(),
         "same_equations": difference.has_same_equations(),
+        "variables": difference.variables.iter().map(variable_json).collect::<Vec<_>>(),
         "equations": difference.changes.iter().map(equation).collect::<Vec<_>>(),
         "declarations": difference.declarations.iter().map(declaration_json).collect::<Vec<_>>(),
         "scenes": scenes.iter().map(scene_json).collect::<Vec<_>>(),
@@ -136,6 +138,10 @@ fn json_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference
         "names": names_json(arena, &difference.shown()),
         "summary": { "compared": difference.compared, "changed": difference.changes.len() },
     })
+}
+
+fn variable_json(change: &VariableChange) -> Value {
+    json!({ "what": change.kind.noun(), "old": change.old, "new": change.new })
 }
 
 fn declaration_json(declaration: &Declaration) -> Value {
@@ -165,10 +171,11 @@ fn scene_json(scene: &SceneChange) -> Value {
 fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference, scenes: &[SceneChange]) -> String {
     let mut out = format!("{} -> {}\n", path_in_line(&old.source.path), path_in_line(&new.source.path));
     equations(&mut out, arena, difference);
+    let renamed = !difference.variables.is_empty();
     for (what, names) in
         [("no longer found conserved", &difference.integrals_lost), ("now conserved", &difference.integrals_gained)]
     {
-        if !names.is_empty() {
+        if !names.is_empty() && !renamed {
             let _ = writeln!(out, "{what}:");
             list(&mut out, names);
         }
@@ -191,6 +198,14 @@ fn equations(out: &mut String, arena: &Arena, difference: &ModelDifference) {
     let (count, compared) = (difference.changes.len(), entries(difference.compared));
     if difference.has_same_equations() {
         let _ = writeln!(out, "equations of motion: the same, {compared} compared by meaning");
+    } else if !difference.variables.is_empty() {
+        let _ = writeln!(
+            out,
+            "equations of motion: proved the same in other variables; {count} of {compared} read otherwise"
+        );
+        let line = |v: &VariableChange| format!("old {} {} is {}", v.kind.noun(), v.old, v.new);
+        list(out, &difference.variables.iter().map(line).collect::<Vec<_>>());
+        return;
     } else {
         let _ = writeln!(out, "equations of motion: {count} of {compared} changed");
     }
@@ -205,7 +220,8 @@ fn equations(out: &mut String, arena: &Arena, difference: &ModelDifference) {
 
 /// Formulas of the changes that are shown.
 fn shown(difference: &ModelDifference) -> Vec<Expr> {
-    let changes = difference.changes.iter().take(SHOWN);
+    let count = if difference.variables.is_empty() { SHOWN } else { 0 };
+    let changes = difference.changes.iter().take(count);
     changes.flat_map(|change| [change.old, change.new, change.difference]).flatten().collect()
 }
 

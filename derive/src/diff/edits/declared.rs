@@ -251,7 +251,11 @@ fn bodies(model: &Model) -> Vec<Element> {
         };
         Element::new(Section::Bodies, &body.name, place, terms)
     };
-    model.bodies.iter().map(one).collect()
+    let mut list: Vec<Element> = model.bodies.iter().map(one).collect();
+    for added in &model.added_masses {
+        list[added.body].terms.extend(added.tensor.iter().flatten());
+    }
+    list
 }
 
 fn loads(model: &Model) -> Vec<Element> {

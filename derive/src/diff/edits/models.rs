@@ -1,13 +1,13 @@
 //! Comparison of two models: changes of the equations of motion, entry by entry, and of the declarations.
 
 use super::declared::{Declaration, declarations};
+use super::derived::Derived;
+use super::variables::{VariableChange, changed_variables};
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Comparer, Verdict};
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::text::definitions::write_down;
 use crate::mechanics::{Derivations, Formulation};
-use crate::model::Model;
-use crate::prove::Proof;
 
 /// Entry of the equations in two models, compared.
 #[derive(Clone, Debug)]
@@ -40,6 +40,8 @@ pub struct ModelDifference {
     pub integrals_lost: Vec<String>,
     /// Names of first integrals that only the new model has.
     pub integrals_gained: Vec<String>,
+    /// Old variables that the new model writes otherwise, if the motion is proved to be the same in them; else empty.
+    pub variables: Vec<VariableChange>,
     /// Declarations that differ: defaults, units, the domain, elements of the mechanism.
     pub declarations: Vec<Declaration>,
 }
@@ -71,16 +73,6 @@ impl ModelDifference {
     }
 }
 
-/// Model with its derivations and its proof, for comparison.
-pub struct Derived<'a> {
-    /// Model that is compared.
-    pub model: &'a Model,
-    /// Equations of the model by every formulation.
-    pub derivations: &'a mut Derivations,
-    /// Proof of the model; without it, first integrals are not compared.
-    pub proof: Option<&'a Proof>,
-}
-
 /// Compares two models. Terms of the old model are written in the new model's store, symbol by name.
 pub fn diff_models(old: &mut Derived<'_>, new: &mut Derived<'_>) -> ModelDifference {
     let (lost, gained) = (only(old.derivations, new.derivations), only(new.derivations, old.derivations));
@@ -98,7 +90,9 @@ pub fn diff_models(old: &mut Derived<'_>, new: &mut Derived<'_>) -> ModelDiffere
     let gone = before.iter().filter(|(name, _)| !after.iter().any(|(n, _)| n == name)).count();
     let compared = after.len() + gone;
     let (known, found) = (integrals(old), integrals(new));
+    let variables = if changes.is_empty() { None } else { changed_variables(old, new) };
     ModelDifference {
+        variables: variables.unwrap_or_default(),
         changes,
         compared,
         formulations_lost,

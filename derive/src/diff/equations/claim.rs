@@ -15,6 +15,8 @@ pub enum Claim {
         printed: Expr,
         /// Derived value, in the same variables as the printed value.
         derived: Expr,
+        /// Formulation by which the publication says that it found the value; `None` if it does not say.
+        by: Option<Formulation>,
     },
     /// Row of a printed system as a whole.
     Row {
@@ -44,6 +46,8 @@ pub enum Claim {
         /// Index of the row in it.
         row: usize,
     },
+    /// Row of equations in which a slope ∂/∂t with q and q̇ held stands in the place of the rate d/dt.
+    HeldTime,
     /// A claim that is not traced to others, such as a definition or another formula near a point.
     Other,
 }

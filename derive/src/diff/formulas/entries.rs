@@ -7,7 +7,7 @@ use super::ratio::constant_ratio;
 use super::rounding::agrees_as_rounded;
 use super::terms::{WrongTerm, wrong_terms};
 use crate::diff::equations::claim::{Claim, Table};
-use crate::diff::repairs::{Book, Formula, Repair, Slip, Tools, repair};
+use crate::diff::repairs::{Book, Formula, Repair, Slip, Tools, pair, repair};
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
@@ -22,6 +22,9 @@ const MOST_ROUNDS: usize = 4;
 
 /// Longest text of a printed and of a derived value that are set against one another as a whole, in bytes.
 const LONGEST: usize = 70;
+
+/// Longest list of wrong terms in the place of which two changes of the formula are sought, in bytes.
+const LONGEST_LIST: usize = 150;
 
 /// Variables in which a printed formula is compared.
 #[derive(Clone, Copy, Debug)]
@@ -133,7 +136,7 @@ impl Judge<'_, '_> {
             return (finding, Claim::Other);
         }
         let finding = self.compare(finding, printed, derived);
-        (finding, Claim::Value { kind: kind.clone(), printed: printed.value, derived })
+        (finding, Claim::Value { kind: kind.clone(), printed: printed.value, derived, by: None })
     }
 
     /// Accepts a potential energy that differs by a constant: it is the same potential with another zero.
@@ -246,15 +249,14 @@ impl Judge<'_, '_> {
             [WrongTerm::Other(own, right)] => return Mistake::of_one(words, (own, right), slip),
             _ => {}
         }
-        if self.near.is_none() {
-            let (names, reading) = (self.names, printed.reading);
-            let mut rewriting = |quantities: &mut Quantities<'_>, e: Expr| reading.value(quantities, names, e);
-            let mut formula = Formula::plain(&self.quantities.derivations.kinematics.arena, printed.raw);
-            let (quantities, comparer) = (&mut *self.quantities, &mut *self.comparer);
-            let mut tools = Tools { quantities, comparer, rewriting: &mut rewriting, left: self.changes_left };
-            if let Some(Repair { words, parts, slip, .. }) = repair(&mut tools, &mut formula, derived) {
-                return Mistake { words: vec![words], change: parts, slip: Some(slip), abbreviation: None };
-            }
+        if let Some(Repair { words, parts, slip, .. }) =
+            self.with_tools(printed, |tools, formula, _| repair(tools, formula, derived))
+        {
+            return Mistake { words: vec![words], change: parts, slip: Some(slip), abbreviation: None };
+        }
+        let is_listed = !words.is_empty() && words.iter().map(String::len).sum::<usize>() <= LONGEST_LIST;
+        if !is_listed && let Some(words) = self.two_mistakes(printed, derived) {
+            return Mistake { words, ..Mistake::default() };
         }
         let arena = &self.quantities.derivations.kinematics.arena;
         if let [WrongTerm::Extra(own), WrongTerm::Missing(right)] | [WrongTerm::Missing(right), WrongTerm::Extra(own)] =
@@ -275,15 +277,36 @@ impl Judge<'_, '_> {
     /// Mistake of a formula that uses abbreviations, found with the abbreviations as symbols; `None` if there are none,
     /// or if no mistake is found.
     fn mistake_in_abbreviations(&mut self, printed: Printed, derived: Expr) -> Option<Mistake> {
+        let found = self.with_tools(printed, |tools, _, book| book.mistake(tools, printed.raw, derived))?;
+        Some(Mistake { words: found.words, change: found.parts, slip: found.slip, abbreviation: found.abbreviation })
+    }
+
+    /// Descriptions of two mistakes that are all of a formula's, with abbreviations as symbols if they are found so.
+    fn two_mistakes(&mut self, printed: Printed, derived: Expr) -> Option<Vec<String>> {
+        self.with_tools(printed, |tools, formula, book| {
+            if let Some(found) = book.two_mistakes(tools, printed.raw, derived) {
+                return Some(found.words);
+            }
+            pair(tools, formula, derived).map(|both| both.map(|one| one.words).into())
+        })
+    }
+
+    /// Searches for repairs of a formula, with abbreviations written out, or with those of the book. `None` near a
+    /// point, where formulas are not compared as they are printed.
+    fn with_tools<T>(
+        &mut self,
+        printed: Printed,
+        search: impl FnOnce(&mut Tools<'_, '_>, &mut Formula, &mut Book) -> Option<T>,
+    ) -> Option<T> {
         if self.near.is_some() {
             return None;
         }
         let (names, reading) = (self.names, printed.reading);
         let mut rewriting = |quantities: &mut Quantities<'_>, e: Expr| reading.value(quantities, names, e);
+        let mut formula = Formula::plain(&self.quantities.derivations.kinematics.arena, printed.raw);
         let (quantities, comparer) = (&mut *self.quantities, &mut *self.comparer);
         let mut tools = Tools { quantities, comparer, rewriting: &mut rewriting, left: self.changes_left };
-        let found = self.book.mistake(&mut tools, printed.raw, derived)?;
-        Some(Mistake { words: found.words, change: found.parts, slip: found.slip, abbreviation: found.abbreviation })
+        search(&mut tools, &mut formula, self.book)
     }
 
     /// Shortest form of a term that is equal in permitted states.

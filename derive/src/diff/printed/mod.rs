@@ -2,5 +2,8 @@
 
 pub(super) mod consequences;
 pub(super) mod emitted;
+mod findings;
+mod held_time;
+pub(super) mod listings;
 pub mod motion;
 pub(super) mod systems;

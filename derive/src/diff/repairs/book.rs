@@ -5,7 +5,7 @@
 //! mistake of their own.
 
 use super::formula::Formula;
-use super::{Repair, Slip, Tools, is_right, repair};
+use super::{Repair, Slip, Tools, is_right, pair, repair};
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::{Arena, Expr};
 use crate::publication::Shorthand;
@@ -78,6 +78,20 @@ impl Book {
         let found = repair(tools, &mut formula, derived)?;
         let abbreviation = self.note(&formula, &found);
         Some(Found { words: vec![found.words], parts: found.parts, slip: Some(found.slip), abbreviation })
+    }
+
+    /// Two mistakes of a printed formula, also beside those of abbreviations that are known to be wrong. `None` if it
+    /// uses no abbreviation, or if no two mistakes are found.
+    pub fn two_mistakes(&mut self, tools: &mut Tools<'_, '_>, raw: Expr, derived: Expr) -> Option<Found> {
+        let as_printed = self.shorthand.as_printed(raw)?;
+        let mut formula = Formula::with_abbreviations(&self.shorthand, as_printed);
+        let known = self.corrected(&mut formula);
+        let mut words: Vec<String> = known.iter().map(|at| self.corrections[*at].words.clone()).collect();
+        for found in pair(tools, &mut formula, derived)? {
+            self.note(&formula, &found);
+            words.push(found.words);
+        }
+        Some(Found { words, parts: None, slip: None, abbreviation: None })
     }
 
     /// Puts the right formulas of known wrong abbreviations into a formula; returns the indices of those that it uses.

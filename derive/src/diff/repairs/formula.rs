@@ -92,6 +92,21 @@ impl Formula {
         Some(whole)
     }
 
+    /// Formula with another formula at a place.
+    pub fn with(&self, place: Place, changed: Expr) -> Self {
+        let (mut root, mut parts) = (self.root, self.parts.clone());
+        match place.at {
+            None => root = changed,
+            Some(at) => parts[at].formula = changed,
+        }
+        Self { arena: self.arena.clone(), root, parts }
+    }
+
+    /// Description of a mistake at a place, with the name of the abbreviation.
+    pub fn within(&self, place: Place, words: &str) -> String {
+        self.name(place).map_or_else(|| words.to_owned(), |name| format!("in {name}, {words}"))
+    }
+
     /// Name of the abbreviation at a place.
     pub fn name(&self, place: Place) -> Option<&str> {
         place.at.map(|at| self.parts[at].name.as_str())

@@ -8,6 +8,7 @@
 mod book;
 mod change;
 mod formula;
+mod pairs;
 mod points;
 mod pool;
 mod spots;
@@ -22,6 +23,7 @@ pub use change::Slip;
 use change::{Change, changes};
 pub use formula::Formula;
 use formula::Place;
+pub use pairs::pair;
 use points::Points;
 use pool::Pool;
 use spots::solved_spot;
@@ -99,20 +101,11 @@ fn close_changes(
 ) -> Option<Vec<(Place, Change, Expr)>> {
     // Changes are built in an arena of their own: they must not change the order of terms in the main one.
     let mut arena = std::mem::take(&mut formula.arena);
-    let pools: Vec<Pool> =
-        places.iter().map(|place| Pool::new(tools.quantities, &mut arena, place.formula, derived)).collect();
-    let mut symbols: Vec<Expr> = pools.iter().flat_map(|pool| pool.symbols().iter().copied()).collect();
-    symbols.retain(|symbol| formula.parts.iter().all(|part| part.symbol != *symbol));
-    symbols.sort_unstable();
-    symbols.dedup();
-    let points = Points::new(tools.quantities, tools.comparer, &arena, &symbols, derived, tools.rewriting);
-    let Some(mut points) = points else {
+    let pools = pools(tools, &mut arena, places, derived);
+    let Some(mut points) = states(tools, formula, &arena, &pools, derived) else {
         formula.arena = arena;
         return None;
     };
-    for part in &formula.parts {
-        points.define(&arena, part.symbol, part.formula);
-    }
     let mut close: Vec<(Place, Change, Expr)> = Vec::new();
     for (place, pool) in places.iter().zip(&pools) {
         changes(&mut arena, pool, place.formula, tools.left, &mut |arena, change| {
@@ -126,6 +119,30 @@ fn close_changes(
     close.sort_by_key(|(_, change, _)| change.slip);
     close.dedup_by_key(|(.., whole)| *whole);
     Some(close)
+}
+
+/// Symbols and factors that changes of each place may bring in.
+fn pools(tools: &Tools<'_, '_>, arena: &mut Arena, places: &[Place], derived: Expr) -> Vec<Pool> {
+    places.iter().map(|place| Pool::new(tools.quantities, arena, place.formula, derived)).collect()
+}
+
+/// States at which changes of a formula, whose terms are in `arena`, are evaluated; `None` if there are none.
+fn states(
+    tools: &mut Tools<'_, '_>,
+    formula: &Formula,
+    arena: &Arena,
+    pools: &[Pool],
+    derived: Expr,
+) -> Option<Points> {
+    let mut symbols: Vec<Expr> = pools.iter().flat_map(|pool| pool.symbols().iter().copied()).collect();
+    symbols.retain(|symbol| formula.parts.iter().all(|part| part.symbol != *symbol));
+    symbols.sort_unstable();
+    symbols.dedup();
+    let mut points = Points::new(tools.quantities, tools.comparer, arena, &symbols, derived, tools.rewriting)?;
+    for part in &formula.parts {
+        points.define(arena, part.symbol, part.formula);
+    }
+    Some(points)
 }
 
 /// Repair by a change of which numbers are right, if it is proved and its words are short.
@@ -152,7 +169,7 @@ fn proved(
     let mut transfer = Transfer::new(&formula.arena);
     let parts = (transfer.term(main, wrong), transfer.term(main, right));
     let words = change.words(&before, &after);
-    let words = formula.name(place).map_or_else(|| words.clone(), |name| format!("in {name}, {words}"));
+    let words = formula.within(place, &words);
     Some(Repair::at(place, words, parts, change.slip, change.whole))
 }
 

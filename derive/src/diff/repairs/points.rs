@@ -11,11 +11,11 @@ use crate::mechanics::Quantities;
 use rustc_hash::FxHashMap;
 
 /// Number of states at which a change is evaluated.
-const POINTS: usize = 3;
+pub const POINTS: usize = 3;
 /// Number of states that are drawn until so many are permitted.
 const DRAWN: usize = 200;
 /// Largest difference of values that count as equal, relative to the size of the value.
-const SMALL: f64 = 1e-9;
+pub const SMALL: f64 = 1e-9;
 
 /// States with the values of symbols and of the right formula.
 pub struct Points {
@@ -85,12 +85,19 @@ impl Points {
         true
     }
 
+    /// Values of a formula at the states; `None` if a symbol in it has none.
+    pub fn values(&mut self, arena: &Arena, formula: Expr) -> Option<[f64; POINTS]> {
+        self.fill(arena, formula).then(|| self.values[&formula])
+    }
+
+    /// Values of the right formula at the states.
+    pub fn right(&self) -> [f64; POINTS] {
+        self.right
+    }
+
     /// True if a changed formula has the right value at all states, up to rounding.
     pub fn agree(&mut self, arena: &Arena, changed: Expr) -> bool {
-        if !self.fill(arena, changed) {
-            return false;
-        }
-        let values = self.values[&changed];
+        let Some(values) = self.values(arena, changed) else { return false };
         values.iter().zip(&self.right).all(|(value, right)| (value - right).abs() <= SMALL * right.abs().max(1e-3))
     }
 

@@ -50,13 +50,21 @@ impl Pool {
             .filter_map(|s| Some((s, model.coordinates.iter().find(|c| c.rate == s.definition)?)))
             .map(|(s, c)| (transfer.term(arena, s.symbol), transfer.term(arena, c.symbol)))
             .collect();
+        // Indices are mixed up whatever the units are: q1' for q4'.
+        let mut lists: [Vec<Expr>; 3] = [
+            model.coordinates.iter().map(|c| c.symbol).collect(),
+            model.coordinates.iter().map(|c| c.rate).collect(),
+            model.speeds.iter().map(|s| s.symbol).collect(),
+        ];
+        lists.iter_mut().flatten().for_each(|e| *e = transfer.term(arena, *e));
         let mut swaps: FxHashMap<Expr, Vec<Expr>> = FxHashMap::default();
         for symbol in &printed {
             let Some((_, unit, base)) = known.iter().find(|(s, ..)| s == symbol) else { continue };
             let same = |(other, its, of): &&(Expr, Unit, Option<Expr>)| {
                 let dotted = base.is_some() && of == base;
                 let speed = dots.iter().any(|(u, q)| (u == symbol && q == other) || (q == symbol && u == other));
-                other != symbol && (its == unit || dotted || speed)
+                let index = lists.iter().any(|list| list.contains(symbol) && list.contains(other));
+                other != symbol && (its == unit || dotted || speed || index)
             };
             swaps.insert(*symbol, known.iter().filter(same).map(|(other, ..)| *other).collect());
         }
@@ -80,7 +88,8 @@ impl Pool {
         Self { swaps, symbols, factors }
     }
 
-    /// Symbols that may stand for this one: those of the same unit, and those with a dot more or less.
+    /// Symbols that may stand for this one: those of the same unit, those with a dot more or less, other coordinates
+    /// for a coordinate, rates for a rate, speeds for a speed.
     pub fn swaps(&self, symbol: Expr) -> &[Expr] {
         self.swaps.get(&symbol).map_or(&[], Vec::as_slice)
     }

@@ -189,7 +189,7 @@ fn solved(
         (Kind::Whole, _) => (format!("{before} should be {words}{throughout}"), Slip::Symbol),
         (Kind::Term, _) => (format!("the term {before} should be {words}"), Slip::LostFactor),
     };
-    let words = formula.name(place).map_or_else(|| words.clone(), |name| format!("in {name}, {words}"));
+    let words = formula.within(place, &words);
     let parts = (spot.kind != Kind::Sum || place.at.is_some()).then_some((part, right));
     Some(Repair { words, parts, slip, place: place.at, changed })
 }

@@ -21,6 +21,7 @@ pub use root::{Follower, Link, Root};
 
 use super::equations::claim::{Claim, Table};
 use super::formulas::finding::{Finding, Judgement};
+use super::formulas::swapped::Swapped;
 use crate::algebra::Arena;
 use crate::algebra::meaning::permitted::Permitted;
 use crate::algebra::text::print::text;
@@ -37,6 +38,7 @@ pub fn find(
     findings: &[Finding],
     claims: &[Claim],
     tables: &[Table],
+    swapped: &[Swapped],
 ) -> Vec<Root> {
     let wrong: Vec<usize> = (0..findings.len()).filter(|at| findings[*at].judgement == Judgement::Different).collect();
     let stated: Vec<&Claim> = wrong.iter().map(|at| &claims[*at]).collect();
@@ -44,12 +46,15 @@ pub fn find(
     let mut reasons: Vec<Option<Reason>> = (0..wrong.len()).map(|at| search.explain(at)).collect();
     let shared = search.shared;
     let ids: Vec<&str> = wrong.iter().map(|at| findings[*at].id.as_str()).collect();
-    numbers::link(&stated, &ids, &mut reasons);
+    let swapped = numbers::link(&stated, &ids, &mut reasons, swapped);
     let arena = &quantities.derivations.kinematics.arena;
     alike(arena, &wrong.iter().map(|at| &findings[*at]).collect::<Vec<_>>(), &mut reasons);
     let words = |at: usize| match (&shared[at], stated[at]) {
         (Some(words), _) => words.clone(),
-        (None, Claim::Number { .. }) => "it contradicts other printed numbers".to_owned(),
+        (None, Claim::Number { .. }) => {
+            let lists = swapped.iter().find(|(first, _)| *first == at);
+            lists.map_or_else(|| "it contradicts other printed numbers".to_owned(), |(_, words)| words.clone())
+        }
         _ => mistake(arena, &findings[wrong[at]]),
     };
     grouped(&wrong, &reasons, words)

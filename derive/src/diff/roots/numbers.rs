@@ -1,26 +1,48 @@
-//! Printed numbers that contradict one another. In each set of them at least one is wrong, and nothing tells which.
+//! Printed numbers that contradict one another. In each set of them at least one is wrong, and nothing tells which. If
+//! two lists stand in each other's place, all contradictions of their numbers are one mistake.
 
 use super::root::Link;
 use super::search::Reason;
 use crate::diff::equations::claim::Claim;
+use crate::diff::formulas::swapped::Swapped;
 
-/// Links every wrong number to the first number that it contradicts, directly or through others.
-pub fn link(stated: &[&Claim], ids: &[&str], reasons: &mut [Option<Reason>]) {
+/// Links every wrong number to the first number that it contradicts, directly, through others or through swapped lists.
+/// Returns the descriptions of the swapped lists, each with the index of the first number that they make wrong.
+pub fn link(
+    stated: &[&Claim],
+    ids: &[&str],
+    reasons: &mut [Option<Reason>],
+    swapped: &[Swapped],
+) -> Vec<(usize, String)> {
     let mut first: Vec<usize> = (0..stated.len()).collect();
     let against = |at: usize| -> Vec<usize> {
         let Claim::Number { against } = stated[at] else { return Vec::new() };
         (0..ids.len()).filter(|other| against.iter().any(|id| id == ids[*other])).collect()
     };
+    let mut join = |at: usize, other: usize| {
+        let (a, b) = (first[at], first[other]);
+        let least = a.min(b);
+        first.iter_mut().filter(|f| **f == a || **f == b).for_each(|f| *f = least);
+    };
     for at in 0..stated.len() {
         for other in against(at) {
-            let (a, b) = (first[at], first[other]);
-            let least = a.min(b);
-            first.iter_mut().filter(|f| **f == a || **f == b).for_each(|f| *f = least);
+            join(at, other);
         }
+    }
+    let mut described = Vec::new();
+    for lists in swapped {
+        let is_number = |at: &usize| matches!(stated[*at], Claim::Number { .. });
+        let mut of = (0..ids.len()).filter(is_number).filter(|at| lists.entries.iter().any(|id| id == ids[*at]));
+        let Some(least) = of.next() else { continue };
+        for at in of {
+            join(least, at);
+        }
+        described.push((least, lists.words.clone()));
     }
     for at in 0..stated.len() {
         if matches!(stated[at], Claim::Number { .. }) && first[at] != at {
             reasons[at] = Some(Reason { link: Link::Contradicts, from: against(at), hangs_on: vec![first[at]] });
         }
     }
+    described.into_iter().map(|(least, words)| (first[least], words)).collect()
 }

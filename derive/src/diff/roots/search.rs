@@ -65,7 +65,7 @@ impl<'a, 'b> Search<'a, 'b> {
     ) -> Self {
         let mut values = Vec::new();
         for claim in stated {
-            let Claim::Value { kind, printed, derived } = claim else {
+            let Claim::Value { kind, printed, derived, .. } = claim else {
                 values.push(None);
                 continue;
             };
@@ -92,6 +92,10 @@ impl<'a, 'b> Search<'a, 'b> {
         if let Claim::Expansion { table, row } = self.stated[at] {
             let is_whole = |source: &usize| matches!(self.stated[*source], Claim::Row { table: t, row: r } if (t, r) == (table, row));
             return before.clone().find(is_whole).map(|source| Reason::new(Link::Follows, vec![source]));
+        }
+        if let Claim::HeldTime = self.stated[at] {
+            let earlier = before.clone().find(|source| matches!(self.stated[*source], Claim::HeldTime));
+            return earlier.map(|source| Reason::new(Link::Repeated, vec![source]));
         }
         if let Some(source) = before.clone().find(|source| self.repeats(*source, at)) {
             return Some(Reason::new(Link::Repeated, vec![source]));
@@ -214,13 +218,12 @@ impl<'a, 'b> Search<'a, 'b> {
     /// Finds printed rows before the entry whose solution gives the entry, an acceleration; returns their indices.
     fn solves(&mut self, at: usize) -> Option<Vec<usize>> {
         let value = self.values[at].clone()?;
-        let symbol = match value.kind {
-            QuantityKind::SpeedRate(speed) => self.exact.quantities.model.speeds[speed].rate,
-            QuantityKind::SecondRate(coordinate) => self.exact.quantities.model.coordinates[coordinate].second_rate,
-            _ => return None,
-        };
-        let tables = self.tables;
-        for (place, table) in tables.iter().enumerate().rev() {
+        let symbol = self.acceleration_of(at)?;
+        // A value that a formulation gives comes of that formulation's equations, if it can.
+        let Claim::Value { by, .. } = self.stated[at] else { return None };
+        let mut tables: Vec<(usize, &Table)> = self.tables.iter().enumerate().rev().collect();
+        tables.sort_by_key(|(_, table)| *by != Some(table.formulation));
+        for (place, table) in tables {
             let Some(column) = table.unknowns.iter().position(|u| *u == symbol) else { continue };
             let rows = self.wrong_rows(place, at);
             for set in Solutions::sets(rows.len()) {
@@ -231,8 +234,52 @@ impl<'a, 'b> Search<'a, 'b> {
                     return Some(set.into_iter().map(|i| rows[i].1).collect());
                 }
             }
+            for (row, first) in rows {
+                if let Some(sources) = self.solves_alone(at, (table, row, column), &value) {
+                    return Some(sources.into_iter().chain([first]).collect());
+                }
+            }
         }
         None
+    }
+
+    /// Printed accelerations before an entry with which one printed row gives the entry, another acceleration; `None`
+    /// unless the entry is the row, solved for it, with the last printed values of the other accelerations.
+    fn solves_alone(
+        &mut self,
+        at: usize,
+        (table, row, column): (&Table, usize, usize),
+        value: &Value,
+    ) -> Option<Vec<usize>> {
+        let own = table.printed[row].clone();
+        let right = own.len() - 1;
+        let (mut rest, mut sources) = (own[right], Vec::new());
+        for (other, unknown) in table.unknowns.iter().enumerate().filter(|(other, _)| *other != column) {
+            if own[other] == Expr::ZERO {
+                continue;
+            }
+            let source = (0..at).rev().find(|source| self.acceleration_of(*source) == Some(*unknown))?;
+            let arena = &mut self.exact.quantities.derivations.kinematics.arena;
+            let product = arena.mul(own[other], self.values[source].as_ref()?.printed);
+            rest = arena.sub(rest, product);
+            sources.push(source);
+        }
+        if sources.is_empty() {
+            return None;
+        }
+        let solved = self.exact.quantities.derivations.kinematics.arena.div(rest, own[column])?;
+        let solved = self.exact.quantities.in_speeds(solved);
+        self.exact.same(solved, value.printed).then_some(sources)
+    }
+
+    /// Symbol of the acceleration that an entry prints; `None` for another entry.
+    fn acceleration_of(&self, at: usize) -> Option<Expr> {
+        let model = self.exact.quantities.model;
+        match self.values[at].as_ref()?.kind {
+            QuantityKind::SpeedRate(speed) => Some(model.speeds[speed].rate),
+            QuantityKind::SecondRate(coordinate) => Some(model.coordinates[coordinate].second_rate),
+            _ => None,
+        }
     }
 
     /// Wrong rows of a table before an entry, each with the first entry that shows it.

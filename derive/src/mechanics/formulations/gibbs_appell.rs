@@ -13,6 +13,7 @@ use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::geometry::{Dots, SymmetricDots, Vector, apply_tensor, cross_components};
 use crate::mechanics::error::DeriveError;
+use crate::mechanics::motion::energy::Impulse;
 use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, motion_rates_without_acceleration};
 use crate::mechanics::motion::loads::{Load, active_forces};
 use crate::mechanics::rows::{LineName, RowName, Rows, Stage, Step, kinematic_step};
@@ -59,9 +60,9 @@ struct Part {
     scale: Expr,
     /// Acceleration a_C of the mass centre, or angular acceleration α.
     acceleration: Vector,
-    /// Acceleration a_C of the mass centre, or I · α.
+    /// Acceleration a_C of the mass centre, or I · α; the rate of the impulse of an added mass.
     inertial: Vector,
-    /// Zero for a mass centre, ω × I · ω for a rotation.
+    /// Zero for a mass centre, ω × I · ω for a rotation, v × p for the moment of impulse of an added mass.
     gyroscopic: Vector,
 }
 
@@ -157,6 +158,15 @@ fn parts(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) ->
                 [alpha, inertial, gyroscopic].map(|components| Vector::in_frame(inertia.frame, components));
             parts.push(Part { scale: Expr::ONE, acceleration, inertial, gyroscopic });
         }
+    }
+    for added in &model.added_masses {
+        let Impulse { velocity, omega, linear, angular, carried } = kinematics.impulse(model, velocities, added);
+        let Kinematics { arena, frames, .. } = kinematics;
+        let mut rate = |vector: &Vector| frames.time_derivative(arena, vector, &velocities.angular, &mut rates);
+        let [acceleration, alpha, force, moment] = [&velocity, &omega, &linear, &angular].map(&mut rate);
+        let none = Vector::default();
+        parts.push(Part { scale: Expr::ONE, acceleration, inertial: force, gyroscopic: none });
+        parts.push(Part { scale: Expr::ONE, acceleration: alpha, inertial: moment, gyroscopic: carried });
     }
     parts
 }

@@ -94,9 +94,12 @@ impl Inertia {
         let mut rates = motion_rates_without_acceleration(model);
         let mut products = SymmetricDots::new(n);
         let mut rest: Vec<Dots> = (0..n).map(|_| Dots::default()).collect();
-        for Momentum { scale, velocity, momentum } in kinematics.momenta(model, velocities) {
+        for Momentum { scale, velocity, momentum, carried } in kinematics.momenta(model, velocities) {
             let Kinematics { arena, frames, .. } = kinematics;
-            let rate = frames.time_derivative(arena, &momentum, &velocities.angular, &mut rates);
+            let mut rate = frames.time_derivative(arena, &momentum, &velocities.angular, &mut rates);
+            if let Some(carried) = carried {
+                rate = rate.add(arena, &carried);
+            }
             let partials = velocity.slopes(arena, &mut gradient);
             products.add(scale, &partials, &momentum.slopes(arena, &mut gradient));
             for (r, partial) in &partials {

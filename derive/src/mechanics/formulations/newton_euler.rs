@@ -191,7 +191,7 @@ pub fn balances(
         let frame = frame.or(body.rigid.as_ref().map(|(_, inertia)| inertia.frame)).unwrap_or(0);
         let (force, moment) = match &carried {
             Some(accelerations) => kinematics.carried_rates(model, velocities, accelerations, body),
-            None => momentum_rates(model, kinematics, velocities, body),
+            None => momentum_rates(model, kinematics, velocities, at),
         };
         let (force, moment) = balance(model, kinematics, force, moment, at, body);
         for (moments, vector) in [Some((false, force)), moment.map(|m| (true, m))].into_iter().flatten() {
@@ -237,13 +237,9 @@ pub fn partial_velocities(
     result
 }
 
-/// Momentum rates of a body: m a less the weight, and dH/dt.
-fn momentum_rates(
-    model: &Model,
-    kinematics: &mut Kinematics,
-    velocities: &Velocities,
-    body: &Body,
-) -> (Vector, Vector) {
+/// Momentum rates of a body: m a less the weight, and dH/dt, with those of its added mass.
+fn momentum_rates(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities, at: usize) -> (Vector, Vector) {
+    let body = &model.bodies[at];
     let mut rates = motion_rates(model);
     let Kinematics { arena, frames, .. } = kinematics;
     let a = frames.time_derivative(arena, &velocities.linear[body.centre], &velocities.angular, &mut rates);
@@ -254,7 +250,16 @@ fn momentum_rates(
     }
     let h = kinematics.angular_momentum(body, velocities);
     let Kinematics { arena, frames, .. } = kinematics;
-    let moment = frames.time_derivative(arena, &h, &velocities.angular, &mut rates);
+    let mut moment = frames.time_derivative(arena, &h, &velocities.angular, &mut rates);
+    for added in model.added_masses.iter().filter(|added| added.body == at) {
+        let impulse = kinematics.impulse(model, velocities, added);
+        let Kinematics { arena, frames, .. } = kinematics;
+        // The fluid's reaction is −dp/dt, and −(dh/dt + v × p) about the mass centre.
+        let linear = frames.time_derivative(arena, &impulse.linear, &velocities.angular, &mut rates);
+        let angular = frames.time_derivative(arena, &impulse.angular, &velocities.angular, &mut rates);
+        force = force.add(arena, &linear);
+        moment = moment.add(arena, &angular).add(arena, &impulse.carried);
+    }
     (force, moment)
 }
 

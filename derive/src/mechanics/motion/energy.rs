@@ -6,9 +6,9 @@ use super::kinematics::{Kinematics, Velocities};
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Expr, Rational};
-use crate::geometry::{Dots, SymmetricDots, Vector};
+use crate::geometry::{Dots, SymmetricDots, Vector, cross_components};
 use crate::mechanics::error::DeriveError;
-use crate::model::Model;
+use crate::model::{AddedMass, Model};
 
 /// A velocity and the momentum along it: v and m v of a mass centre, or ω and H of a rigid body. T = Σ ½ scale velocity
 /// · momentum.
@@ -20,6 +20,23 @@ pub struct Momentum {
     pub velocity: Vector,
     /// Velocity v_C of the mass centre, or angular momentum H = I · ω.
     pub momentum: Vector,
+    /// Rate of the momentum beside its derivative: v × p for the moment of the impulse p of an added mass; `None` for
+    /// other momenta.
+    pub carried: Option<Vector>,
+}
+
+/// Impulse p of the fluid that moves with a body, its moment h about the mass centre, and v × p.
+pub struct Impulse {
+    /// Velocity v of the mass centre, in the frame of the body.
+    pub velocity: Vector,
+    /// Angular velocity ω, in the frame of the body.
+    pub omega: Vector,
+    /// Impulse p, N s.
+    pub linear: Vector,
+    /// Moment of impulse h about the mass centre, N m s.
+    pub angular: Vector,
+    /// Moment v × p, N m.
+    pub carried: Vector,
 }
 
 impl Kinematics {
@@ -28,14 +45,41 @@ impl Kinematics {
         let mut momenta = Vec::new();
         for body in &model.bodies {
             let v = &velocities.linear[body.centre];
-            momenta.push(Momentum { scale: body.mass, velocity: v.clone(), momentum: v.clone() });
+            momenta.push(Momentum { scale: body.mass, velocity: v.clone(), momentum: v.clone(), carried: None });
             if let (Some((_, inertia)), Some(omega)) = (&body.rigid, self.angular_velocity_in(body, velocities)) {
                 let velocity = Vector::in_frame(inertia.frame, omega);
                 let momentum = self.angular_momentum(body, velocities);
-                momenta.push(Momentum { scale: Expr::ONE, velocity, momentum });
+                momenta.push(Momentum { scale: Expr::ONE, velocity, momentum, carried: None });
             }
         }
+        for added in &model.added_masses {
+            let Impulse { velocity, omega, linear, angular, carried } = self.impulse(model, velocities, added);
+            momenta.push(Momentum { scale: Expr::ONE, velocity, momentum: linear, carried: None });
+            momenta.push(Momentum { scale: Expr::ONE, velocity: omega, momentum: angular, carried: Some(carried) });
+        }
         momenta
+    }
+
+    /// Impulse (p, h) = M_A ν of an added mass.
+    pub fn impulse(&mut self, model: &Model, velocities: &Velocities, added: &AddedMass) -> Impulse {
+        let body = &model.bodies[added.body];
+        let frame = body.rigid.as_ref().map_or(0, |(frame, _)| *frame);
+        let mut own = |vector: &Vector| {
+            let components = self.frames.express(&mut self.arena, vector, frame);
+            components.map(|e| self.simplifier.simplify(&mut self.arena, e))
+        };
+        let (v, omega) = (own(&velocities.linear[body.centre]), own(&velocities.angular[frame]));
+        let twist: Vec<Expr> = v.iter().chain(&omega).copied().collect();
+        let arena = &mut self.arena;
+        let momentum = added.tensor.map(|row| {
+            let terms: Vec<Expr> = row.iter().zip(&twist).map(|(entry, x)| arena.mul(*entry, *x)).collect();
+            arena.sum(&terms)
+        });
+        let [p1, p2, p3, h1, h2, h3] = momentum;
+        let carried = cross_components(arena, &v, &[p1, p2, p3]);
+        let [velocity, omega, linear, angular, carried] =
+            [v, omega, [p1, p2, p3], [h1, h2, h3], carried].map(|components| Vector::in_frame(frame, components));
+        Impulse { velocity, omega, linear, angular, carried }
     }
 
     /// Kinetic energy T = Σ ½ m v·v + ½ ω·I·ω, written as a quadratic form in the motion variables.
@@ -51,7 +95,7 @@ impl Kinematics {
         }
         let mut gradient = Gradient::new(variables);
         let mut products = SymmetricDots::new(variables.len());
-        for Momentum { scale, velocity, momentum } in self.momenta(model, velocities) {
+        for Momentum { scale, velocity, momentum, .. } in self.momenta(model, velocities) {
             let velocities = velocity.slopes(&mut self.arena, &mut gradient);
             products.add(scale, &velocities, &momentum.slopes(&mut self.arena, &mut gradient));
         }
@@ -92,7 +136,7 @@ impl Kinematics {
             return quadratic;
         }
         let mut dots = Dots::default();
-        for Momentum { scale, velocity, momentum } in self.momenta(model, velocities) {
+        for Momentum { scale, velocity, momentum, .. } in self.momenta(model, velocities) {
             dots.add(scale, &velocity, &momentum);
         }
         let twice = dots.sum(&mut self.arena, &mut self.frames);

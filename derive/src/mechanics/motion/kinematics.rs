@@ -81,7 +81,8 @@ impl Kinematics {
         check_tree(model)?;
         let mut arena = model.arena.clone();
         let mut frames = Frames::new(&model.frames);
-        frames.carries = form == Form::Steps;
+        // Impulses of added masses are written out.
+        frames.carries = form == Form::Steps && model.added_masses.is_empty();
         let rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         let mut rates = Differential::along(&rates);
         let angular = angular_velocities(&mut arena, &model.frames, &mut rates);

@@ -3,6 +3,7 @@
 //! Every value is computed from the kinematics that the formulations share, or read from their equations, and kept.
 //! Equations are solved only in [`Quantities::solved`]: accelerations stay linear in u̇, loads in the reactions.
 
+mod lagrangian;
 #[cfg(test)]
 mod name_tests;
 mod parse;
@@ -86,7 +87,7 @@ impl<'a> Quantities<'a> {
     /// Derived value of a quantity, simplified.
     ///
     /// Values are in parameters, q and u. Those with accelerations are also linear in u̇, and loads contain reactions.
-    /// Speeds, Lagrange's E and A, and terms of M q̈ + C q̇ + g = τ are in q and q̇.
+    /// Speeds, Lagrange's E and A, slopes of L, and terms of M q̈ + C q̇ + g = τ are in q and q̇.
     ///
     /// # Errors
     /// Reason why the formulation of the quantity cannot be derived.
@@ -114,6 +115,10 @@ impl<'a> Quantities<'a> {
             QuantityKind::Row(Row::LagrangeForcing, at) => self.equations(Formulation::Lagrange)?.forcing[at],
             QuantityKind::Row(Row::VelocityTerms, at) => self.velocity_terms(at)?,
             QuantityKind::Row(Row::PotentialSlope, at) => self.potential_slope(at)?,
+            QuantityKind::Row(Row::Momentum, at) => self.momentum(at)?,
+            QuantityKind::Row(Row::MomentumRate, at) => self.momentum_rate(at)?,
+            QuantityKind::Row(Row::HeldMomentumRate, at) => self.held_momentum_rate(at)?,
+            QuantityKind::Row(Row::LagrangianSlope, at) => self.lagrangian_slope(at)?,
             QuantityKind::Christoffel(i, j) => self.christoffel(i, j)?,
             QuantityKind::MassRate(i, j) => self.mass_rate(i, j)?,
             QuantityKind::MassMatrix(i, j) => self.equations(Formulation::Kane)?.matrix[i][j],

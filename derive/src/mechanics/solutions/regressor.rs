@@ -82,6 +82,9 @@ impl Regressor {
     /// # Errors
     /// [`DeriveError`] if the model cannot be derived.
     pub fn new(model: &Model, varied: Varied) -> Result<Self, DeriveError> {
+        if let Some(added) = model.added_masses.first() {
+            return Err(DeriveError::AddedMass { body: model.bodies[added.body].name.clone() });
+        }
         let mut kinematics = Kinematics::in_form(model, Form::Steps)?;
         let equations = derive_with(model, &mut kinematics, Formulation::Kane)?;
         let proved = equations.with_inverse_dynamics(&mut kinematics.arena);

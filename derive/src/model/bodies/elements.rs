@@ -9,7 +9,7 @@ use crate::model::reading::reader::Loading;
 use crate::model::reading::tree::{Node, in_order};
 use crate::model::units::Unit;
 use crate::model::{
-    Body, Contacts, Force, Frame, Gravity, Inertia, Parameter, Point, Potential, Reaction, Torque, physics,
+    AddedMass, Body, Contacts, Force, Frame, Gravity, Inertia, Parameter, Point, Potential, Reaction, Torque, physics,
 };
 use crate::read::{Entry, Located};
 use std::ops::Range;
@@ -33,6 +33,7 @@ pub struct Elements {
     pub frames: Vec<Frame>,
     pub points: Vec<Point>,
     pub bodies: Vec<Body>,
+    pub added_masses: Vec<AddedMass>,
     pub gravity: Option<Gravity>,
     pub forces: Vec<Force>,
     pub torques: Vec<Torque>,
@@ -219,7 +220,7 @@ impl Elements {
         for (name, value) in loading.section(table, "bodies", &[Kind::Body]) {
             let entry = loading.entry(&name, value, Kind::Body, None, "[bodies.NAME]");
             let Some((entry, what)) = entry else { continue };
-            loading.reader.allow(entry, "a body", &["frame", "centre", "mass", "inertia", "about"]);
+            loading.reader.allow(entry, "a body", &["frame", "centre", "mass", "inertia", "added_mass", "about"]);
             let carried = joints.bodies.get(&name.text).filter(|placed| placed.joint.is_some());
             let frame = match (carried, loading.reader.get(entry, "frame")) {
                 (Some(placed), None) => self.frame_named(loading, &placed.frame),
@@ -234,6 +235,7 @@ impl Elements {
             let inertia = inertia.and_then(|v| self.inertia(loading, v, frame, centre, mass));
             if let (Some(frame), Some(centre), Some(mass), Some(inertia)) = (frame, centre, mass, inertia) {
                 self.bodies.push(Body { name: name.text, centre, mass, rigid: Some((frame, inertia)) });
+                self.read_added_mass(loading, entry, (self.bodies.len() - 1, frame, centre));
             }
         }
     }
@@ -335,7 +337,7 @@ impl Elements {
 
     /// Components in `frame` of the vector between two points; `None` unless one point is placed directly from the
     /// other in this frame.
-    fn arm(&self, arena: &mut Arena, from: usize, to: usize, frame: usize) -> Option<[Expr; 3]> {
+    pub(super) fn arm(&self, arena: &mut Arena, from: usize, to: usize, frame: usize) -> Option<[Expr; 3]> {
         if from == to {
             return Some([Expr::ZERO; 3]);
         }
@@ -421,6 +423,7 @@ impl Elements {
                 loading.reader.error(span, message, help);
             }
         }
+        self.check_added_masses(loading, parameters);
     }
 }
 

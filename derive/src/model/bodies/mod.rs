@@ -1,5 +1,6 @@
 //! Frames, points, bodies and joints, the loads and inputs on them, and shapes.
 
+mod added_mass;
 pub(super) mod elements;
 pub(super) mod friction;
 pub(super) mod inputs;

@@ -17,6 +17,7 @@ impl DrawnModel {
             terms.push(body.mass);
             terms.extend(body.rigid.iter().flat_map(|(_, inertia)| inertia.tensor.iter().flatten().copied()));
         }
+        terms.extend(model.added_masses.iter().flat_map(|added| added.tensor.as_flattened().iter().copied()));
         let loads = model.forces.iter().map(|f| f.vector).chain(model.torques.iter().map(|t| t.vector));
         terms.extend(loads.chain(model.efforts.iter().map(|e| e.vector)).flatten());
         let mut values = match self.values(model, arena, &terms) {
@@ -45,6 +46,11 @@ impl DrawnModel {
             let moment = space.add(times(seen), space.cross(frame.velocity, times(turned.velocity)));
             loads.push((at, body.centre, [0; 3], moment));
         }
+        for added in &model.added_masses {
+            let blocks: [Triple; 12] = std::array::from_fn(|_| values.triple());
+            let (force, moment) = self.impulse_rates(model, added.body, &blocks);
+            loads.push((added.body, model.bodies[added.body].centre, force, moment));
+        }
         let back = |v: Triple| space.sub([0; 3], v);
         for force in &model.forces {
             let vector = space.along(&frames[force.frame].axes, values.triple());
@@ -69,6 +75,30 @@ impl DrawnModel {
             }
         }
         Some(all)
+    }
+
+    /// Rates dp/dt and dh/dt + v × p of the impulse (p, h) = M_A (v, ω) of the fluid that moves with a body. `blocks`
+    /// are the halves of the rows of M_A.
+    fn impulse_rates(&self, model: &Model, body: usize, blocks: &[Triple; 12]) -> (Triple, Triple) {
+        let DrawnModel { space, frames, points, .. } = self;
+        let stated = &model.bodies[body];
+        let (centre, frame) = (&points[stated.centre], &frames[stated.rigid.as_ref().map_or(0, |(own, _)| *own)]);
+        let into = |v: Triple| frame.axes.map(|axis| space.dot(axis, v));
+        let times = |first: usize, v: Triple, omega: Triple| {
+            let row = |i: usize| {
+                let at = 2 * (first + i);
+                space.0.add(space.dot(blocks[at], into(v)), space.dot(blocks[at + 1], into(omega)))
+            };
+            space.along(&frame.axes, [0, 1, 2].map(row))
+        };
+        // In the frame of the body, M_A is constant, and the components of v change with a − ω × v.
+        let (v, omega) = (centre.velocity, frame.velocity);
+        let within = space.sub(centre.acceleration, space.cross(omega, v));
+        let rate = |first: usize| {
+            let carried = space.cross(omega, times(first, v, omega));
+            space.add(times(first, within, frame.acceleration), carried)
+        };
+        (rate(0), space.add(rate(3), space.cross(v, times(0, v, omega))))
     }
 
     /// Contribution to all balances of a force through a point of one body, and of a moment on that body.

@@ -1,0 +1,123 @@
+//! Motions that the wrong equations of a publication give, beside the derived motion.
+//!
+//! The start and the time stand in the first scene beside the model of the publication. Both motions are runs of this
+//! scene, by Kane's equations and by the printed ones as they stand.
+
+use crate::failure::Failure;
+use crate::judged::Judged;
+use serde_json::{Value, json};
+use std::path::Path;
+use tripos::{EquationsName, Overrides, Scene};
+use tripos_codegen::scene_files::{name_beside, scene_files};
+use tripos_derive::Formulation;
+use tripos_derive::algebra::meaning::compare::Verdict;
+
+/// Number of significant digits of the shown values.
+const DIGITS: usize = 3;
+
+/// Motion by wrong printed equations, beside the right one.
+pub struct Motion {
+    /// Id of the printed system.
+    pub system: String,
+    /// Name of the scene with the start.
+    pub scene: String,
+    /// Time of the run, s.
+    pub time: f64,
+    pub outcome: Outcome,
+}
+
+/// End of a run by printed equations.
+pub enum Outcome {
+    /// Coordinate that is farthest from the right motion, with its value by the printed and by the derived equations.
+    Apart { coordinate: String, printed: f64, right: f64 },
+    /// Reason why the run does not reach the end.
+    Stopped(String),
+}
+
+impl Motion {
+    /// Sentence about the motion, without its full stop.
+    pub fn words(&self) -> String {
+        let Self { system, scene, time, outcome } = self;
+        match outcome {
+            Outcome::Apart { coordinate, printed, right } => {
+                let [printed, right] = [printed, right].map(|x| rounded(*x));
+                format!("{system}: after {time} s of {scene}, {coordinate} is {printed} instead of {right}")
+            }
+            Outcome::Stopped(why) => format!("{system}: its run of {scene} does not reach {time} s: {why}"),
+        }
+    }
+
+    pub fn json(&self) -> Value {
+        let mut value = json!({ "system": self.system, "scene": self.scene, "time": self.time });
+        match &self.outcome {
+            Outcome::Apart { coordinate, printed, right } => {
+                value["coordinate"] = json!(coordinate);
+                value["printed"] = json!(printed);
+                value["right"] = json!(right);
+            }
+            Outcome::Stopped(why) => value["stopped"] = json!(why),
+        }
+        value
+    }
+}
+
+/// Motions of all printed systems of a publication whose accelerations are wrong; empty if its folder has no scene.
+///
+/// # Errors
+/// [`Failure`] if the scene cannot be read, or if the derived equations do not run it.
+pub fn motions(folder: &Path, judged: &Judged) -> Result<Vec<Motion>, Failure> {
+    let model = folder.join("model.toml");
+    let wrong = judged.difference.consequences.iter().filter(|c| matches!(c.accelerations, Verdict::Different(_)));
+    let systems: Vec<&str> = wrong.map(|c| c.system.as_str()).collect();
+    let Some(file) = scene_files(&model).into_iter().next().filter(|_| !systems.is_empty()) else {
+        return Ok(Vec::new());
+    };
+    let scene = Scene::read(&file)?;
+    let by = |by: EquationsName| Overrides { by: Some(by), ..Overrides::default() };
+    let right = scene.simulate(&by(EquationsName::Derived(Formulation::Kane)))?;
+    if let Some(why) = right.failure() {
+        return Err(Failure::request(format!("{}: {why}", name_beside(&model, &file)), "choose another start or span"));
+    }
+    let count = scene.mechanism().coordinates.len();
+    let mut list = Vec::new();
+    for system in systems {
+        let run = scene.simulate(&by(EquationsName::Printed(system.to_owned())))?;
+        let outcome = match run.failure() {
+            Some(why) => Outcome::Stopped(why),
+            None => farthest(&right.names[..count], &right.states, &run.end, &right.end),
+        };
+        let (scene, time) = (name_beside(&model, &file), right.solution.t_end);
+        list.push(Motion { system: system.to_owned(), scene, time, outcome });
+    }
+    Ok(list)
+}
+
+/// Coordinate whose end by printed equations is farthest from the right one, in relation to its range in the right
+/// motion.
+fn farthest(names: &[String], states: &[Vec<f64>], printed: &[f64], right: &[f64]) -> Outcome {
+    let range = |at: usize| states.iter().map(|state| state[at].abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let off = |at: usize| (printed[at] - right[at]).abs() / range(at);
+    let at = (0..names.len()).max_by(|a, b| off(*a).total_cmp(&off(*b))).unwrap_or(0);
+    Outcome::Apart { coordinate: names[at].clone(), printed: printed[at], right: right[at] }
+}
+
+/// Number with a few significant digits.
+fn rounded(x: f64) -> String {
+    let short: f64 = format!("{x:.*e}", DIGITS - 1).parse().unwrap_or(x);
+    short.to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Outcome, farthest, rounded};
+
+    #[test]
+    fn the_farthest_coordinate_is_farthest_in_relation_to_its_range() {
+        let names = ["x".to_owned(), "theta".to_owned()];
+        let states = [vec![100.0, 0.1], vec![90.0, 0.2]];
+        let found = farthest(&names, &states, &[95.0, 0.4], &[90.0, 0.2]);
+        assert!(matches!(found, Outcome::Apart { coordinate, printed, right }
+            if coordinate == "theta" && (printed, right) == (0.4, 0.2)));
+        assert_eq!([1234.5, -0.012_345, 0.0].map(rounded), ["1230", "-0.0123", "0"]);
+    }
+}

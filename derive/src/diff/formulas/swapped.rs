@@ -1,0 +1,91 @@
+//! Two printed lists of numbers that stand in each other's place.
+//!
+//! In a set of numbers, the rates q̇ and the speeds u of equal index change places. If no number of the publication
+//! contradicts another one then, and some did before, the lists are swapped: one mistake, not one for each number.
+
+use super::finding::Judgement;
+use super::initial::judge;
+use crate::model::Model;
+use crate::publication::{Entry, EntryKind, Initial, Publication};
+use std::collections::BTreeSet;
+
+/// Two lists of numbers of one set that are printed in each other's place.
+pub struct Swapped {
+    /// Ids of all numbers of the two lists.
+    pub entries: Vec<String>,
+    /// Description of the mistake.
+    pub words: String,
+}
+
+/// Most numbers of a publication in which swapped lists are sought.
+const MOST_NUMBERS: usize = 200;
+
+/// Swapped lists of rates and speeds, at most one pair for each set.
+pub fn swapped_lists(model: &Model, publication: &Publication) -> Vec<Swapped> {
+    if numbers(publication).count() > MOST_NUMBERS || contradictions(model, publication) == 0 {
+        return Vec::new();
+    }
+    let sets: BTreeSet<&str> = numbers(publication).map(|(_, initial)| initial.set.as_str()).collect();
+    sets.into_iter().filter_map(|set| in_set(model, publication, set)).collect()
+}
+
+fn numbers(publication: &Publication) -> impl Iterator<Item = (&Entry, &Initial)> {
+    publication.entries.iter().filter_map(|entry| match &entry.kind {
+        EntryKind::Initial(initial) => Some((entry, initial)),
+        _ => None,
+    })
+}
+
+fn contradictions(model: &Model, publication: &Publication) -> usize {
+    numbers(publication).filter(|(e, _)| judge(model, publication, e).0.judgement == Judgement::Different).count()
+}
+
+/// Swapped lists of one set, if the swap removes every contradiction.
+fn in_set(model: &Model, publication: &Publication, set: &str) -> Option<Swapped> {
+    let place = |symbol| {
+        publication
+            .entries
+            .iter()
+            .position(|entry| matches!(&entry.kind, EntryKind::Initial(i) if i.set == set && i.quantity == symbol))
+    };
+    let pairs: Vec<(usize, usize)> = model
+        .coordinates
+        .iter()
+        .zip(&model.speeds)
+        .filter_map(|(c, s)| Some((place(c.rate)?, place(s.symbol)?)))
+        .collect();
+    let mut turned = publication.clone();
+    for (rate, speed) in &pairs {
+        let of = |at: usize| match &publication.entries[at].kind {
+            EntryKind::Initial(initial) => Some((initial.value, initial.decimals, initial.text.clone())),
+            _ => None,
+        };
+        for (to, from) in [(*rate, *speed), (*speed, *rate)] {
+            if let (EntryKind::Initial(own), Some((value, decimals, text))) = (&mut turned.entries[to].kind, of(from)) {
+                (own.value, own.decimals, own.text) = (value, decimals, text);
+            }
+        }
+    }
+    if pairs.len() < 2 || contradictions(model, &turned) > 0 {
+        return None;
+    }
+    // Equal numbers are in their place in either list.
+    let moved = |(rate, speed): &&(usize, usize)| {
+        let value = |at: usize| match &publication.entries[at].kind {
+            EntryKind::Initial(initial) => Some(initial.value),
+            _ => None,
+        };
+        value(*rate) != value(*speed)
+    };
+    let names = |list: Vec<usize>| {
+        let name = |at: usize| match &publication.entries[at].kind {
+            EntryKind::Initial(initial) => initial.name.clone(),
+            _ => String::new(),
+        };
+        list.into_iter().map(name).collect::<Vec<_>>().join(", ")
+    };
+    let (rates, speeds): (Vec<usize>, Vec<usize>) = pairs.iter().filter(moved).copied().unzip();
+    let words = format!("the values of {} and those of {} stand in each other's place", names(rates), names(speeds));
+    let entries = pairs.iter().flat_map(|(a, b)| [*a, *b]).map(|at| publication.entries[at].id.clone()).collect();
+    Some(Swapped { entries, words })
+}

@@ -1,0 +1,210 @@
+//! Findings on rows and entries of printed systems: the verdict, the wrong entries, and the mistake in each.
+
+use crate::diff::equations::ordered::Ordered;
+use crate::diff::equations::rows::{Match, Row, RowJudgement, Terms, judge};
+use crate::diff::formulas::entries::{Judge, Printed};
+use crate::diff::formulas::finding::{Finding, Judgement, Mistake, ROUNDED};
+use crate::diff::formulas::rounding::agrees_as_rounded;
+
+use crate::algebra::Expr;
+use crate::algebra::meaning::compare::{Engine, Verdict};
+use crate::algebra::meaning::permitted::Holds;
+use crate::algebra::text::print::text;
+use crate::mechanics::Kinematics;
+use crate::publication::Entry;
+
+impl Judge<'_, '_> {
+    /// Judges a row. Its decimals, if it has some, may stand for parameters.
+    pub(super) fn row(&mut self, row: &Row, order: &Ordered, index: usize, has_decimals: bool) -> RowJudgement {
+        if has_decimals && let Some(judged) = self.rounded(row, order, index) {
+            return judged;
+        }
+        let parameters = self.quantities.model.p();
+        let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+        let mut terms = Terms { arena, simplifier, comparer: self.comparer };
+        judge(&mut terms, &parameters, row, &order.rows, index)
+    }
+
+    /// Judgement of a row that is a derived row to the digits printed, the one of equal number first; `None` if there
+    /// is no such row, or if the row is equal without rounding.
+    fn rounded(&mut self, row: &Row, order: &Ordered, index: usize) -> Option<RowJudgement> {
+        let own = index.min(order.rows.len() - 1);
+        for at in std::iter::once(own).chain((0..order.rows.len()).filter(|at| *at != own)) {
+            let expected = order.rows[at].clone();
+            let (mut entries, mut holds, mut is_rounded) = (Vec::new(), Vec::new(), false);
+            for (printed, derived) in row.iter().zip(&expected) {
+                let arena = &mut self.quantities.derivations.kinematics.arena;
+                let (mut verdict, place) = self.comparer.compare_where(arena, *printed, *derived);
+                if !verdict.is_equal()
+                    && agrees_as_rounded(self.quantities, self.comparer, self.numbers, *printed, *derived)
+                {
+                    (verdict, is_rounded) = (Verdict::Equal(Engine::NormalForm), true);
+                }
+                if !verdict.is_equal() {
+                    break;
+                }
+                entries.push(verdict);
+                holds.push(place);
+            }
+            if is_rounded && entries.len() == row.len() {
+                let by = Match::Row { at, factor: Expr::ONE };
+                return Some(RowJudgement { by, entries, expected, holds, is_rounded });
+            }
+        }
+        None
+    }
+
+    pub(super) fn row_finding(
+        &mut self,
+        mut finding: Finding,
+        row: &[Printed],
+        order: &Ordered,
+        judged: &RowJudgement,
+        index: usize,
+        is_equation: bool,
+    ) -> Finding {
+        finding.judgement = Judgement::Equal;
+        finding.holds = judged.holds();
+        let as_term = |judge: &mut Self, row: &Row| judge.as_term(row, &order.unknowns);
+        finding.derived = Some(as_term(self, &judged.expected));
+        match &judged.by {
+            Match::Row { at, factor } => {
+                // The sides of an equation may be the other way round.
+                let is_turned = is_equation && *factor == Expr::MINUS_ONE;
+                if *factor != Expr::ONE && !is_turned {
+                    finding.factor = Some(*factor);
+                    finding.judgement = Judgement::Scaled;
+                }
+                if *at != index {
+                    finding.remarks.push(format!("compared with derived row {}", at + 1));
+                }
+            }
+            Match::Combination { multipliers } => {
+                finding.judgement = Judgement::Scaled;
+                let arena = &self.quantities.derivations.kinematics.arena;
+                let parts = multipliers.iter().enumerate().filter(|(_, m)| **m != Expr::ZERO);
+                let parts: Vec<String> = parts.map(|(i, m)| format!("({}) row {}", text(arena, *m), i + 1)).collect();
+                let by = if parts.is_empty() { "of derived rows".to_owned() } else { parts.join(" + ") };
+                finding.remarks.push(format!("a combination: {by}"));
+            }
+        }
+        if judged.is_rounded {
+            finding.up_to = Some("to the digits printed");
+            finding.remarks.push(ROUNDED.to_owned());
+        }
+        if judged.is_right() {
+            return finding;
+        }
+        finding.holds = Holds::EVERYWHERE;
+        let undecided = judged.entries.iter().find_map(|v| match v {
+            Verdict::Undecided(why) => Some(why.clone()),
+            _ => None,
+        });
+        let witness = judged.entries.iter().find_map(|v| match v {
+            Verdict::Different(witness) => Some(witness.clone()),
+            _ => None,
+        });
+        finding.judgement = match (&witness, undecided) {
+            (None, Some(why)) => Judgement::Undecided(why),
+            _ => Judgement::Different,
+        };
+        let raw: Row = row.iter().map(|printed| printed.raw).collect();
+        let raw = as_term(self, &raw);
+        let (model, arena) = (self.quantities.model, &self.quantities.derivations.kinematics.arena);
+        if let Err(message) = model.checked_unit_of(arena, raw) {
+            finding.remarks.push(format!("units alone show it: {message}"));
+        }
+        let wrong: Vec<usize> = (0..judged.entries.len()).filter(|at| !judged.entries[*at].is_equal()).collect();
+        let mut places = Vec::new();
+        let mut mistakes = Vec::new();
+        for at in wrong {
+            let unknown = order.unknowns.get(at);
+            let (words, mistake) = self.wrong_place(unknown, row[at], judged.expected[at]);
+            finding.places.push(self.place(unknown));
+            places.push(words);
+            mistakes.push(mistake);
+        }
+        if let [mistake] = mistakes.as_slice() {
+            (finding.change, finding.slip) = (mistake.change, mistake.slip);
+            finding.abbreviation.clone_from(&mistake.abbreviation);
+        }
+        let wrong = places.join("; ");
+        finding.remarks.push(format!("wrong: {wrong}"));
+        finding.wrong = Some(wrong);
+        let values: Row = row.iter().map(|printed| printed.value).collect();
+        let printed = as_term(self, &values);
+        let expected = as_term(self, &judged.expected);
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let difference = arena.sub(printed, expected);
+        // The witness is a state of the whole row, unknowns included, or else of a wrong entry.
+        finding.witness = match self.comparer.compare(arena, printed, expected) {
+            Verdict::Different(whole) => Some(whole),
+            _ => witness,
+        };
+        finding.difference = Some(self.simplify(difference));
+        finding
+    }
+
+    /// Row as one term: Σ entry · unknown − right.
+    pub(super) fn as_term(&mut self, row: &Row, unknowns: &[Expr]) -> Expr {
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let mut terms: Vec<Expr> = row.iter().zip(unknowns).map(|(a, x)| arena.mul(*a, *x)).collect();
+        terms.push(arena.neg(row[row.len() - 1]));
+        arena.sum(&terms)
+    }
+
+    /// Name of an entry of a row.
+    fn place(&self, unknown: Option<&Expr>) -> String {
+        let arena = &self.quantities.derivations.kinematics.arena;
+        match unknown {
+            Some(unknown) => format!("the coefficient of {}", text(arena, *unknown)),
+            None => "the right-hand side".to_owned(),
+        }
+    }
+
+    /// Description of a wrong entry of a row, its place and what should be there, and the mistake.
+    fn wrong_place(&mut self, unknown: Option<&Expr>, printed: Printed, expected: Expr) -> (String, Mistake) {
+        let place = self.place(unknown);
+        let difference = self.quantities.derivations.kinematics.arena.sub(printed.value, expected);
+        let difference = self.simplify(difference);
+        let mistake = self.mistake(printed, expected, difference);
+        if !mistake.words.is_empty() {
+            return (format!("in {place}, {}", mistake.words.join(", ")), mistake);
+        }
+        let arena = &self.quantities.derivations.kinematics.arena;
+        (format!("{place} is off by {}", text(arena, difference)), mistake)
+    }
+
+    pub(super) fn entry_finding(
+        &mut self,
+        finding: Finding,
+        printed: Printed,
+        judged: &RowJudgement,
+        at: usize,
+    ) -> Finding {
+        let verdict = (judged.entries[at].clone(), judged.holds[at]);
+        let mut finding = finding.judged(verdict, judged.expected[at]);
+        match &judged.by {
+            Match::Row { factor, .. } if *factor != Expr::ONE => {
+                finding.factor = Some(*factor);
+                if finding.judgement == Judgement::Equal {
+                    finding.judgement = Judgement::Scaled;
+                }
+            }
+            Match::Combination { .. } if finding.judgement == Judgement::Equal => finding.judgement = Judgement::Scaled,
+            Match::Combination { .. } | Match::Row { .. } => {}
+        }
+        if finding.judgement == Judgement::Different {
+            let difference = self.quantities.derivations.kinematics.arena.sub(printed.value, judged.expected[at]);
+            let difference = self.simplify(difference);
+            finding.difference = Some(difference);
+            finding.name_mistake(self.mistake(printed, judged.expected[at], difference));
+        }
+        finding
+    }
+}
+
+/// Finding of an entry before it is judged.
+pub fn stated(id: &str, entry: &Entry, text: &str) -> Finding {
+    Finding::new(id, &entry.section, Judgement::Stated, text)
+}

@@ -1,0 +1,63 @@
+//! Rows of equations in which ∂/∂t, with q and q̇ held, stands in the place of d/dt.
+
+use super::systems::printed;
+use crate::algebra::Expr;
+use crate::algebra::meaning::compare::Verdict;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::diff::equations::ordered::Ordered;
+use crate::diff::equations::rows::{Row, RowJudgement};
+use crate::diff::formulas::entries::Judge;
+use crate::diff::formulas::finding::{Finding, Judgement};
+use crate::diff::repairs::Slip;
+use crate::publication::System;
+
+/// Description of the mistake.
+const WORDS: &str = "∂/∂t stands in the place of d/dt";
+
+impl Judge<'_, '_> {
+    /// Printed rows with d/dt in the place of every ∂/∂t; `None` if no row has a ∂/∂t.
+    pub(super) fn with_total_rates(&mut self, system: &System, raw: &[Row], order: &Ordered) -> Option<Vec<Row>> {
+        if self.near.is_some() {
+            return None;
+        }
+        let names = self.names.with_total_rates(&self.quantities.derivations.kinematics.arena, &raw.concat())?;
+        printed(self.quantities, &names, system, &order.unknowns).ok()
+    }
+
+    /// Judgement of the row `total`, with d/dt in the place of ∂/∂t, if the change makes a wrong or empty row right.
+    pub(super) fn right_with(&mut self, total: &Row, row: &Row, order: &Ordered, index: usize) -> Option<RowJudgement> {
+        if total == row {
+            return None;
+        }
+        let arena = &self.quantities.derivations.kinematics.arena;
+        let is_empty = row.iter().all(|e| zero_test(arena, *e) == ZeroTest::Zero);
+        if !is_empty && self.row(row, order, index, false).is_right() {
+            return None;
+        }
+        Some(self.row(total, order, index, false)).filter(RowJudgement::is_right)
+    }
+
+    /// Finding of such a row, with the row that it should be.
+    pub(super) fn held_time(
+        &mut self,
+        mut finding: Finding,
+        row: &Row,
+        right: &RowJudgement,
+        order: &Ordered,
+    ) -> Finding {
+        let printed: Expr = self.as_term(row, &order.unknowns);
+        let expected: Expr = self.as_term(&right.expected, &order.unknowns);
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        if let Verdict::Different(witness) = self.comparer.compare(arena, printed, expected) {
+            finding.witness = Some(witness);
+        }
+        let difference = arena.sub(printed, expected);
+        finding.difference = Some(self.simplify(difference));
+        finding.judgement = Judgement::Different;
+        finding.derived = Some(expected);
+        finding.slip = Some(Slip::Symbol);
+        finding.wrong = Some(WORDS.to_owned());
+        finding.remarks.push(WORDS.to_owned());
+        finding
+    }
+}

@@ -1,0 +1,177 @@
+//! Judgement of programs that compute the derivative of a state.
+
+use super::findings::stated;
+use super::motion::Motion;
+use super::systems::{Judged, Matched};
+use crate::diff::equations::claim::Claim;
+use crate::diff::equations::ordered::{Ordered, derived};
+use crate::diff::equations::rows::Row;
+use crate::diff::formulas::entries::{Judge, Printed, Reading};
+use crate::diff::formulas::finding::{Finding, Judgement};
+
+use crate::algebra::Expr;
+use crate::algebra::solve::linear::solve;
+use crate::mechanics::{Kinematics, Quantities, QuantityKind};
+use crate::publication::{Entry, Listing, Names, has_decimals};
+
+/// Indices of the model's coordinates and motion variables in the state of a listing; `None` for an absent variable.
+fn places(quantities: &Quantities<'_>, listing: &Listing) -> (Vec<Option<usize>>, Vec<Option<usize>>) {
+    let model = quantities.model;
+    let variables = listing.formulation.variables(model);
+    let place = |symbol: &Expr| listing.state.iter().position(|s| s == symbol);
+    (model.q().iter().map(place).collect(), variables.iter().map(place).collect())
+}
+
+/// Column of a listing's matrix for the motion variable at a place of its state.
+fn column_of(listing: &Listing, at: usize) -> usize {
+    listing.moving.iter().position(|moving| *moving == at).expect("a motion variable")
+}
+
+/// Listing as equations of motion, with its own q̇ and its own system or accelerations. A variable that its state lacks
+/// has the derivative 0. The second value is true if no variable is lacking.
+pub fn listing_motion(
+    quantities: &mut Quantities<'_>,
+    names: &Names,
+    entry: &Entry,
+    listing: &Listing,
+) -> Result<(Motion, bool), String> {
+    let in_rates = listing.formulation.is_in_rates();
+    let reading = Reading::of(listing.formulation);
+    let (coordinates, variables) = places(quantities, listing);
+    let mut resolved = |e: Expr| reading.value(quantities, names, e);
+    let derivative: Vec<Expr> = listing.derivative.iter().map(|e| resolved(*e)).collect::<Result<_, _>>()?;
+    let of_state = |at: &Option<usize>| at.map_or(Expr::ZERO, |at| derivative[at]);
+    let count = variables.len();
+    let unit = |i: usize| (0..count).map(|k| if k == i { Expr::ONE } else { Expr::ZERO }).collect::<Vec<_>>();
+    let (matrix, right): (Vec<Vec<Expr>>, Vec<Expr>) = match &listing.matrix {
+        // Rows in the order of the listing, columns in the order of the model.
+        Some(matrix) => {
+            let mut ordered = Vec::new();
+            for row in matrix {
+                let row = variables.iter().map(|at| at.map_or(Expr::ZERO, |at| row[column_of(listing, at)]));
+                ordered.push(row.map(&mut resolved).collect::<Result<_, _>>()?);
+            }
+            (ordered, listing.moving.iter().map(|at| derivative[*at]).collect())
+        }
+        None => ((0..count).map(unit).collect(), variables.iter().map(of_state).collect()),
+    };
+    let coordinate_rates = coordinates.iter().map(of_state).collect();
+    let whole = coordinates.iter().chain(&variables).all(Option::is_some);
+    Ok((Motion { id: entry.id.clone(), in_rates, coordinate_rates, matrix, right }, whole))
+}
+
+impl Judge<'_, '_> {
+    /// Judges a program: its q̇ by the kinematic equations, its system row by row, or its accelerations one by one.
+    pub fn listing(&mut self, entry: &Entry, listing: &Listing) -> Judged {
+        let undecided = |why: String| {
+            let finding = Finding { judgement: Judgement::Undecided(why), ..stated(&entry.id, entry, "") };
+            Judged { findings: vec![(finding, Claim::Other)], table: None, motion: None }
+        };
+        let (motion, whole) = match listing_motion(self.quantities, self.names, entry, listing) {
+            Ok(found) => found,
+            Err(why) => return undecided(why),
+        };
+        // A program that eliminates the reactions is compared with equations without reactions.
+        let alike = listing.formulation.without_reactions();
+        let order = match derived(self.quantities, alike, None) {
+            Ok(order) => order,
+            Err(why) => return undecided(why),
+        };
+        let reading = Reading::of(listing.formulation);
+        let model = self.quantities.model;
+        let rates = if motion.in_rates { model.q_dot() } else { model.kinematic_equations.rates.clone() };
+        let mut findings = Vec::new();
+        let (coordinates, variables) = places(self.quantities, listing);
+        for (i, rate) in rates.iter().enumerate() {
+            let Some(at) = coordinates[i] else { continue };
+            let (id, text) = (listing.derivative_id(&entry.id, at), &listing.derivative_texts[at]);
+            let finding = stated(&id, entry, text);
+            let own = Printed { raw: listing.derivative[at], value: motion.coordinate_rates[i], reading };
+            findings.push(self.value(finding, &QuantityKind::Rate(i), own, *rate));
+        }
+        let (mut rows, mut matches) = (Vec::new(), Vec::new());
+        let Some(texts) = &listing.matrix_texts else {
+            findings.extend(self.accelerations(entry, listing, &motion, &order));
+            let matched = Matched { matrix: Vec::new(), rows: Vec::new() };
+            return self.kept(Judged { findings, table: None, motion: whole.then_some((motion, matched)) });
+        };
+        let stated_rows =
+            motion.matrix.iter().zip(&motion.right).map(|(row, right)| [row.as_slice(), &[*right]].concat());
+        let (order, stated_rows) = match self.near(order, stated_rows.collect()) {
+            Ok(both) => both,
+            Err(why) => return undecided(why),
+        };
+        for (i, (texts, row)) in texts.iter().zip(stated_rows).enumerate() {
+            let at_right = listing.moving[i];
+            let right = &listing.derivative_texts[at_right];
+            let has_decimals = texts.iter().chain([right]).any(|text| has_decimals(text));
+            let judged = self.row(&row, &order, i, has_decimals);
+            for (j, at) in variables.iter().enumerate() {
+                let Some(column) = at.map(|at| column_of(listing, at)) else { continue };
+                let text = &texts[column];
+                // A zero that no line of the program states is listed only if it is wrong.
+                if text != "0" || !judged.entries[j].is_equal() {
+                    let id = listing.matrix_id(&entry.id, i, column);
+                    let claim = Claim::Entry { table: self.earlier.len(), row: i, column: j };
+                    let raw = listing.matrix.as_ref().map_or(row[j], |matrix| matrix[i][column]);
+                    let own = Printed { raw, value: row[j], reading };
+                    findings.push((self.entry_finding(stated(&id, entry, text), own, &judged, j), claim));
+                }
+            }
+            let id = listing.derivative_id(&entry.id, at_right);
+            let column = row.len() - 1;
+            let claim = Claim::Entry { table: self.earlier.len(), row: i, column };
+            let own = Printed { raw: listing.derivative[at_right], value: row[column], reading };
+            findings.push((self.entry_finding(stated(&id, entry, right), own, &judged, column), claim));
+            rows.push(row);
+            matches.push(judged.by);
+        }
+        let matrix = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
+        let matched = Matched { matrix, rows: matches.clone() };
+        let table = Some(order.beside(alike, rows, matches));
+        self.kept(Judged { findings, table, motion: whole.then_some((motion, matched)) })
+    }
+
+    /// Judges accelerations that a program states directly, by those that the derived system gives.
+    fn accelerations(
+        &mut self,
+        entry: &Entry,
+        listing: &Listing,
+        motion: &Motion,
+        order: &Ordered,
+    ) -> Vec<(Finding, Claim)> {
+        let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+        let a: Vec<Row> = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
+        let b: Vec<Row> = order.rows.iter().map(|row| vec![row[row.len() - 1]]).collect();
+        let solution = solve(arena, simplifier, &a, &b);
+        let mut findings = Vec::new();
+        let kind = if motion.in_rates { QuantityKind::SecondRate } else { QuantityKind::SpeedRate };
+        let (_, variables) = places(self.quantities, listing);
+        let mut places: Vec<(usize, usize)> =
+            variables.into_iter().enumerate().filter_map(|(i, at)| Some((i, at?))).collect();
+        // A mistake of an abbreviation shows best where the abbreviation stands alone.
+        places.sort_by_key(|(_, at)| !self.book.is_name(listing.derivative[*at]));
+        for (i, at) in places {
+            let (id, text) = (listing.derivative_id(&entry.id, at), &listing.derivative_texts[at]);
+            let finding = stated(&id, entry, text);
+            let found = match &solution {
+                Ok((values, _)) => {
+                    let reading = Reading::of(listing.formulation);
+                    let own = Printed { raw: listing.derivative[at], value: motion.right[i], reading };
+                    let (finding, mut claim) = self.value(finding, &kind(i), own, values[i][0]);
+                    if let Claim::Value { by, .. } = &mut claim {
+                        *by = Some(listing.formulation);
+                    }
+                    (finding, claim)
+                }
+                Err(_) => {
+                    let why = "the derived system is singular everywhere".to_owned();
+                    (Finding { judgement: Judgement::Undecided(why), ..finding }, Claim::Other)
+                }
+            };
+            findings.push((i, found));
+        }
+        findings.sort_by_key(|(i, _)| *i);
+        findings.into_iter().map(|(_, found)| found).collect()
+    }
+}

@@ -1,0 +1,139 @@
+//! Two changes that together make a wrong printed formula right.
+//!
+//! Trying all pairs would cost the square of the number of changes. Two changes in different terms of a sum add their
+//! effects, and two in different factors of a product multiply them. So the second change of a pair is looked up by
+//! the value that it must have, in a sorted list. The first change of such a pair is made, and the second is sought
+//! and proved as the only mistake of the rest ([`super::proved`]).
+
+use super::change::{Change, Slip, changes};
+use super::formula::{Formula, Place};
+use super::points::{POINTS, SMALL};
+use super::{LONGEST, MOST_NODES, MOST_PROOFS, Repair, Tools, close_changes, pools, proved, states};
+use crate::algebra::text::print::text;
+
+/// Most changes of one formula whose pairs are tried.
+const MOST_SINGLES: usize = 20_000;
+/// Most pairs that numbers do not reject, before the likeliest are chosen.
+const MOST_PAIRS: usize = 200;
+
+/// Change of one place, with the values of the whole formula after it.
+struct Single {
+    place: Place,
+    change: Change,
+    values: [f64; POINTS],
+}
+
+/// Ways in which the effects of two changes combine.
+#[derive(Clone, Copy)]
+enum Law {
+    /// The changes are in different terms of a sum.
+    Sum,
+    /// The changes are in different factors of a product.
+    Product,
+}
+
+impl Law {
+    /// Value that the second change must have, from those of the first change, the printed and the right formula.
+    fn second(self, first: f64, printed: f64, right: f64) -> f64 {
+        match self {
+            Self::Sum => right - first + printed,
+            Self::Product => right * printed / first,
+        }
+    }
+}
+
+/// Two changes of different places of a formula that make it the derived value together, the likeliest first. `None` if
+/// there are no such changes, or if their words are long.
+pub fn pair(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: crate::algebra::Expr) -> Option<[Repair; 2]> {
+    let places = formula.places();
+    let nodes: Vec<_> = places.iter().map(|place| place.formula).collect();
+    if *tools.left == 0 || formula.arena.reachable(&nodes).len() > MOST_NODES {
+        return None;
+    }
+    let (singles, printed, right) = singles(tools, formula, &places, derived)?;
+    for first in firsts(&singles, printed, right).into_iter().take(MOST_PROOFS) {
+        let Single { place, change, .. } = &singles[first];
+        let (own, mut rest) = (first_repair(formula, *place, change), formula.with(*place, change.whole));
+        let (Some(own), places) = (own, rest.places()) else { continue };
+        let close = close_changes(tools, &mut rest, &places, derived)?;
+        for (place, change, whole) in close.into_iter().take(MOST_PROOFS) {
+            if let Some(second) = proved(tools, &mut rest, (place, change, whole), derived) {
+                return Some([own, second]);
+            }
+        }
+    }
+    None
+}
+
+/// All changes of one place with their values, in the order of the first value; then the values of the printed and of
+/// the right formula. `None` if there are no numbers.
+fn singles(
+    tools: &mut Tools<'_, '_>,
+    formula: &mut Formula,
+    places: &[Place],
+    derived: crate::algebra::Expr,
+) -> Option<(Vec<Single>, [f64; POINTS], [f64; POINTS])> {
+    let mut arena = std::mem::take(&mut formula.arena);
+    let pools = pools(tools, &mut arena, places, derived);
+    let Some(mut points) = states(tools, formula, &arena, &pools, derived) else {
+        formula.arena = arena;
+        return None;
+    };
+    let printed = points.values(&arena, formula.root);
+    let mut list = Vec::new();
+    for (place, pool) in places.iter().zip(&pools) {
+        changes(&mut arena, pool, place.formula, tools.left, &mut |arena, change| {
+            let whole = formula.whole(arena, *place, change.whole);
+            let values = whole.and_then(|whole| points.values(arena, whole));
+            if let Some(values) = values.filter(|values| list.len() < MOST_SINGLES && values[0].is_finite()) {
+                list.push(Single { place: *place, change, values });
+            }
+        });
+    }
+    formula.arena = arena;
+    list.sort_by(|a, b| a.values[0].total_cmp(&b.values[0]));
+    Some((list, printed?, points.right()))
+}
+
+/// Indices of first changes of pairs that numbers do not reject, the likeliest pairs first.
+fn firsts(singles: &[Single], printed: [f64; POINTS], right: [f64; POINTS]) -> Vec<usize> {
+    let mut pairs: Vec<(Slip, Slip, usize)> = Vec::new();
+    for law in [Law::Sum, Law::Product] {
+        for (at, first) in singles.iter().enumerate() {
+            let sought: [f64; POINTS] = std::array::from_fn(|k| law.second(first.values[k], printed[k], right[k]));
+            let allowed: [f64; POINTS] = std::array::from_fn(|k| {
+                SMALL
+                    * [first.values[k], printed[k], right[k], sought[k]].map(f64::abs).into_iter().fold(1e-3, f64::max)
+            });
+            let start = singles.partition_point(|single| single.values[0] < sought[0] - allowed[0]);
+            for (other, second) in singles.iter().enumerate().skip(start) {
+                if second.values[0] > sought[0] + allowed[0] || pairs.len() >= MOST_PAIRS {
+                    break;
+                }
+                let fits = (0..POINTS).all(|k| (second.values[k] - sought[k]).abs() <= allowed[k]);
+                if fits && other != at {
+                    let (a, b) = (first.change.slip, second.change.slip);
+                    pairs.push((a.max(b), a.min(b), at));
+                }
+            }
+        }
+    }
+    pairs.sort_by_key(|(worse, better, _)| (*worse, *better));
+    let mut list = Vec::new();
+    for (.., at) in pairs {
+        if !list.contains(&at) {
+            list.push(at);
+        }
+    }
+    list
+}
+
+/// Description of the first change of a pair; `None` if its words are long.
+fn first_repair(formula: &Formula, place: Place, change: &Change) -> Option<Repair> {
+    let [before, after] = [change.before, change.after].map(|e| text(&formula.arena, e));
+    if before.len() > LONGEST || after.len() > LONGEST {
+        return None;
+    }
+    let words = formula.within(place, &change.words(&before, &after));
+    Some(Repair { words, parts: None, slip: change.slip, place: place.at, changed: change.whole })
+}

@@ -1,0 +1,182 @@
+//! Added mass of a body, as a model file states it under the key `added_mass`.
+//!
+//! The fluid around a body moves with it: T = ½ νᵀ M_A ν more, with ν = (v, ω) in the body's frame, v of a point fixed
+//! in the body. The matrix is kept about the mass centre. With r from the mass centre to the point, v of the point is
+//! v_C + ω × r, so that ν of the point is S ν_C with S = [1, −r×; 0, 1], and the matrix about the centre is Sᵀ M_A S.
+
+use super::elements::Elements;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr};
+use crate::model::reading::names::{Kind, PARAMETERS};
+use crate::model::reading::reader::Loading;
+use crate::model::units::Unit;
+use crate::model::{AddedMass, Parameter, physics};
+use crate::read::Located;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Number of rows and columns of an added mass: three for v, then three for ω.
+const SIZE: usize = 6;
+/// Help for an added mass of a wrong form.
+const FORM: &str =
+    "write { diagonal = [\"X\", \"Y\", \"Z\", \"K\", \"M\", \"N\"] }, or matrix = six rows of six formulas";
+
+type Matrix = [[Expr; SIZE]; SIZE];
+
+impl Elements {
+    /// Reads the added mass of a body, if it is stated, and keeps it about the mass centre.
+    pub(super) fn read_added_mass<'a>(
+        &mut self,
+        loading: &mut Loading<'a>,
+        entry: &'a DeTable<'a>,
+        (body, frame, centre): (usize, usize, usize),
+    ) {
+        let Some(value) = loading.reader.get(entry, "added_mass") else { return };
+        let what = "an added mass";
+        let Some(table) = loading.reader.table(value, what, "{ diagonal = […] }") else { return };
+        loading.reader.allow(table, what, &["diagonal", "matrix", "about_point"]);
+        let matrix = match (loading.reader.get(table, "diagonal"), loading.reader.get(table, "matrix")) {
+            (Some(diagonal), None) => diagonal_matrix(loading, diagonal),
+            (None, Some(matrix)) => full_matrix(loading, matrix),
+            (Some(_), Some(second)) => {
+                loading.reader.error(second.span(), "`matrix` beside `diagonal`", FORM);
+                None
+            }
+            (None, None) => {
+                loading.reader.error(value.span(), "an added mass without `diagonal` and `matrix`", FORM);
+                None
+            }
+        };
+        let arm = match loading.reader.get(table, "about_point") {
+            None => Some([Expr::ZERO; 3]),
+            Some(at) => {
+                let point = self.point(loading, table, "about_point", what, &value.span());
+                point.and_then(|point| {
+                    let arm = self.arm(&mut loading.arena, centre, point, frame);
+                    let fixed = arm.filter(|arm| is_fixed(loading, arm));
+                    if fixed.is_none() {
+                        let help = "the mass centre must be placed from that point, or that point from it, in the \
+                                    body's frame, at a constant place";
+                        loading.reader.error(at.span(), "the added mass cannot be moved to the mass centre", help);
+                    }
+                    fixed
+                })
+            }
+        };
+        if let (Some(matrix), Some(arm)) = (matrix, arm) {
+            let tensor = about_centre(&mut loading.arena, &matrix, arm);
+            self.added_masses.push(AddedMass { body, tensor });
+        }
+    }
+
+    /// Reports added masses that no fluid can have at the default values.
+    pub(super) fn check_added_masses(&self, loading: &mut Loading<'_>, parameters: &[Parameter]) {
+        let known = physics::defaults(parameters);
+        for added in &self.added_masses {
+            let name = &self.bodies[added.body].name;
+            if let Some((message, help)) = physics::added_objection(&loading.arena, &known, added, name, "the default")
+            {
+                let span = loading.names.span(name).unwrap_or_default();
+                loading.reader.error(span, message, help);
+            }
+        }
+    }
+}
+
+/// True if components contain no symbols but parameters.
+fn is_fixed(loading: &Loading<'_>, components: &[Expr; 3]) -> bool {
+    let (arena, names) = (&loading.arena, &loading.names);
+    let parts = arena.reachable(components);
+    parts.iter().filter_map(|e| arena.symbol_name(*e)).all(|name| names.kind(name) == Some(Kind::Parameter))
+}
+
+/// Unit of an entry: kg, kg m or kg m².
+fn unit(i: usize, j: usize) -> Unit {
+    Unit::new(i64::from(i >= 3) + i64::from(j >= 3), 1, 0)
+}
+
+fn entry(loading: &mut Loading<'_>, formula: &Located, i: usize, j: usize) -> Option<Expr> {
+    let what = format!("entry {}, {} of an added mass", i + 1, j + 1);
+    loading.quantity(formula, PARAMETERS, &unit(i, j), &what)
+}
+
+/// List of six values; reports another value.
+fn six<'a>(
+    loading: &mut Loading<'a>,
+    value: &'a Spanned<DeValue<'a>>,
+    what: &str,
+) -> Option<Vec<&'a Spanned<DeValue<'a>>>> {
+    match value.get_ref() {
+        DeValue::Array(array) if array.len() == SIZE => Some(array.iter().collect()),
+        DeValue::Array(array) => {
+            loading.reader.error(value.span(), format!("{what} has {} entries for 6", array.len()), FORM);
+            None
+        }
+        _ => {
+            loading.reader.error(value.span(), format!("{what} must be an array"), FORM);
+            None
+        }
+    }
+}
+
+fn diagonal_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Option<Matrix> {
+    let mut matrix = [[Expr::ZERO; SIZE]; SIZE];
+    for (i, value) in six(loading, value, "the diagonal of an added mass")?.into_iter().enumerate() {
+        let formula = loading.reader.formula(value, "an entry of `diagonal`")?;
+        matrix[i][i] = entry(loading, &formula, i, i)?;
+    }
+    Some(matrix)
+}
+
+fn full_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Option<Matrix> {
+    let mut matrix = [[Expr::ZERO; SIZE]; SIZE];
+    for (i, row) in six(loading, value, "the matrix of an added mass")?.into_iter().enumerate() {
+        for (j, value) in six(loading, row, "a row of an added mass")?.into_iter().enumerate() {
+            let formula = loading.reader.formula(value, "an entry of `matrix`")?;
+            matrix[i][j] = entry(loading, &formula, i, j)?;
+            let difference = loading.arena.sub(matrix[i][j], matrix[j][i]);
+            if i > j && zero_test(&loading.arena, difference) != ZeroTest::Zero {
+                let message = format!(
+                    "the added mass is not symmetric: entries {}, {} and {}, {} differ",
+                    i + 1,
+                    j + 1,
+                    j + 1,
+                    i + 1
+                );
+                loading.reader.error(formula.span, message, "an added mass is the matrix of a kinetic energy: M = Mᵀ");
+                return None;
+            }
+        }
+    }
+    Some(matrix)
+}
+
+/// Matrix Sᵀ M S about the mass centre, from M about a point at the place `arm` from the centre.
+fn about_centre(arena: &mut Arena, matrix: &Matrix, arm: [Expr; 3]) -> Matrix {
+    if arm == [Expr::ZERO; 3] {
+        return *matrix;
+    }
+    let [x, y, z] = arm;
+    let [back_x, back_y, back_z] = arm.map(|e| arena.neg(e));
+    // ω × r = −r × ω.
+    let cross = [[Expr::ZERO, z, back_y], [back_z, Expr::ZERO, x], [y, back_x, Expr::ZERO]];
+    let shift: Matrix = std::array::from_fn(|i| {
+        std::array::from_fn(|j| match (i < 3, j < 3) {
+            (true, false) => cross[i][j - 3],
+            _ if i == j => Expr::ONE,
+            _ => Expr::ZERO,
+        })
+    });
+    let transposed: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| shift[j][i]));
+    let right = product(arena, matrix, &shift);
+    product(arena, &transposed, &right)
+}
+
+fn product(arena: &mut Arena, a: &Matrix, b: &Matrix) -> Matrix {
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| {
+            let terms: Vec<Expr> = (0..SIZE).map(|k| arena.mul(a[i][k], b[k][j])).collect();
+            arena.sum(&terms)
+        })
+    })
+}
