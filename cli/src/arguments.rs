@@ -25,16 +25,16 @@ pub struct Arguments {
 
 #[derive(Subcommand)]
 pub enum Command {
-    /// Derive, run every scene of a model by all formulations, and write one page that shows it
+    /// Write one page about a model: equations, proofs, and runs of every scene by all formulations
     Page(Page),
     /// Print the equations of motion of a model
     Derive {
         /// A model file, or a folder with model.toml
         model: PathBuf,
-        /// A formulation, such as kane; the three standard ones, as far as the model supports them, if not given
+        /// A formulation, such as kane; by default the three standard ones, as far as the model supports them
         #[arg(long)]
         by: Option<String>,
-        /// Formulas written out, or in steps that have names; written out where they fit some two pages if not given
+        /// Write formulas out, or in steps that have names; by default they are written out if they fit two pages
         #[arg(long, value_enum)]
         form: Option<Form>,
         /// Notation of the mathematics
@@ -47,8 +47,8 @@ pub enum Command {
         #[arg(long, conflicts_with = "format")]
         json: bool,
     },
-    /// Say what a model is: its freedoms, integrable or redundant constraints, singularities of its speeds, and unused
-    /// declarations
+    /// Check a model: its degrees of freedom, integrable and redundant constraints, poses in which its speeds fail, and
+    /// unused declarations
     Check {
         /// A model file, or a folder with model.toml
         model: PathBuf,
@@ -76,14 +76,14 @@ pub enum Command {
         /// conditions in closed form are printed
         #[arg(long, value_name = "STATE")]
         from: Option<PathBuf>,
-        /// Begin also from so many other places
+        /// Also start from this number of other places
         #[arg(long, value_name = "COUNT", default_value_t = 0, requires = "from")]
         starts: u64,
         /// Follow the steady motion along a parameter, a held value, or a name of the state file, and find where its
         /// stability changes; twice, for a map over two of them
         #[arg(long, value_name = "NAME=FROM:TO:COUNT", requires = "from")]
         over: Vec<String>,
-        /// In closed form solve for this coordinate, velocity or parameter rather than for others; may be given again
+        /// Solve for this coordinate, velocity or parameter in closed form; may be given several times
         #[arg(long = "for", value_name = "NAME", conflicts_with = "over")]
         wanted: Vec<String>,
         /// Draw the followed motions to this file, .svg, .png or .pdf: eigenvalues over one number, or where stability
@@ -110,10 +110,10 @@ pub enum Command {
         /// Keep a parameter, or a name of the state file, as a letter: A, B, C and D by exact algebra
         #[arg(long = "symbolic", value_name = "NAME")]
         letters: Vec<String>,
-        /// Keep states that symmetries shift, such as where on its plane a wheel is
+        /// Keep the states that do not influence the others, such as the place of a wheel on its plane
         #[arg(long)]
         whole: bool,
-        /// Linearise about the state as it is, also if it is no equilibrium
+        /// Linearise about exactly this state, even if it is no equilibrium
         #[arg(long)]
         as_is: bool,
         /// Language of the matrices
@@ -142,12 +142,11 @@ pub enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Find the base parameters: what of the inertia of bodies, and of loads, can be identified from motion
+    /// Find the base parameters: the combinations of masses, inertias and loads that can be identified from motion
     Identify {
         /// A model file, or a folder with model.toml
         model: PathBuf,
-        /// Ask of the parameters that the file declares, as they enter, and not of all ten inertial parameters of every
-        /// body
+        /// Use the parameters that the file declares, instead of all ten inertial parameters of every body
         #[arg(long)]
         declared: bool,
         /// A motion, as `inverse` takes it: the regressor at its instants is printed with --csv and --json
@@ -164,8 +163,10 @@ pub enum Command {
     Diff {
         /// A model file, or a folder with model.toml
         model: PathBuf,
-        /// A publication file (docs/publication.md), or the newer of two models
-        other: PathBuf,
+        /// A publication file (docs/publication.md), or the newer of two models; several are compared one after
+        /// another
+        #[arg(required = true, value_name = "OTHER")]
+        others: Vec<PathBuf>,
         /// Find the coordinates that the publication means: other signs, zeros, orders, absolute for relative angles
         #[arg(long)]
         find_coordinates: bool,
@@ -175,9 +176,9 @@ pub enum Command {
     },
     /// Give marks to submissions by their root mistakes; exit status 1 if any has one
     Grade(Grade),
-    /// Judge a shelf of publications: every folder with a model and a printed derivation
+    /// Judge many publications: every folder that has a model and a printed derivation
     Shelf {
-        /// A folder of such folders; in a workspace, publications if not given
+        /// The folder that contains these folders; by default the folder `publications` of the workspace
         folder: Option<PathBuf>,
         /// Also write a page about all of them to this file
         #[arg(long)]
@@ -190,7 +191,7 @@ pub enum Command {
     Regenerate {
         /// Models of the workspace, by the names of their folders; all of them if none is given
         models: Vec<PathBuf>,
-        /// Only say what would change; exit status 1 if anything would
+        /// Print what would change, and write nothing; exit status 1 if anything would change
         #[arg(long)]
         check: bool,
         /// Print JSON
@@ -212,7 +213,7 @@ pub enum Command {
         #[arg(value_parser = tripos_derive::schema::Format::ALL.map(tripos_derive::schema::Format::name))]
         format: String,
     },
-    /// Print completions for a shell, to be read by it when it starts
+    /// Print completions for a shell, which reads them when it starts
     ///
     /// For example, for bash:
     ///
@@ -228,8 +229,8 @@ pub enum Command {
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
-    /// Write the generated code of any model file for programs of your own, in Rust, JavaScript, C, Python, MATLAB or
-    /// for CasADi
+    /// Write the equations of a model as code for your own programs, in Rust, JavaScript, C, Python, MATLAB or for
+    /// CasADi
     Emit {
         /// A model file, or a folder with model.toml
         model: PathBuf,
@@ -303,7 +304,8 @@ pub enum Command {
     ///   tripos plot SCENE --what integrals --also method=ode45,rtol=1e-3
     #[command(verbatim_doc_comment)]
     Plot(Plot),
-    /// Print what a scene keeps of its model, what it leaves out, and why that is exact
+    /// Print the scene's reduced equations: the parts of the model that the scene needs, the parts that are left out,
+    /// and the proof that nothing changes
     Scene {
         /// A scene file
         scene: PathBuf,
@@ -356,7 +358,8 @@ pub enum Command {
     /// describes the table.
     #[command(verbatim_doc_comment)]
     Sweep(Sweep),
-    /// Find where runs of a scene give way: passages, conditioning, domain, growth of errors, drifts
+    /// Find where runs of a scene lose accuracy or stop: near singular surfaces, at the limits of the domain, by
+    /// growing errors or by drift
     Stability {
         /// A scene file
         scene: PathBuf,

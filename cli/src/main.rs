@@ -23,6 +23,8 @@ mod workspace;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
+use commands::diff::coordinates::in_found_coordinates;
+use commands::diff::{Compare, compared};
 use commands::inverse::Shape;
 use commands::linearise::Written;
 use failure::{Failure, Output, print_json, say};
@@ -80,10 +82,10 @@ fn run(command: Command) -> Result<u8, Failure> {
             let format = if json { arguments::Format::Json } else { format };
             commands::derive::derive(&model, by.as_deref(), form, (format, fragment))
         }
-        Command::Diff { model, other, find_coordinates: true, json } => {
-            commands::diff::coordinates::diff_in_found_coordinates(&model, &other, json)
+        Command::Diff { model, others, find_coordinates, json } => {
+            let compare: Compare = if find_coordinates { in_found_coordinates } else { compared };
+            commands::diff::diff(&model, &others, compare, Output::of_flag(json))
         }
-        Command::Diff { model, other, json, .. } => commands::diff::diff(&model, &other, json),
         Command::Shelf { folder, out, json } => {
             commands::shelf::shelf(folder.as_deref(), out.as_deref(), Output::of_flag(json))
         }

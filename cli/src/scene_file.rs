@@ -47,8 +47,25 @@ pub struct VariedScene {
 /// that the scene cannot have.
 pub fn read_scene_with(path: &Path, set: &[String]) -> Result<VariedScene, Failure> {
     let (mut model, scene) = read_scene(path)?;
+    let (scene, set) = with_values(scene, &mut model, set)?;
+    for (name, value) in &set {
+        say(&format!("note: {name} = {value}, not the value of the scene"));
+    }
+    Ok(VariedScene { model, scene, set })
+}
+
+/// A scene with other values for some of its numbers, each as `NAME=VALUE`, and the names with their values.
+///
+/// # Errors
+/// [`Failure`] for a name that is neither a parameter nor a number of the start, and for values that the scene cannot
+/// have.
+pub fn with_values(
+    scene: Scene,
+    model: &mut Mechanism,
+    set: &[String],
+) -> Result<(Scene, Vec<(String, f64)>), Failure> {
     if set.is_empty() {
-        return Ok(VariedScene { model, scene, set: Vec::new() });
+        return Ok((scene, Vec::new()));
     }
     if let Some(text) = set.iter().find(|text| !text.contains('=')) {
         return Err(Failure::request(
@@ -56,20 +73,16 @@ pub fn read_scene_with(path: &Path, set: &[String]) -> Result<VariedScene, Failu
             "write --set NAME=VALUE, such as --set m=2",
         ));
     }
-    let grid = Grid::read(set, "--set", &scene, &mut model).map_err(Error::Inputs)?;
+    let grid = Grid::read(set, "--set", &scene, model).map_err(Error::Inputs)?;
     if grid.count() != 1 {
         let what = format!("`--set` gives {} values where a run has one", grid.count());
         return Err(Failure::request(what, "give one value for each name; `tripos sweep --over` runs many"));
     }
-    grid.hints(&model).iter().for_each(|hint| warn(hint));
+    grid.hints(model).iter().for_each(|hint| warn(hint));
     let names = grid.names().into_iter().map(str::to_owned);
-    let (values, member) = Family::new(&scene, &model, &grid)?.point(0);
-    let set: Vec<(String, f64)> = names.zip(values).collect();
-    for (name, value) in &set {
-        say(&format!("note: {name} = {value}, not the value of the scene"));
-    }
+    let (values, member) = Family::new(&scene, model, &grid)?.point(0);
     let scene = Scene { ladder: scene.ladder.clone(), ..member? };
-    Ok(VariedScene { model, scene, set })
+    Ok((scene, names.zip(values).collect()))
 }
 
 /// The text of a scene file.

@@ -226,7 +226,7 @@ fn acting(seen: &Seen<'_>) -> String {
     let Some(forces) = seen.motions.first().map(|motion| &motion.forces) else { return String::new() };
     let kinds = [
         (ArrowKind::Weight, "weight", "weights"),
-        (ArrowKind::Applied, "applied", "forces of the file"),
+        (ArrowKind::Applied, "applied", "applied forces"),
         (ArrowKind::Reaction, "reaction", "forces of constraints"),
     ];
     let there = kinds.iter().filter(|(kind, ..)| forces.list.iter().any(|arrow| arrow.kind == *kind));

@@ -8,7 +8,7 @@ fn a_model_is_checked_for_people_and_for_programs() {
     let text = stdout(&tripos(&["check", "models/rolling_disc"]));
     for line in [
         "degrees of freedom in velocity: 3",
-        "freedom of configuration, what motions can reach: 5",
+        "reachable configurations: 5-dimensional",
         "(motion): not integrable: it restricts velocities alone",
         "(motion): follows from the others",
     ] {

@@ -1,6 +1,6 @@
 //! `tripos diff OLD NEW`: equations, declarations and scenes told apart, in a screenful.
 
-use crate::support::{copy, root, tripos_in};
+use crate::support::{answer, copy, root, tripos_in};
 use expect_test::expect;
 use serde_json::Value;
 use std::path::Path;
@@ -216,4 +216,31 @@ fn the_coordinates_of_a_publication_are_found() {
     assert!(status == 1 && out.contains("in each of 2 choices") && out.contains("None of them is better"), "{out}");
     let (status, _, err) = find(potential, "model.toml");
     assert!(status == 2 && err.contains("this file is a model"), "{err}");
+}
+
+/// Goal: several submissions in one call. Method: the same verdicts as one by one, and a file that is not there between
+/// them.
+#[test]
+fn several_publications_are_judged_in_one_call() {
+    let (model, printed) = ("models/disk", "models/disk/publication.toml");
+    let alone: Value = serde_json::from_str(&answer(&["diff", model, printed, "--json"]).1).unwrap();
+    let (status, text, _) = answer(&["diff", model, printed, "nowhere.toml", printed, "--json"]);
+    let value: Value = serde_json::from_str(&text).unwrap();
+    let list = value["comparisons"].as_array().unwrap();
+    assert_eq!((status, list.len()), (2, 3), "{text}");
+    for at in [0, 2] {
+        assert_eq!(list[at]["file"], printed);
+        assert_eq!(list[at]["equations"], alone["equations"]);
+    }
+    assert_eq!(
+        (&list[1]["file"], &list[1]["error"]["places"][0]["file"]),
+        (&"nowhere.toml".into(), &"nowhere.toml".into())
+    );
+    let (status, text, said) = answer(&["diff", model, printed, "nowhere.toml"]);
+    assert_eq!(status, 2);
+    assert!(
+        text.starts_with("models/disk/publication.toml\n") && text.contains("nowhere.toml\nnot compared: "),
+        "{text}"
+    );
+    assert!(said.contains("nowhere.toml"), "{said}");
 }

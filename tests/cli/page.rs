@@ -1,6 +1,6 @@
 //! The page of `tripos page` as a whole: proofs, errata and printed runs beside the derived ones.
 
-use crate::support::{SLIDER, browser, page, root, status, stderr, tripos, without_scripts};
+use crate::support::{SLIDER, answer, browser, page, root, status, stderr, tripos, without_scripts};
 use std::process::{Command, Output};
 
 /// The JSON of standard output, whatever the exit status is.
@@ -294,4 +294,20 @@ fn a_report_with_errors_is_answered_and_the_page_goes_without_it() {
     assert_eq!(status, Some(2));
     assert!(stderr(&output).contains("unknown name `y`"), "{}", stderr(&output));
     assert!(page.contains("id=\"proof\"") && !page.contains("id=\"errata\""));
+}
+
+/// Goal: `--set` is heard by the runs of the page. Method: a gravity of zero leaves the energy of a pendulum kinetic,
+/// and its slider stands at zero.
+#[test]
+fn a_page_takes_other_values_for_its_scenes() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let (status, _, said) = answer(&["page", "models/pendulum", "--set", "g=1.62", "--out", out]);
+    assert!(said.contains("note: g = 1.62, not the value of the scenes"), "{said}");
+    assert_eq!(said.matches("note: g").count(), 1, "{said}");
+    assert!(status == 0, "{said}");
+    let html = std::fs::read_to_string(folder.path().join("index.html")).unwrap();
+    assert!(html.contains("1.62"));
+    let (status, _, said) = answer(&["page", "models/pendulum", "--set", "gg=1", "--out", out]);
+    assert!(status == 2 && said.contains("the scene has no parameter or start value `gg`"), "{said}");
 }

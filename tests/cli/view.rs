@@ -191,6 +191,8 @@ fn a_view_says_whether_its_numbers_can_be_changed() {
     let names = |list: &[(String, [f64; 3])]| list.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>().join(" ");
     let (parameters, start) = (ranges("parameters"), ranges("start"));
     assert_eq!((names(&parameters).as_str(), names(&start).as_str()), ("m l g", "theta omega"));
+    let units = live["start"].as_array().unwrap().iter().map(|slider| slider["unit"].as_str().unwrap());
+    assert_eq!(units.collect::<Vec<_>>(), ["rad", "rad/s"]);
     assert!(parameters.iter().all(|(_, [from, value, to])| 0.0 < *from && from < value && value < to));
     let half = std::f64::consts::PI;
     assert!((start[0].1[0] - (2.0 - half)).abs() < 1e-12 && (start[0].1[2] - (2.0 + half)).abs() < 1e-12, "{start:?}");

@@ -8,6 +8,8 @@ use tripos::{EquationsName, Error, Overrides};
 pub struct Page {
     /// A model file, or a folder with model.toml and its scenes; in a workspace, models/disk if not given
     pub model: Option<PathBuf>,
+    #[command(flatten)]
+    pub set: Set,
     /// Folder for index.html
     #[arg(long, default_value = "target/page")]
     pub out: PathBuf,
@@ -39,10 +41,10 @@ pub struct Simulate {
     /// Write the samples to this file; one that is there is replaced if its name ends in .csv
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
-    /// Replace the file of --csv whatever its name is; never what the run reads
+    /// Replace the file of --csv, whatever its name is; files that the run reads are never replaced
     #[arg(long, requires = "csv")]
     pub overwrite: bool,
-    /// End with status 3 also where a warning says not to trust the run, or where its digits are not assessed
+    /// Also end with status 3 if a warning says not to trust the run, or if its correct digits are not known
     #[arg(long)]
     pub strict: bool,
     /// Print JSON
@@ -120,7 +122,7 @@ pub struct Sweep {
     /// of the whole sweep
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     pub shard: String,
-    /// Threads; all that the machine has if not given. The results do not depend on them
+    /// Number of threads; by default one for each core. The results do not depend on it
     #[arg(long)]
     pub threads: Option<usize>,
     /// A column of digits: how many are right at the end, by a second run of each point, which takes about as long
@@ -230,7 +232,7 @@ pub struct Grade {
     /// Points of entries, and the entries that a submission must have (docs/grading.md)
     #[arg(long)]
     pub rubric: Option<PathBuf>,
-    /// Amount that feedback tells: hint, place or term; the rubric's if nothing is said, else hint
+    /// Detail of the feedback: hint, place or term; by default that of the rubric, else hint
     #[arg(long)]
     pub level: Option<String>,
     /// Form of the marks

@@ -168,9 +168,9 @@ fn loads_text(loads: &[LoadEffect]) -> String {
 
 fn text_of(model: &Mechanism, found: &Check) -> String {
     let mut out = format!("{}\n{}\n\n", model.title, model.count());
-    let freedom = found.configuration_freedom.map_or_else(|| "not decided".to_owned(), |n| n.to_string());
+    let freedom = found.configuration_freedom.map_or_else(|| "not decided".to_owned(), |n| format!("{n}-dimensional"));
     let _ = writeln!(out, "degrees of freedom in velocity: {}", found.degrees_of_freedom);
-    let _ = writeln!(out, "freedom of configuration, what motions can reach: {freedom}");
+    let _ = writeln!(out, "reachable configurations: {freedom}");
     if !found.constraints.is_empty() {
         let _ = writeln!(out, "coordinates less constraints, counted: {}", found.mobility_count);
     }

@@ -7,14 +7,14 @@ mod roots;
 pub use models::changed_equations;
 
 use crate::commands::prove::{witness, word};
-use crate::failure::{Failure, print, print_json, status};
+use crate::failure::{Failure, Output, print, print_either, print_json, say, status};
 use crate::glossary::{names_json, names_text};
 use crate::judged::Judged;
 use crate::words::{entries, shortened};
 use crate::workspace::{model_file, read_model, short_name};
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use tripos::Mechanism;
 use tripos_derive::algebra::meaning::compare::Witness;
 use tripos_derive::algebra::text::print::{text, whole_text};
@@ -22,35 +22,82 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{Consequences, Difference, Finding, Judgement};
 use tripos_derive::model::is_model;
+use tripos_derive::plain::path_in_line;
 
-/// Compares a model with a publication file, or an older model with a newer one; exit status 1 if anything differs.
-pub fn diff(model: &Path, other: &Path, as_json: bool) -> Result<u8, Failure> {
-    let model = read_model(model)?;
-    let source = Source::read(&model_file(other))?;
-    if is_model(&source) {
-        return models::diff(&model, &tripos_derive::model::load(&source)?, as_json);
-    }
-    let judged = Judged::new(&model, &source)?;
-    show(judged, as_json, None)
+/// Result of one comparison: for people, and for programs.
+pub struct Comparison {
+    is_clean: bool,
+    text: String,
+    json: Value,
 }
 
-/// Prints the verdicts on a publication. Words about its coordinates stand in front: as text, and as JSON.
-fn show(judged: Judged, as_json: bool, coordinates: Option<(String, Value)>) -> Result<u8, Failure> {
+/// Function that compares a model with the file of another model or of a publication.
+pub type Compare = fn(&Mechanism, &Path) -> Result<Comparison, Failure>;
+
+/// Compares a model with each of some files; exit status 1 if anything differs. A file that cannot be compared does not
+/// stop the comparison of the others: its failure is told in its place, and its exit status is that of the command.
+pub fn diff(model: &Path, others: &[PathBuf], compare: Compare, output: Output) -> Result<u8, Failure> {
+    let model = read_model(model)?;
+    if let [other] = others {
+        let comparison = compare(&model, other)?;
+        print_either(output, &comparison.text, &comparison.json)?;
+        return Ok(if comparison.is_clean { 0 } else { status::NO });
+    }
+    let (mut code, mut list) = (0, Vec::new());
+    for (at, other) in others.iter().enumerate() {
+        let name = path_in_line(other);
+        let heading = format!("{}{name}\n", if at == 0 { "" } else { "\n" });
+        let (lines, value) = match compare(&model, other) {
+            Ok(Comparison { is_clean, text, json }) => {
+                code = if is_clean { code } else { code.max(status::NO) };
+                (heading + &text, json)
+            }
+            Err(failure) => {
+                code = code.max(failure.status());
+                if output == Output::Text {
+                    say(&failure.to_string());
+                }
+                (format!("{heading}not compared: {}\n", failure.first_line()), failure.json())
+            }
+        };
+        if output == Output::Text {
+            print(&lines)?;
+        }
+        list.push(with_file(value, &name));
+    }
+    if output == Output::Json {
+        print_json(&json!({ "comparisons": list }))?;
+    }
+    Ok(code)
+}
+
+/// A comparison in JSON with the name of the other file in it.
+fn with_file(mut value: Value, file: &str) -> Value {
+    value["file"] = json!(file);
+    value
+}
+
+/// Compares a model with a publication file, or an older model with a newer one.
+pub fn compared(model: &Mechanism, other: &Path) -> Result<Comparison, Failure> {
+    let source = Source::read(&model_file(other))?;
+    if is_model(&source) {
+        return models::diff(model, &tripos_derive::model::load(&source)?);
+    }
+    Ok(verdicts(Judged::new(model, &source)?, None))
+}
+
+/// Verdicts on a publication. Words about its coordinates stand in front: as text, and as JSON.
+fn verdicts(judged: Judged, coordinates: Option<(String, Value)>) -> Comparison {
     let Judged { model, publication, mut derivations, proof, difference } = judged;
     difference.write_names(&proof, &mut derivations);
     let arena = &derivations.kinematics.arena;
     let (words, value) = coordinates.unzip();
-    if as_json {
-        let mut json = json_of(&model, arena, &difference);
-        if let Some(value) = value {
-            json["coordinates"] = value;
-        }
-        print_json(&json)?;
-    } else {
-        let text = text_of(&model, &publication.title, arena, &difference);
-        print(&format!("{}{text}", words.unwrap_or_default()))?;
+    let mut json = json_of(&model, arena, &difference);
+    if let Some(value) = value {
+        json["coordinates"] = value;
     }
-    Ok(if difference.is_clean() { 0 } else { status::NO })
+    let text = words.unwrap_or_default() + &text_of(&model, &publication.title, arena, &difference);
+    Comparison { is_clean: difference.is_clean(), text, json }
 }
 
 /// Verdicts on all entries of a publication, their consequences and root mistakes, as JSON.

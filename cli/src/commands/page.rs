@@ -16,6 +16,7 @@ use crate::follow;
 use crate::output::{folder, keep_inputs, text};
 use crate::page::{self, Page, RunRow, SceneSection, Standing};
 use crate::plot::{Panel, styles};
+use crate::scene_file::with_values;
 use crate::workspace::{current_folder, edited, model_file, read_model, workspace_around};
 use drawn::{Drawn, after, drawing, folder_of};
 use indicatif::ProgressBar;
@@ -56,6 +57,7 @@ pub fn page(request: &Request) -> Result<u8, Failure> {
         warn(&note);
     }
     let (scenes, mut broken) = scenes(&model_file(&argument), &mut model)?;
+    let scenes = varied(scenes, &mut model, &request.set.set)?;
     let page = out.join("index.html");
     keep_inputs(&model, None, [page.as_path()])?;
     for scene in &scenes {
@@ -144,6 +146,21 @@ fn scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagn
         return Err(Error::Inputs(broken).into());
     }
     Ok((scenes, broken))
+}
+
+/// The scenes with the values of `--set`, which are told once.
+fn varied(scenes: Vec<Scene>, model: &mut Mechanism, set: &[String]) -> Result<Vec<Scene>, Failure> {
+    let mut list = Vec::new();
+    for scene in scenes {
+        let (scene, values) = with_values(scene, model, set)?;
+        if list.is_empty() {
+            values
+                .iter()
+                .for_each(|(name, value)| say(&format!("note: {name} = {value}, not the value of the scenes")));
+        }
+        list.push(scene);
+    }
+    Ok(list)
 }
 
 type Derivations = Vec<(Formulation, Result<DerivationInSteps, String>)>;

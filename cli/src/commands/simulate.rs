@@ -259,8 +259,8 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
         } else {
             let work = run.solution.work_end;
             let of_impacts = if scene.impacts.is_empty() { "" } else { " and of impacts" };
-            let _ = writeln!(out, "work of what has no potential{of_impacts}: {work} J");
-            let _ = writeln!(out, "largest change of total energy that it does not account for: {drift:e} J");
+            let _ = writeln!(out, "work of drag and other loads without a potential{of_impacts}: {work} J");
+            let _ = writeln!(out, "largest change of total energy less this work: {drift:e} J");
         }
     }
     if let Some(report) = &run.solution.projection {

@@ -4,6 +4,15 @@ const [MOST_STEPS, SHOWN] = [20000, 900];
  * small change closes. */
 const [ON_THE_WAY, DISPLACED] = [16, [0, -0.1, 0.1]];
 
+/** The largest distance of a curve from the line between its ends, relative to its height; 0 for what rests to rounding. */
+const bend = (t, values) => {
+  const [last, largest] = [values.length - 1, values.reduce((most, x) => Math.max(most, Math.abs(x)), 0)];
+  const height = values.reduce((most, x) => Math.max(most, x), -Infinity) - values.reduce((least, x) => Math.min(least, x), Infinity);
+  const slope = (values[last] - values[0]) / (t[last] - t[0] || 1);
+  const apart = values.reduce((most, x, at) => Math.max(most, Math.abs(x - values[0] - slope * (t[at] - t[0]))), 0);
+  return height > 1e-9 * largest && Number.isFinite(apart / height) ? apart / height : 0;
+};
+
 /** The equations of a view, run again where a number is changed. */
 class Live {
   constructor(player, model) {
@@ -181,9 +190,18 @@ class Live {
     const n = live.q.length;
     const select = this.find('quantity');
     const state = (index) => ({ p, y, model }) => y.map((s) => (index < n ? s[index] : model.generalized_speeds(p, s.subarray(0, n), s.subarray(n))[index - n]));
-    this.choices = live.start.map((each) => ({ name: each.name, unit: each.unit || (each.at < n ? 'rad' : ''), of: state(each.at) }));
+    this.choices = live.start.map((each) => ({ name: each.name, unit: each.unit, of: state(each.at) }));
     this.choices.push({ name: 'T + V', unit: 'J', of: (run) => this.#energies(run).map(([a, b]) => a + b) });
     this.choices.forEach(({ name }, at) => select.append(new Option(name, at)));
+    select.value = this.#liveliest();
+  }
+
+  /** The first choice that bends nearly as much as any: neither what rests nor what grows evenly, such as a place along a straight way. */
+  #liveliest() {
+    const { t } = this.first;
+    const bends = this.choices.slice(0, this.live.start.length).map(({ of }) => bend(t, of(this.first)));
+    const most = Math.max(0, ...bends);
+    return Math.max(0, bends.findIndex((each) => each > 0 && each >= 0.8 * most));
   }
 
   #energies({ p, y, model }) {

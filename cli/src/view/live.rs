@@ -235,16 +235,21 @@ fn start(seen: &Seen<'_>) -> Vec<Value> {
     let coordinates = mechanism.coordinates.iter().enumerate().filter(|(at, _)| is_free(*at)).map(|(at, c)| {
         let value = scene.q[at];
         let reach = if c.unit.is_plain() { std::f64::consts::PI } else { reach(at, value) };
-        slider(&c.name, &c.about, &unit(&c.unit), at, value, (value - reach, value + reach))
+        slider(&c.name, &c.about, &unit_of_motion(seen, c.symbol), at, value, (value - reach, value + reach))
     });
     let speeds = mechanism.speeds.iter().enumerate().map(|(at, s)| {
         let (value, reach) = (scene.u[at], reach(n + at, scene.u[at]));
-        slider(&s.name, "", &unit(&s.unit), n + at, value, (value - reach, value + reach))
+        slider(&s.name, "", &unit_of_motion(seen, s.symbol), n + at, value, (value - reach, value + reach))
     });
     coordinates.chain(speeds).collect()
 }
 
-/// Unit as text behind a number; empty for angles, which are in rad, and for plain numbers.
+/// Unit of a coordinate or a speed as text behind a number, such as rad/s.
+fn unit_of_motion(seen: &Seen<'_>, symbol: Expr) -> String {
+    seen.mechanism.unit_label(&seen.mechanism.arena, symbol).unwrap_or_default()
+}
+
+/// Unit of a parameter as text behind a number; empty for plain numbers.
 fn unit(unit: &tripos_derive::model::Unit) -> String {
     if unit.is_plain() { String::new() } else { unit.to_string() }
 }

@@ -1,36 +1,36 @@
 //! `tripos diff --find-coordinates`: the coordinates that a publication means.
 
-use super::show;
+use super::{Comparison, verdicts};
 use crate::failure::Failure;
 use crate::judged::Judged;
-use crate::workspace::{model_file, read_model};
+use crate::workspace::model_file;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
+use tripos::Mechanism;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{CoordinateSearch, CoordinateTable, find_coordinates};
 use tripos_derive::model::is_model;
 
-/// Searches for the coordinates of a publication, and prints its verdicts in them; exit status 1 if an entry is wrong.
-/// If several choices are equally good, they are listed, and the verdicts are those in the coordinates that the
-/// publication states.
-pub fn diff_in_found_coordinates(model: &Path, other: &Path, as_json: bool) -> Result<u8, Failure> {
-    let model = read_model(model)?;
+/// Searches for the coordinates of a publication, and gives its verdicts in them. If several choices are equally good,
+/// they are listed, and the verdicts are those in the coordinates that the publication states.
+pub fn in_found_coordinates(model: &Mechanism, other: &Path) -> Result<Comparison, Failure> {
     let source = Source::read(&model_file(other))?;
     if is_model(&source) {
         let what = "--find-coordinates is about a publication, and this file is a model";
         return Err(Failure::request(what, "name a publication file, or leave out --find-coordinates"));
     }
-    let mut stated = Judged::new(&model, &source)?;
+    let mut stated = Judged::new(model, &source)?;
     let search = find_coordinates(&stated.model, &mut stated.derivations, &stated.publication).map_err(|why| {
         let help = "state the coordinates of the publication in [coordinates]";
         Failure::request(format!("the coordinates cannot be searched for: {why}"), help)
     })?;
     let about = (words(&search), value(&search));
-    match search.best.as_slice() {
-        [table] => show(Judged::new_in(&model, &source, table)?, as_json, Some(about)),
-        _ => show(Judged::new(&model, &source)?, as_json, Some(about)),
-    }
+    let judged = match search.best.as_slice() {
+        [table] => Judged::new_in(model, &source, table)?,
+        _ => Judged::new(model, &source)?,
+    };
+    Ok(verdicts(judged, Some(about)))
 }
 
 fn words(search: &CoordinateSearch) -> String {

@@ -3,7 +3,8 @@
 //! The text fits a screen: an entry is shown by its difference, in a line; `--json` has all entries, old, new and
 //! difference.
 
-use crate::failure::{Failure, print, print_json, status};
+use super::Comparison;
+use crate::failure::Failure;
 use crate::glossary::{names_json, names_text};
 use crate::words::{entries, shortened};
 use crate::workspace::short_name;
@@ -27,16 +28,15 @@ use tripos_derive::prove::prove;
 /// Largest number of lines of one kind that are shown; further lines are only counted.
 const SHOWN: usize = 16;
 
-/// Compares two models, their declarations and scenes; exit status 1 if anything differs on which a number depends.
-pub fn diff(old: &Model, new: &Model, as_json: bool) -> Result<u8, Failure> {
+/// Compares two models, their declarations and scenes. They differ if anything does on which a number depends.
+pub fn diff(old: &Model, new: &Model) -> Result<Comparison, Failure> {
     let (difference, arena) = compared(old, new, true)?;
     let scenes = scenes(&old.source.path, &new.source.path)?;
-    if as_json {
-        print_json(&json_of(old, new, &arena, &difference, &scenes))?;
-    } else {
-        print(&text_of(old, new, &arena, &difference, &scenes))?;
-    }
-    Ok(if difference.is_empty() && scenes.is_empty() { 0 } else { status::NO })
+    Ok(Comparison {
+        is_clean: difference.is_empty() && scenes.is_empty(),
+        text: text_of(old, new, &arena, &difference, &scenes),
+        json: json_of(old, new, &arena, &difference, &scenes),
+    })
 }
 
 /// Derives both models and compares them; the arena holds the terms of the difference. First integrals cost a proof and
