@@ -1,6 +1,7 @@
 //! Whole-pipeline tests, as one program.
 
 mod agreement;
+mod api;
 #[path = "../derive/tests/common/arm.rs"]
 #[allow(dead_code, reason = "the arm alone is used")]
 mod arm;
@@ -27,6 +28,7 @@ mod mechanism;
 mod mutations;
 mod named;
 mod operation_counts;
+mod packages;
 mod passages;
 mod peers;
 mod prose;
