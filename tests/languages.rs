@@ -1,5 +1,8 @@
 //! Equations in C, Python, MATLAB and CasADi compute what the Rust code from the same model computes.
 
+mod composed;
+mod truth;
+
 use crate::left_out::is_left_out;
 use crate::support::Random;
 use crate::sympy;
@@ -7,15 +10,18 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::rc::Rc;
 use tripos_codegen::languages::c::C;
 use tripos_codegen::languages::casadi::CasADi;
 use tripos_codegen::languages::matlab::Matlab;
 use tripos_codegen::languages::python::Python;
-use tripos_codegen::languages::{Dialect, emit_model};
+use tripos_codegen::languages::{Dialect, Selection, emit_model};
 use tripos_codegen::plan::{ModulePlan, module_name};
-use tripos_derive::Model;
+use tripos_derive::scene::{Scene, load_bound};
+use tripos_derive::{Formulation, Model};
 use tripos_models::MODELS;
-use tripos_traits::{CompiledSystem, DoubleDouble, Real, Scalar, System};
+use tripos_traits::{CompiledSystem, DoubleDouble, Real, Scalar};
+use truth::{Stated, Truth};
 
 type Dd = DoubleDouble;
 
@@ -45,6 +51,7 @@ fn states() -> usize {
 struct Asked {
     model: &'static str,
     system: &'static CompiledSystem,
+    truth: Truth,
     /// Names of the functions that the emitted module has and Rust knows.
     functions: Vec<String>,
     states: Vec<State>,
@@ -91,88 +98,9 @@ impl State {
     }
 }
 
-/// Value of a function by the compiled equations; `None` for a function that they do not have.
-fn value<S: Real>(system: &dyn System<S>, name: &str, [p, q, v, u, x]: &[Vec<S>; 5]) -> Option<Vec<S>> {
-    let lengths = system.lengths();
-    let (nq, nv, n) = (lengths.coordinates, lengths.variables, lengths.variables + lengths.reactions);
-    let zeros = |count: usize| vec![S::int(0); count];
-    let filled = |count: usize, fill: &dyn Fn(&mut [S])| {
-        let mut out = zeros(count);
-        fill(&mut out);
-        Some(out)
-    };
-    let product = |x: &[S]| {
-        let (mut matrix, mut right) = (zeros(n * n), zeros(n));
-        system.mass_matrix(p, q, v, &mut matrix);
-        system.forcing(p, q, v, &mut right);
-        let row = |(i, f): (usize, &S)| (0..n).fold(S::int(0) - *f, |sum, j| sum + matrix[i * n + j] * x[j]);
-        right.iter().enumerate().map(row).collect::<Vec<S>>()
-    };
-    match name {
-        "mass_matrix" => filled(n * n, &|out| system.mass_matrix(p, q, v, out)),
-        "forcing" => filled(n, &|out| system.forcing(p, q, v, out)),
-        "linear_system" => {
-            let parts = ["mass_matrix", "forcing"].map(|part| value(system, part, &[p, q, v, u, x].map(Clone::clone)));
-            parts.into_iter().collect::<Option<Vec<_>>>().map(|parts| parts.concat())
-        }
-        "residual" => Some(product(x)),
-        "inverse_dynamics" => (lengths.reactions == 0).then(|| product(&x[..nv])),
-        "accelerations" => system.has_accelerations().then(|| filled(nv, &|out| system.accelerations(p, q, v, out)))?,
-        "derivative" => system.has_accelerations().then(|| {
-            let (mut q_dot, mut v_dot) = (zeros(nq), zeros(nv));
-            system.derivative(p, q, v, &mut q_dot, &mut v_dot);
-            [q_dot, v_dot].concat()
-        }),
-        "jacobian" => {
-            let count = (nq + nv) * (nq + nv);
-            system.has_accelerations().then(|| filled(count, &|out| system.jacobian(p, q, v, out)))?
-        }
-        "coordinate_rates" => filled(nq, &|out| system.coordinate_rates(p, q, v, out)),
-        "kinetic_energy" => Some(vec![system.kinetic_energy(p, q, v)]),
-        "potential_energy" => Some(vec![system.potential_energy(p, q)]),
-        "power" => system.has_power().then(|| vec![system.power(p, q, v)]),
-        "generalized_speeds" => filled(lengths.speeds, &|out| system.generalized_speeds(p, q, v, out)),
-        "generalized_speed_rates" => {
-            filled(lengths.speeds, &|out| system.generalized_speed_rates(p, q, v, &x[..nv], out))
-        }
-        "motion_variables" => filled(nv, &|out| system.motion_variables(p, q, u, out)),
-        "divisors" => filled(system.divisor_count(), &|out| system.divisors(p, q, v, out)),
-        "constraints" => filled(system.constraint_count(), &|out| system.constraints(p, q, v, out)),
-        "constraint_slopes" => {
-            filled(system.constraint_count() * (nq + nv), &|out| system.constraint_slopes(p, q, v, out))
-        }
-        _ => None,
-    }
-}
-
-/// Slopes of the derivative along the parameters, by central differences in 32 digits.
-fn parameter_slopes(system: &dyn System<Dd>, state: &[Vec<Dd>; 5]) -> Option<Vec<Dd>> {
-    let columns = state[0].iter().enumerate().map(|(at, p)| {
-        let step = *p * Dd::decimal("1e-9");
-        let moved = |by: Dd| {
-            let mut state = state.clone();
-            state[0][at] = *p + by;
-            value(system, "derivative", &state)
-        };
-        let (above, below) = (moved(step)?, moved(-step)?);
-        Some(above.iter().zip(&below).map(|(a, b)| (*a - *b) / (step + step)).collect::<Vec<_>>())
-    });
-    let columns: Vec<Vec<Dd>> = columns.collect::<Option<_>>()?;
-    let rows = columns.first().map_or(0, Vec::len);
-    Some((0..rows).flat_map(|row| columns.iter().map(move |column| column[row]).collect::<Vec<_>>()).collect())
-}
-
-/// Value of a function to 32 digits.
-fn exact(system: &CompiledSystem, name: &str, state: &[Vec<Dd>; 5]) -> Option<Vec<Dd>> {
-    match name {
-        "parameter_jacobian" => parameter_slopes(system.extended, state),
-        name => value(system.extended, name, state),
-    }
-}
-
 /// Largest errors of a value that count as rounding: four times those of Rust, at the state or beside it, and what the
 /// last places of the arguments make of the value.
-fn bounds(system: &CompiledSystem, name: &str, state: &State, exact_value: &[Dd], random: &mut Random) -> Vec<f64> {
+fn bounds(truth: &Truth, name: &str, state: &State, exact_value: &[Dd], random: &mut Random) -> Vec<f64> {
     let largest = exact_value.iter().fold(0.0_f64, |most, x| most.max(x.abs().to_f64()));
     // An entry that cancels has the rounding of its neighbours. Slopes along parameters and entries of the Jacobian are
     // computed by other steps than in Rust, and cancel more.
@@ -182,8 +110,8 @@ fn bounds(system: &CompiledSystem, name: &str, state: &State, exact_value: &[Dd]
     let mut states = vec![state.clone()];
     states.extend((0..3).map(|_| state.neighbour(random)));
     for state in states {
-        let there = exact(system, name, &state.extended()).expect("a function that exists");
-        let own = value(system.double, name, &state.plain());
+        let there = truth.exact(name, &state.extended()).expect("a function that exists");
+        let own = truth.double(name, &state.plain());
         for at in 0..exact_value.len() {
             let error = own.as_ref().map_or(0.0, |own| (Dd::from(own[at]) - there[at]).abs().to_f64());
             of_rust[at] = of_rust[at].max(error);
@@ -198,7 +126,7 @@ fn emitted(model: &str, dialect: &dyn Dialect, folder: &Path) -> PathBuf {
     let folder = folder.join(model);
     std::fs::create_dir_all(&folder).unwrap();
     let model = Model::read(&sympy::root().join("models").join(model).join("model.toml")).unwrap();
-    let emitted = emit_model(&model, dialect, &[], &[]).unwrap();
+    let emitted = emit_model(&model, dialect, Selection::default()).unwrap();
     for (name, text) in &emitted.emission.files {
         std::fs::write(folder.join(name), text).unwrap();
     }
@@ -209,14 +137,16 @@ fn emitted(model: &str, dialect: &dyn Dialect, folder: &Path) -> PathBuf {
 fn asked(has: &dyn Fn(&'static str, &str, &str) -> bool) -> Vec<Asked> {
     let mut list = Vec::new();
     for model in MODELS {
+        let stated = Stated::read(model.name);
         for system in model.systems.iter().filter(|system| !system.name.contains('@')) {
+            let truth = Truth { system, stated: Rc::clone(&stated) };
             let mut random = Random(7);
             let states: Vec<State> = (0..states()).map(|_| State::random(system, &mut random)).collect();
             let first = states[0].extended();
-            let known = |name: &&str| exact(system, name, &first).is_some_and(|value| !value.is_empty());
+            let known = |name: &&str| truth.exact(name, &first).is_some_and(|value| !value.is_empty());
             let functions = ModulePlan::FUNCTIONS.iter().copied().filter(|f| has(model.name, system.name, f));
             let functions = functions.filter(known).map(str::to_owned).collect();
-            list.push(Asked { model: model.name, system, functions, states });
+            list.push(Asked { model: model.name, system, truth, functions, states });
         }
     }
     assert!(list.len() > 60, "the library has models in several formulations: {}", list.len());
@@ -246,13 +176,13 @@ impl Asked {
         let mut wrong = Vec::new();
         for name in &self.functions {
             for (at, state) in self.states.iter().enumerate() {
-                let expected = exact(self.system, name, &state.extended()).unwrap();
+                let expected = self.truth.exact(name, &state.extended()).unwrap();
                 let found: Vec<f64> = values.by_ref().take(expected.len()).collect();
                 assert_eq!(found.len(), expected.len(), "{} {name}: too few values", self.stem());
                 *count += found.len();
                 let whole = |entry: usize| format!("{} {name}, state {at}, entry {entry}", self.stem());
                 if same_bits && SAME_PLAN.contains(&name.as_str()) {
-                    let own = value(self.system.double, name, &state.plain()).unwrap();
+                    let own = self.truth.double(name, &state.plain()).unwrap();
                     let differs = |entry: &usize| {
                         found[*entry].to_bits() != own[*entry].to_bits()
                             && !(found[*entry].is_nan() && own[*entry].is_nan())
@@ -261,7 +191,7 @@ impl Asked {
                     wrong.extend(entry.map(|e| format!("{}: {:e} is not Rust's {:e}", whole(e), found[e], own[e])));
                     continue;
                 }
-                let bounds = bounds(self.system, name, state, &expected, &mut random);
+                let bounds = bounds(&self.truth, name, state, &expected, &mut random);
                 let is_off = |entry: &usize| {
                     let error = (Dd::from(found[*entry]) - expected[*entry]).abs().to_f64();
                     let both_nothing = found[*entry].is_nan() && !expected[*entry].is_finite();
@@ -311,7 +241,7 @@ fn driver(asked: &Asked, header: &str) -> String {
             .map(|argument| argument.split(|c: char| !(c.is_alphanumeric() || c == '_')).collect::<Vec<_>>())
             .map(|words| *words.iter().rfind(|w| w.starts_with(|c: char| c.is_ascii_alphabetic())).unwrap())
             .collect();
-        let count = exact(asked.system, name, &asked.states[0].extended()).unwrap().len();
+        let count = asked.truth.exact(name, &asked.states[0].extended()).unwrap().len();
         let lengths = asked.system.double.lengths();
         let first = match name.as_str() {
             "derivative" => lengths.coordinates,
@@ -549,6 +479,26 @@ fn hostile_model(random: &mut Random) -> String {
     )
 }
 
+/// A scene of a hostile model with an output whose name is hostile too, and the model as the scene has it.
+fn hostile_scene(random: &mut Random, model: &Model) -> (Scene, Model) {
+    let quoted = |text: &str| serde_json::Value::from(text).to_string();
+    let mut model = model.clone();
+    let text = |name: &str| {
+        format!(
+            "span = [0, 1]\noutputs = [\"theta\", {{ name = {name}, value = \"2*theta + omega'\" }}]\n[start]\ntheta = 0.3\nomega = 0\n"
+        )
+    };
+    let mut read = |name: &str| {
+        let mut source = tripos_derive::diagnostic::Source::from_text("scene", &text(name));
+        source.path = PathBuf::from("scene.toml");
+        load_bound(&source, &mut model)
+    };
+    let name = TEXTS[random.below(TEXTS.len())];
+    // A text that no output may have as its name stands for itself in the message; the output then has another.
+    let scene = read(&quoted(name)).unwrap_or_else(|_| read("\"*/ second\"").unwrap());
+    (scene, model)
+}
+
 /// Goal: no name and no text of a model becomes code, and each language reads its files. Method: pendulums whose names
 /// are words of the languages and whose texts are code; C is compiled without a warning, Python and CasADi are imported
 /// and asked for the acceleration at 90 degrees, -g/l. No file that a text would make exists afterwards.
@@ -568,9 +518,14 @@ fn hostile_models_stay_names_and_comments() {
         // Some names are refused as such; the message is then the end of it.
         let Ok(model) = tripos_derive::model::load(&source) else { continue };
         read += 1;
+        let (scene, model) = hostile_scene(&mut Random(seed), &model);
+        let named = ["accelerations", "outputs", "reactions"].map(str::to_owned);
+        let functions: &[String] = if seed % 3 == 0 { &named } else { &[] };
+        let selection =
+            Selection { formulations: &[Formulation::Kane, Formulation::NewtonEuler], functions, scene: Some(&scene) };
         let dialects: [&dyn Dialect; 4] = [&C, &Python, &CasADi, &Matlab];
         for dialect in dialects {
-            let emitted = emit_model(&model, dialect, &[tripos_derive::Formulation::Kane], &[]).unwrap();
+            let emitted = emit_model(&model, dialect, selection).unwrap();
             for (name, text) in &emitted.emission.files {
                 std::fs::write(folder.path().join(name), text).unwrap();
                 sources.extend(name.strip_suffix(".c").map(|_| name.clone()));
@@ -587,7 +542,9 @@ fn hostile_models_stay_names_and_comments() {
         .args(&sources));
     let script = "import importlib, math, sys\nfor name in sys.argv[1:]:\n    model = importlib.import_module(name)\n    \
                   out = model.accelerations(model.DEFAULTS, [math.pi/2], [0.0])\n    \
-                  assert abs(float(out[0]) + 9.81/0.7) < 1e-12, (name, out)\n";
+                  assert abs(float(out[0]) + 9.81/0.7) < 1e-12, (name, out)\n    \
+                  out = model.outputs(model.DEFAULTS, [math.pi/2], [0.0])\n    \
+                  assert abs(float(out[1]) - math.pi + 9.81/0.7) < 1e-12, (name, out)\n";
     let python = sympy::python_with(
         &sympy::root().join("tests/languages/requirements.txt"),
         "import numpy, casadi, scipy, fmpy",

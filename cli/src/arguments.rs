@@ -232,7 +232,8 @@ pub enum Command {
     /// Write the equations of a model as code for your own programs, in Rust, JavaScript, C, Python, MATLAB or for
     /// CasADi
     Emit {
-        /// A model file, or a folder with model.toml
+        /// A model file, or a folder with model.toml; in languages beside Rust and JavaScript also a scene file, whose
+        /// outputs and events become functions
         model: PathBuf,
         /// The folder of the module, named as the module; files in it that this command did not write stay untouched
         #[arg(long, value_name = "DIR")]

@@ -134,6 +134,9 @@ fn bad_requests_are_answered_with_what_to_do() {
     refused(&model, &out, &["--functions", "forcing"], "functions can be chosen in C, Python, MATLAB and for CasADi");
     refused(&model, &out, &["--language", "c", "--functions", "forcings"], "did you mean `forcing`?");
     refused(&model, &out, &["--language", "python", "--functions", "constraints"], "have no function `constraints`");
+    refused(&model, &out, &["--language", "c", "--functions", "outputs"], "give a scene file in place of the model");
+    let kane = ["--language", "matlab", "--formulation", "kane", "--functions", "reactions"];
+    refused(&model, &out, &kane, "reactions are unknowns of `--formulation newton-euler`");
     refused(&model, &folder.path().join("a-b"), &[], "`a-b` cannot be a Rust module");
     refused(&model, Path::new("/"), &[], "has no name that a module could have");
     refused(&folder.path().join("none.toml"), &out, &[], "cannot read the file");
@@ -449,6 +452,42 @@ fn files_of_other_languages_are_readable() {
             assert!(said.lines().all(|line| line.starts_with(word)), "{language} {time}: {said}");
         }
     }
+}
+
+/// Goal: the outputs and events of a scene are functions of the state in any formulation. Method: outputs of the
+/// pendulum with energies, rates and accelerations, by Kane and Lagrange in Python, against their formulas; an output
+/// that needs a reaction is told and left out.
+#[test]
+fn outputs_of_a_scene_become_functions() {
+    if sympy::is_left_out("outputs in Python") {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    pendulum(folder.path());
+    let scene = folder.path().join("scene.toml");
+    let text = "model = \"swing.toml\"\nspan = [0, 1]\n\
+        outputs = [\"theta\", \"omega'\", \"theta'\", { name = \"height\", value = \"-l*cos(theta)\" }, \"total_energy\", \"rod\"]\n\
+        [parameters]\nm = 2\n[start]\ntheta = 0.3\nomega = 0\n[[events]]\nname = \"low\"\nzero = \"theta\"\n";
+    std::fs::write(&scene, text).unwrap();
+    let out = folder.path().join("out");
+    let (status, said, err) = emit(&scene, &out, &["--language", "python"]);
+    assert!(status == 0 && said.contains("written    swing_kane_simulate.py"), "{err}");
+    assert!(err.contains("`rod` is left out of the functions of Kane's method: it needs a reaction"), "{err}");
+    let script = "import math\n\
+        import swing_kane, swing_lagrange, swing_newton_euler\n\
+        for m in (swing_kane, swing_lagrange, swing_newton_euler):\n    \
+            assert m.OUTPUTS == ['theta', \"omega'\", \"theta'\", 'height', 'total_energy'] and m.EVENTS == ['low'], m.OUTPUTS\n    \
+            right = [0.4, -9.81/0.7*math.sin(0.4), 1.5, -0.7*math.cos(0.4), 0.49*2.25 + 2*9.81*0.7*(1 - math.cos(0.4))]\n    \
+            p = [2, 0.7, 9.81]\n    \
+            assert max(abs(m.outputs(p, [0.4], [1.5]) - right)) < 1e-13, m.outputs(p, [0.4], [1.5])\n    \
+            assert m.events(p, [0.4], [1.5]) == [0.4]\n";
+    let python =
+        sympy::python_with(&root().join("tests/languages/requirements.txt"), "import numpy, casadi, scipy, fmpy");
+    let output = std::process::Command::new(python).current_dir(&out).args(["-c", script]).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    // Without the scene there are none, and its script goes.
+    let (_, said, _) = emit(&folder.path().join("swing.toml"), &out, &["--language", "python"]);
+    assert!(said.contains("removed    swing_kane_simulate.py"), "{said}");
 }
 
 /// Goal: the first scene of a model runs from the emitted files as it runs here. Method: the script in Python for two

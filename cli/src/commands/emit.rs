@@ -1,6 +1,7 @@
 //! `tripos emit`: the generated code of any model file, for a program of the user's own.
 
-use crate::failure::{Failure, Output, print_either, say};
+use crate::failure::{Failure, Output, print_either, say, warn};
+use crate::scene_file::read_scene;
 use crate::workspace::model_file;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -13,10 +14,11 @@ use tripos_codegen::languages::c::C;
 use tripos_codegen::languages::casadi::CasADi;
 use tripos_codegen::languages::matlab::Matlab;
 use tripos_codegen::languages::python::Python;
-use tripos_codegen::languages::{self, Dialect};
-use tripos_codegen::plan::ModulePlan;
-use tripos_derive::diagnostic::nearest;
+use tripos_codegen::languages::{self, Dialect, Selection};
+use tripos_codegen::plan::{Hidden, ModulePlan};
+use tripos_derive::diagnostic::{Source, nearest};
 use tripos_derive::plain::path_in_line;
+use tripos_derive::scene::{Scene, is_scene};
 use tripos_derive::{Formulation, Model};
 
 /// Languages in which equations can be written.
@@ -24,7 +26,7 @@ const LANGUAGES: [&str; 6] = ["rust", "js", "c", "python", "matlab", "casadi"];
 
 /// Request for the equations of a model in a language.
 pub struct Emit {
-    /// Path of the model file.
+    /// Path of the model file, or of a scene file.
     pub model: PathBuf,
     /// Folder of the files.
     pub out: PathBuf,
@@ -116,8 +118,16 @@ fn other(request: &Emit, dialect: &dyn Dialect, formulations: &[Formulation]) ->
         let what = format!("there is no function `{name}`");
         return Err(Failure::request(what, nearest(name, known())));
     }
-    let model = Model::read(&model_file(&request.model))?;
-    let emitted = languages::emit_model(&model, dialect, formulations, &request.functions)?;
+    let (model, scene) = given(&request.model)?;
+    let selection = Selection { formulations, functions: &request.functions, scene: scene.as_ref() };
+    let emitted = languages::emit_model(&model, dialect, selection)?;
+    for (name, equations, why) in &emitted.hidden {
+        let why = match why {
+            Hidden::Reaction => "it needs a reaction, which has no closed form here",
+            Hidden::Acceleration => "it needs an acceleration, which has no closed form here",
+        };
+        warn(&format!("`{name}` is left out of the functions of {equations}: {why}"));
+    }
     let file = &emitted.main_file;
     let stem = Path::new(file).file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let then = match request.language.as_str() {
@@ -129,6 +139,16 @@ fn other(request: &Emit, dialect: &dyn Dialect, formulations: &[Formulation]) ->
         _ => format!("import {stem}, which needs CasADi; {stem}.function(\"mass_matrix\") is a casadi.Function"),
     };
     Ok((emitted.emission, then))
+}
+
+/// Reads the model that an argument names, or the scene with its model.
+fn given(argument: &Path) -> Result<(Model, Option<Scene>), Failure> {
+    let path = model_file(argument);
+    if Source::read(&path).is_ok_and(|source| is_scene(&source)) {
+        let (mechanism, scene) = read_scene(&path)?;
+        return Ok((mechanism.model, Some(scene)));
+    }
+    Ok((Model::read(&path)?, None))
 }
 
 /// Name of the Rust module: that of its folder.

@@ -30,6 +30,12 @@ static Status fail(const Instance *instance, const char *message)
   return ERROR;
 }
 
+// Fails if there is a reason.
+static Status unless(const Instance *instance, const char *reason)
+{
+  return reason ? fail(instance, reason) : OK;
+}
+
 EXPORT const char *fmi2GetTypesPlatform(void)
 {
   return "default";
@@ -114,24 +120,12 @@ EXPORT Status fmi2Reset(void *instance)
 
 EXPORT Status fmi2GetReal(void *instance, const Reference references[], size_t count, double values[])
 {
-  size_t k;
-  for (k = 0; k < count; k++) {
-    if (!get(&((Instance *)instance)->state, references[k], &values[k])) {
-      return fail((Instance *)instance, "There is no variable with this value reference.");
-    }
-  }
-  return OK;
+  return unless((Instance *)instance, get_values(&((Instance *)instance)->state, references, count, values));
 }
 
 EXPORT Status fmi2SetReal(void *instance, const Reference references[], size_t count, const double values[])
 {
-  size_t k;
-  for (k = 0; k < count; k++) {
-    if (!set(&((Instance *)instance)->state, references[k], values[k])) {
-      return fail((Instance *)instance, "Only parameters, inputs and states can be set.");
-    }
-  }
-  return OK;
+  return unless((Instance *)instance, set_values(&((Instance *)instance)->state, references, count, values));
 }
 
 // No variable has another type than Real.
@@ -156,10 +150,7 @@ OTHER_TYPE(String, Text)
 
 EXPORT Status fmi2GetFMUstate(void *instance, void **state)
 {
-  if (!*state) *state = malloc(sizeof(State));
-  if (!*state) return fail((Instance *)instance, "There is no memory for a state.");
-  memcpy(*state, &((Instance *)instance)->state, sizeof(State));
-  return OK;
+  return unless((Instance *)instance, store(&((Instance *)instance)->state, state));
 }
 
 EXPORT Status fmi2SetFMUstate(void *instance, void *state)
@@ -171,10 +162,7 @@ EXPORT Status fmi2SetFMUstate(void *instance, void *state)
 EXPORT Status fmi2FreeFMUstate(void *instance, void **state)
 {
   (void)instance;
-  if (state) {
-    free(*state);
-    *state = NULL;
-  }
+  discard(state);
   return OK;
 }
 
@@ -188,18 +176,12 @@ EXPORT Status fmi2SerializedFMUstateSize(void *instance, void *state, size_t *si
 
 EXPORT Status fmi2SerializeFMUstate(void *instance, void *state, char bytes[], size_t size)
 {
-  if (size < sizeof(State)) return fail((Instance *)instance, "The state needs more bytes.");
-  memcpy(bytes, state, sizeof(State));
-  return OK;
+  return unless((Instance *)instance, write_bytes(state, bytes, size));
 }
 
 EXPORT Status fmi2DeSerializeFMUstate(void *instance, const char bytes[], size_t size, void **state)
 {
-  if (size != sizeof(State)) return fail((Instance *)instance, "The bytes are not a state of this model.");
-  if (!*state) *state = malloc(sizeof(State));
-  if (!*state) return fail((Instance *)instance, "There is no memory for a state.");
-  memcpy(*state, bytes, sizeof(State));
-  return OK;
+  return unless((Instance *)instance, read_bytes(bytes, size, state));
 }
 
 EXPORT Status fmi2GetDirectionalDerivative(void *instance, const Reference unknowns[], size_t rows,

@@ -17,6 +17,12 @@ static Status fail(const Instance *instance, const char *message)
   return ERROR;
 }
 
+// Fails if there is a reason.
+static Status unless(const Instance *instance, const char *reason)
+{
+  return reason ? fail(instance, reason) : OK;
+}
+
 EXPORT const char *fmi3GetVersion(void)
 {
   return "3.0";
@@ -134,27 +140,15 @@ EXPORT Status fmi3Reset(void *instance)
 
 EXPORT Status fmi3GetFloat64(void *instance, const Reference references[], size_t count, double values[], size_t length)
 {
-  size_t k;
   if (length != count) return fail((Instance *)instance, "Every variable has one value.");
-  for (k = 0; k < count; k++) {
-    if (!get(&((Instance *)instance)->state, references[k], &values[k])) {
-      return fail((Instance *)instance, "There is no variable with this value reference.");
-    }
-  }
-  return OK;
+  return unless((Instance *)instance, get_values(&((Instance *)instance)->state, references, count, values));
 }
 
 EXPORT Status fmi3SetFloat64(void *instance, const Reference references[], size_t count, const double values[],
                              size_t length)
 {
-  size_t k;
   if (length != count) return fail((Instance *)instance, "Every variable has one value.");
-  for (k = 0; k < count; k++) {
-    if (!set(&((Instance *)instance)->state, references[k], values[k])) {
-      return fail((Instance *)instance, "Only parameters, inputs and states can be set.");
-    }
-  }
-  return OK;
+  return unless((Instance *)instance, set_values(&((Instance *)instance)->state, references, count, values));
 }
 
 // No variable has another type than Float64.
@@ -220,10 +214,7 @@ ABSENT(GetOutputDerivatives, (void *instance, const Reference r[], size_t n, con
 
 EXPORT Status fmi3GetFMUState(void *instance, void **state)
 {
-  if (!*state) *state = malloc(sizeof(State));
-  if (!*state) return fail((Instance *)instance, "There is no memory for a state.");
-  memcpy(*state, &((Instance *)instance)->state, sizeof(State));
-  return OK;
+  return unless((Instance *)instance, store(&((Instance *)instance)->state, state));
 }
 
 EXPORT Status fmi3SetFMUState(void *instance, void *state)
@@ -235,10 +226,7 @@ EXPORT Status fmi3SetFMUState(void *instance, void *state)
 EXPORT Status fmi3FreeFMUState(void *instance, void **state)
 {
   (void)instance;
-  if (state) {
-    free(*state);
-    *state = NULL;
-  }
+  discard(state);
   return OK;
 }
 
@@ -252,18 +240,12 @@ EXPORT Status fmi3SerializedFMUStateSize(void *instance, void *state, size_t *si
 
 EXPORT Status fmi3SerializeFMUState(void *instance, void *state, uint8_t bytes[], size_t size)
 {
-  if (size < sizeof(State)) return fail((Instance *)instance, "The state needs more bytes.");
-  memcpy(bytes, state, sizeof(State));
-  return OK;
+  return unless((Instance *)instance, write_bytes(state, bytes, size));
 }
 
 EXPORT Status fmi3DeserializeFMUState(void *instance, const uint8_t bytes[], size_t size, void **state)
 {
-  if (size != sizeof(State)) return fail((Instance *)instance, "The bytes are not a state of this model.");
-  if (!*state) *state = malloc(sizeof(State));
-  if (!*state) return fail((Instance *)instance, "There is no memory for a state.");
-  memcpy(*state, bytes, sizeof(State));
-  return OK;
+  return unless((Instance *)instance, read_bytes(bytes, size, state));
 }
 
 EXPORT Status fmi3GetDirectionalDerivative(void *instance, const Reference unknowns[], size_t rows,

@@ -332,4 +332,52 @@ static bool products(const State *s, const Reference unknowns[], size_t rows, co
 #endif
 }
 
+// What both versions of the interface do with variables and stored states. Each function returns NULL, or the reason
+// why it failed.
+static const char *get_values(const State *s, const Reference references[], size_t count, double values[])
+{
+  size_t k;
+  for (k = 0; k < count; k++) {
+    if (!get(s, references[k], &values[k])) return "There is no variable with this value reference.";
+  }
+  return NULL;
+}
+
+static const char *set_values(State *s, const Reference references[], size_t count, const double values[])
+{
+  size_t k;
+  for (k = 0; k < count; k++) {
+    if (!set(s, references[k], values[k])) return "Only parameters, inputs and states can be set.";
+  }
+  return NULL;
+}
+
+// Copies a state into the memory of a stored one, which is made if there is none.
+static const char *store(const void *state, void **stored)
+{
+  if (!*stored) *stored = malloc(sizeof(State));
+  if (!*stored) return "There is no memory for a state.";
+  memcpy(*stored, state, sizeof(State));
+  return NULL;
+}
+
+static void discard(void **stored)
+{
+  if (!stored) return;
+  free(*stored);
+  *stored = NULL;
+}
+
+static const char *write_bytes(const void *stored, void *bytes, size_t size)
+{
+  if (size < sizeof(State)) return "The state needs more bytes.";
+  memcpy(bytes, stored, sizeof(State));
+  return NULL;
+}
+
+static const char *read_bytes(const void *bytes, size_t size, void **stored)
+{
+  return size == sizeof(State) ? store(bytes, stored) : "The bytes are not a state of this model.";
+}
+
 #endif

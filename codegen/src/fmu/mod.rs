@@ -116,7 +116,7 @@ impl Fmu {
             Version::Two => fmi2::text(&identifier, &module, scene, &variables, has_slopes),
             Version::Three => description::text(&identifier, &module, scene, &variables, has_slopes),
         };
-        Ok(Self { identifier, description, sources, left_out: functions.left_out, has_slopes })
+        Ok(Self { identifier, description, sources, left_out: functions.left_out(), has_slopes })
     }
 }
 
@@ -192,8 +192,8 @@ fn configuration(
         Direction::Falling => -1.0,
         Direction::Either => 0.0,
     };
-    let ways: Vec<f64> = functions.events.iter().map(|event| way(event.direction)).collect();
-    let ends: Vec<f64> = functions.events.iter().map(|event| f64::from(u8::from(event.terminal))).collect();
+    let ways: Vec<f64> = functions.events().iter().map(|event| way(event.direction)).collect();
+    let ends: Vec<f64> = functions.events().iter().map(|event| f64::from(u8::from(event.terminal))).collect();
     writer.comment("Directions of the crossings that count as events, 0 for both, and which events end a simulation.");
     writer.line(&format!("static const double event_direction[] = {{ {} }};", list(&ways)));
     writer.line(&format!("static const double event_is_terminal[] = {{ {} }};", list(&ends)));

@@ -98,7 +98,7 @@ impl Variables {
             let depends_on = found.map(nonzero);
             add(&format!("der({name})"), Role::Derivative(first_state + row), None, Some(&unit), what, depends_on);
         }
-        for (row, output) in functions.outputs.iter().enumerate() {
+        for (row, output) in functions.outputs().iter().enumerate() {
             let columns = nx + np;
             let of_states = (0..nx).map(|at| Some((first_state + at, is_zero("output_jacobian", row * columns + at)?)));
             let of_inputs =
@@ -106,7 +106,7 @@ impl Variables {
             let found: Option<Vec<(usize, bool)>> = of_states.chain(of_inputs).collect();
             add(&output.name, Role::Output, None, None, "output of the scene", found.map(nonzero));
         }
-        let events = functions.events.iter().map(|event| &event.name);
+        let events = functions.events().iter().map(|event| &event.name);
         for name in plan.divisors.iter().chain(&plan.conditions).chain(events) {
             add(name, Role::Indicator, None, None, "an event where it changes its sign", None);
         }

@@ -32,8 +32,8 @@ impl Syntax for JavaScript {
         format!("Math.pow({argument}, {exponent})")
     }
 
-    fn declarations(&self, list: &[(String, String)]) -> Vec<String> {
-        vec![format!("const {};", assigned(list, ", "))]
+    fn declare(&self, out: &mut String, indent: &str, list: &[(String, String)]) {
+        self.statement(out, indent, &format!("const {};", assigned(list, ", ")));
     }
 }
 

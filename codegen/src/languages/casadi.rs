@@ -3,7 +3,7 @@
 
 use super::module::table;
 use super::python::names::LANGUAGE;
-use super::python::text::{array_of_entries, assignments, docstring, float, harmless, names_and_values, python_lines};
+use super::python::text::{array_of_entries, declare, docstring, float, harmless, names_and_values, value};
 use super::{Composite, Dialect, Module};
 use crate::plan::{Argument, Entry, Function, Language, Returns};
 use crate::syntax::{Comments, Syntax, Writer};
@@ -50,12 +50,8 @@ impl Syntax for CasADi {
         format!("{operand}**{exponent}")
     }
 
-    fn declarations(&self, list: &[(String, String)]) -> Vec<String> {
-        assignments(list)
-    }
-
-    fn statement(&self, out: &mut String, indent: &str, text: &str) {
-        python_lines(out, indent, text);
+    fn declare(&self, out: &mut String, indent: &str, list: &[(String, String)]) {
+        declare(out, indent, list);
     }
 }
 
@@ -87,7 +83,7 @@ impl Dialect for CasADi {
     }
 
     fn composites(&self) -> &'static [Composite] {
-        &[Composite::Unknowns, Composite::Ode, Composite::Dae]
+        &[Composite::Unknowns, Composite::Reactions, Composite::Ode, Composite::Dae]
     }
 }
 
@@ -123,8 +119,10 @@ fn module_text(module: &Module<'_>) -> String {
         let names: Vec<String> = planned.arguments.iter().map(|argument| format!("\"{}\"", argument.name())).collect();
         writer.raw(&format!("    \"{0}\": ({0}, [{1}]),", planned.name, names.join(", ")));
     }
-    if module.composites.contains(&Composite::Unknowns) {
-        writer.raw(&format!("    \"unknowns\": (unknowns, [\"p\", \"q\", \"{v}\"]),"));
+    for composite in [Composite::Unknowns, Composite::Reactions] {
+        if module.composites.contains(&composite) {
+            writer.raw(&format!("    \"{0}\": ({0}, [\"p\", \"q\", \"{v}\"]),", composite.name()));
+        }
     }
     writer.raw("}\n\n");
     writer.raw(
@@ -148,11 +146,11 @@ fn function(writer: &mut Writer<'_>, planned: &Function) {
     };
     let entries: Vec<String> = planned.entries.iter().map(text).collect();
     match (planned.returns, table(planned)) {
-        (Returns::Number, _) => writer.line(&format!("return {}", entries.concat())),
+        (Returns::Number, _) => value(&mut writer.out, "    ", "return ", &entries.concat()),
         (Returns::Pair(first), _) => {
             array_of_entries(writer, "first = casadi.vertcat(", &entries[..first], ")");
             array_of_entries(writer, "second = casadi.vertcat(", &entries[first..], ")");
-            writer.line("return first, second");
+            writer.raw("return first, second");
         }
         (_, Some([rows, columns])) => {
             array_of_entries(writer, &format!("return _helpers.table({rows}, {columns}, ["), &entries, "])");
@@ -170,6 +168,11 @@ fn composed(writer: &mut Writer<'_>, module: &Module<'_>, composite: Composite) 
         Composite::Unknowns => format!(
             "def unknowns(p, q, {v}):\n    \"\"\"The accelerations, then the reactions or multipliers: the solution of the linear \
              system.\"\"\"\n    return casadi.solve(mass_matrix(p, q, {v}), forcing(p, q, {v}))"
+        ),
+        Composite::Reactions => format!(
+            "def reactions(p, q, {v}):\n    \"\"\"The reactions, in the order of UNKNOWNS after the accelerations.\"\"\"\n    \
+             return casadi.solve(mass_matrix(p, q, {v}), forcing(p, q, {v}))[{}:]",
+            module.equations().variables.len()
         ),
         Composite::Ode => format!(
             "def ode():\n    \"\"\"The ordinary differential equation of x = (q, {v}) with parameters p, as casadi.integrator takes \

@@ -7,6 +7,8 @@ use tripos_derive::Equations;
 pub enum Composite {
     /// Solution of the linear system in numbers: the accelerations, then the reactions or multipliers.
     Unknowns,
+    /// Reactions in numbers: the unknowns without the accelerations.
+    Reactions,
     /// Projection of a state, or of a guess of a pose, onto the constraints.
     Project,
     /// Derivative of the state (q, v) as a function of time, state and parameters.
@@ -27,6 +29,7 @@ impl Composite {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Unknowns => "unknowns",
+            Self::Reactions => "reactions",
             Self::Project => "project",
             Self::StateDerivative => "state_derivative",
             Self::StateMass => "state_mass",
@@ -40,7 +43,7 @@ impl Composite {
     #[must_use]
     pub const fn needs(self) -> &'static [&'static str] {
         match self {
-            Self::Unknowns => &["mass_matrix", "forcing"],
+            Self::Unknowns | Self::Reactions => &["mass_matrix", "forcing"],
             Self::Project => &["constraints", "constraint_slopes"],
             Self::StateDerivative | Self::Ode => &["derivative"],
             Self::StateMass => &["mass_matrix"],
@@ -50,10 +53,14 @@ impl Composite {
     }
 
     /// True if the function makes sense for these equations. A mass matrix of the state has no place for reactions or
-    /// multipliers.
+    /// multipliers, and only some formulations have reactions.
     #[must_use]
     pub fn suits(self, equations: &Equations) -> bool {
-        let is_of_state = matches!(self, Self::StateMass | Self::StateForcing);
-        !is_of_state || equations.unknowns.len() == equations.variables.len()
+        let has_more = equations.unknowns.len() > equations.variables.len();
+        match self {
+            Self::StateMass | Self::StateForcing => !has_more,
+            Self::Reactions => has_more && equations.formulation.carries_reactions(),
+            Self::Unknowns | Self::Project | Self::StateDerivative | Self::Ode | Self::Dae => true,
+        }
     }
 }

@@ -17,7 +17,7 @@ pub use module::Module;
 pub(crate) use module::word;
 pub use scene_run::SceneRun;
 pub(crate) use target::stem_of;
-pub use target::{Emitted, emit_model};
+pub use target::{Emitted, Selection, emit_model};
 
 use crate::plan::Language;
 

@@ -72,6 +72,9 @@ impl Module<'_> {
                 writer.comment(&format!("{what}: {}.", names.join("; ")));
             }
         }
+        for (what, names) in &self.plan.further {
+            writer.comment(&format!("{what}: {}.", names.join("; ")));
+        }
         writer.comment("");
         writer.comment(usage);
     }

@@ -3,7 +3,7 @@
 use crate::scene_files::scene_files;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::load_bound;
+use tripos_derive::scene::{Scene, load_bound};
 
 /// Run of the first scene of a model.
 #[derive(Clone, Debug)]
@@ -30,12 +30,18 @@ impl SceneRun {
         let place = scene_files(&model.source.path).into_iter().next()?;
         let mut bound = model.clone();
         let scene = load_bound(&Source::read(&place).ok()?, &mut bound).ok()?;
+        Self::of(&scene, &bound)
+    }
+
+    /// Run of a scene with the model that it was read with; `None` as for [`Self::first`].
+    #[must_use]
+    pub fn of(scene: &Scene, bound: &Model) -> Option<Self> {
         let is_plain = bound.bindings.is_empty() && scene.impacts.is_empty();
         is_plain.then(|| Self {
-            name: place.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default(),
-            parameters: scene.parameters,
-            q: scene.q,
-            u: scene.u,
+            name: scene.source.path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default(),
+            parameters: scene.parameters.clone(),
+            q: scene.q.clone(),
+            u: scene.u.clone(),
             span: scene.span,
             rtol: scene.integration.rtol,
         })

@@ -4,14 +4,26 @@ use super::module::word;
 use super::{Composite, Dialect, Module, SceneRun};
 use crate::emit::Emission;
 use crate::origin::Origin;
-use crate::plan::{ModulePlan, Planner, Sharing, Solution, module_name};
+use crate::plan::{Hidden, ModulePlan, Planner, Sharing, Shown, Solution, module_name};
 use crate::target::{self, Target};
 use std::collections::BTreeMap;
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::form::simplify::Simplifier;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
 use tripos_derive::mechanics::{Derivation, DeriveError, Solved, Unsolved, parameter_jacobian};
+use tripos_derive::scene::Scene;
 use tripos_derive::{Equations, Formulation, Model};
+
+/// Choice of the equations and functions that are written.
+#[derive(Clone, Copy, Default)]
+pub struct Selection<'a> {
+    /// Formulations; if empty, all that the model supports, and the printed equations of the publication beside it.
+    pub formulations: &'a [Formulation],
+    /// Names of the functions; all if empty.
+    pub functions: &'a [String],
+    /// Scene with which the model was read. Its outputs and events become functions, and scripts run it.
+    pub scene: Option<&'a Scene>,
+}
 
 /// Files of a model in a dialect, with the names of the functions that they contain.
 pub struct Emitted {
@@ -21,50 +33,52 @@ pub struct Emitted {
     pub main_file: String,
     /// Names of the functions that at least one module contains.
     pub functions: Vec<&'static str>,
+    /// Outputs and events of the scene that no function gives: name, title of the equations, reason.
+    pub hidden: Vec<(String, String, Hidden)>,
 }
 
-/// Emits the modules of a model in a dialect. They contain the given formulations, or, if none are given, all that the
-/// model supports and the printed equations of the publication beside it. They contain the functions of the given
-/// names, or all if no name is given.
+/// Emits the modules of a model in a dialect.
 ///
 /// # Errors
 /// [`Diagnostics`] of the publication, of a given formulation that the model does not support, or of a function that no
 /// module has.
-pub fn emit_model(
-    model: &Model,
-    dialect: &dyn Dialect,
-    formulations: &[Formulation],
-    functions: &[String],
-) -> Result<Emitted, Diagnostics> {
+pub fn emit_model(model: &Model, dialect: &dyn Dialect, selection: Selection<'_>) -> Result<Emitted, Diagnostics> {
     let origin = Origin::emitted(&model.source.path, dialect.command());
+    let run = || selection.scene.map_or_else(|| SceneRun::first(model), |scene| SceneRun::of(scene, model));
     let mut modules = Modules {
         dialect,
         model_word: word(stem_of(&origin)).to_ascii_lowercase(),
-        functions,
-        run: if functions.is_empty() { SceneRun::first(model) } else { None },
+        selection,
+        run: if selection.functions.is_empty() { run() } else { None },
         files: dialect.shared_files(&origin.of_shared_files()).into_iter().collect(),
         written: Vec::new(),
+        hidden: Vec::new(),
         main_file: None,
         origin,
     };
-    let left_out = target::write(model, formulations, &mut modules)?;
-    if let Some(name) = functions.iter().find(|name| !modules.written.contains(&name.as_str())) {
+    let left_out = target::write(model, selection.formulations, &mut modules)?;
+    if let Some(name) = selection.functions.iter().find(|name| !modules.written.contains(&name.as_str())) {
         let message = format!("the equations of this model have no function `{name}`");
-        let help = format!("its functions are {}", available(model, dialect, formulations)?.join(", "));
+        let help = help(name, model, dialect, selection)?;
         return Err(Diagnostics::new(model.source.clone(), vec![Diagnostic::of_file(message, help)]));
     }
     let emission =
         Emission { files: modules.files, left_out, command: dialect.command(), extensions: dialect.extensions() };
-    Ok(Emitted { emission, main_file: modules.main_file.unwrap_or_default(), functions: modules.written })
+    let main_file = modules.main_file.unwrap_or_default();
+    Ok(Emitted { emission, main_file, functions: modules.written, hidden: modules.hidden })
 }
 
-/// Names of the functions that the modules of a model have.
-fn available(
-    model: &Model,
-    dialect: &dyn Dialect,
-    formulations: &[Formulation],
-) -> Result<Vec<&'static str>, Diagnostics> {
-    Ok(emit_model(model, dialect, formulations, &[])?.functions)
+/// Way out for a function that the modules of a model do not have.
+fn help(name: &str, model: &Model, dialect: &dyn Dialect, selection: Selection<'_>) -> Result<String, Diagnostics> {
+    let functions = emit_model(model, dialect, Selection { functions: &[], ..selection })?.functions;
+    let why = match name {
+        "outputs" | "events" if selection.scene.is_none() => {
+            "give a scene file in place of the model: its outputs and events become functions; "
+        }
+        "reactions" => "reactions are unknowns of `--formulation newton-euler`; ",
+        _ => "",
+    };
+    Ok(format!("{why}its functions are {}", functions.join(", ")))
 }
 
 /// Name of a model's folder or file.
@@ -78,13 +92,14 @@ struct Modules<'a> {
     dialect: &'a dyn Dialect,
     origin: Origin,
     model_word: String,
-    /// Names of the functions to be written; all if empty.
-    functions: &'a [String],
+    selection: Selection<'a>,
     files: BTreeMap<String, String>,
     /// Scene that scripts run; `None` if there is none, or if only some functions are written.
     run: Option<SceneRun>,
     /// Names of the functions that were written.
     written: Vec<&'static str>,
+    /// Outputs and events of the scene that were left out.
+    hidden: Vec<(String, String, Hidden)>,
     main_file: Option<String>,
 }
 
@@ -102,31 +117,46 @@ impl Target for Modules<'_> {
         let equations = equations.written(&mut arena);
         let has_parameters = self.wants("parameter_jacobian");
         let solution = solution(model, &mut arena, &equations, has_parameters).map_err(|why| model.diagnose(&why))?;
+        let shown = self.selection.scene.map(|scene| {
+            let solved = solution.as_ref().map(|solution| &solution.by_state.accelerations);
+            Shown::new(model, scene, &mut arena, &equations, solved)
+        });
         let equations = equations
             .with_inverse_dynamics(&mut arena)
             .map_err(|why| model.diagnose(&DeriveError::Unsolved(why.into())))?;
+        let language = self.dialect.language();
+        let planner = Planner::new(model, &arena, &equations, language, Sharing::Shared);
+        let mut plan = ModulePlan::new(&planner, solution.as_ref());
+        if let Some(shown) = &shown {
+            plan.show(&planner, shown);
+            let title = equations.title(model);
+            self.hidden.extend(shown.left_out.iter().map(|(name, why)| (name.clone(), title.clone(), *why)));
+        }
         let origin = self.origin.of_model();
-        let planner = Planner::new(model, &arena, &equations, self.dialect.language(), Sharing::Shared);
-        self.add(&planner, solution.as_ref(), &origin);
+        self.add(&planner, plan, &origin);
         Ok(())
     }
 
     fn printed(&mut self, model: &Model, arena: &Arena, equations: &Equations) {
         let origin = self.origin.of_publication();
         let planner = Planner::new(model, arena, equations, self.dialect.language(), Sharing::AsStated);
-        self.add(&planner, None, &origin);
+        self.add(&planner, ModulePlan::new(&planner, None), &origin);
     }
 }
 
 impl Modules<'_> {
     /// True if a function is to be written.
     fn wants(&self, name: &str) -> bool {
-        self.functions.is_empty() || self.functions.iter().any(|wanted| wanted == name)
+        self.selection.functions.is_empty() || self.names(name)
     }
 
-    fn add(&mut self, planner: &Planner<'_>, solution: Option<&Solution>, origin: &str) {
+    /// True if a function is asked for by its name.
+    fn names(&self, name: &str) -> bool {
+        self.selection.functions.iter().any(|wanted| wanted == name)
+    }
+
+    fn add(&mut self, planner: &Planner<'_>, mut plan: ModulePlan, origin: &str) {
         let name = planner.equations.name(planner.model);
-        let mut plan = ModulePlan::new(planner, solution);
         let can_write = |composite: &Composite| {
             composite.needs().iter().all(|needed| plan.has(needed)) && composite.suits(planner.equations)
         };

@@ -16,6 +16,7 @@ mod names;
 mod parts;
 mod program;
 mod scene;
+mod shown;
 mod taylor;
 
 pub use arguments::{Argument, Entry};
@@ -29,4 +30,6 @@ pub use names::{Allocator, Language, Names, Variables, identifier, module_name, 
 pub use parts::{Part, Parts};
 pub use program::{Line, Output, Program, Statement, program};
 pub use scene::{Costs, SceneEquations, ScenePlan, Taylor, costs};
+pub(crate) use shown::numbered;
+pub use shown::{Hidden, Shown};
 pub use taylor::TaylorPlan;

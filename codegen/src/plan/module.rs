@@ -6,6 +6,7 @@ use super::formulation::{
 };
 use super::function::{Arguments, Function, Planner, Returns, Value};
 use super::motion::{needs_reaction, state_steps};
+use super::shown::Shown;
 use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::{Jacobian, Solved};
 
@@ -31,13 +32,15 @@ pub struct ModulePlan {
     pub conditions: Vec<String>,
     /// Names of the unknowns of the linear system: the accelerations, then the reactions or multipliers.
     pub unknowns: Vec<String>,
+    /// Names of the entries of further results, each list with its title.
+    pub further: Vec<(&'static str, Vec<String>)>,
     /// Statements about the equations for a header, line by line.
     pub facts: Vec<String>,
 }
 
 impl ModulePlan {
     /// Names of all functions that a plan may contain, in the order in which they are read.
-    pub const FUNCTIONS: [&'static str; 22] = [
+    pub const FUNCTIONS: [&'static str; 23] = [
         "mass_matrix",
         "forcing",
         "linear_system",
@@ -59,7 +62,8 @@ impl ModulePlan {
         "constraint_slopes",
         "redundant_constraints",
         "conditions",
-        "unknowns",
+        "outputs",
+        "events",
     ];
 
     /// Plans all functions of these equations, with those of the solution if there is one.
@@ -99,8 +103,19 @@ impl ModulePlan {
             constraints: e.constraints.iter().map(|c| c.name.clone()).collect(),
             conditions,
             unknowns: e.unknowns.iter().map(name).collect(),
+            further: Vec::new(),
             facts: facts(planner, solved),
         }
+    }
+
+    /// Adds the outputs and events of a scene.
+    pub fn show(&mut self, planner: &Planner<'_>, shown: &Shown) {
+        self.functions.extend(shown.functions(planner));
+        self.list(shown.names());
+    }
+
+    fn list<const N: usize>(&mut self, names: [(&'static str, Vec<String>); N]) {
+        self.further.extend(names.into_iter().filter(|(_, names)| !names.is_empty()));
     }
 
     /// True if the plan contains a function of this name.

@@ -8,6 +8,7 @@ use super::function::{Arguments, Function, Planner, Returns, Value};
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::{Equations, Model};
 
 /// Most steps of accelerations for which q̇ and v̇ are also computed together, in one function.
 const MOST_TOGETHER: usize = 400;
@@ -134,12 +135,16 @@ fn conditions_of(planner: &Planner<'_>, watched: &[Watched], which: &[usize]) ->
 
 /// Steps that compute the definitions of the equations and, of u and q̇, those that the equations do not integrate.
 pub(super) fn state_steps(planner: &Planner<'_>) -> Vec<Definition> {
-    let (e, model) = (planner.equations, planner.model);
+    let e = planner.equations;
+    e.definitions.iter().copied().chain(other_variables(planner.model, e)).collect()
+}
+
+/// Steps that compute those of u and q̇ that the equations do not integrate.
+pub(super) fn other_variables(model: &Model, e: &Equations) -> Vec<Definition> {
     let (symbols, values) = if e.formulation.is_in_rates() {
         (model.u(), &e.generalized_speeds)
     } else {
         (model.q_dot(), &e.coordinate_rates)
     };
-    let other = symbols.into_iter().zip(values).map(|(symbol, value)| Definition { symbol, value: *value });
-    e.definitions.iter().copied().chain(other).collect()
+    symbols.into_iter().zip(values).map(|(symbol, value)| Definition { symbol, value: *value }).collect()
 }

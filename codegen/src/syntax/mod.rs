@@ -80,15 +80,13 @@ pub trait Syntax {
         format!("{array}[{at}]")
     }
 
-    /// Statements that declare variables with their values.
-    fn declarations(&self, list: &[(String, String)]) -> Vec<String>;
+    /// Writes statements that declare variables with their values; there is at least one.
+    fn declare(&self, out: &mut String, indent: &str, list: &[(String, String)]);
 
-    /// Statements that declare the sine and the cosine of an angle; `None` for one that is not read.
-    fn circular(&self, sine: Option<&str>, cosine: Option<&str>, angle: &str) -> Vec<String> {
-        let each = [("sin", sine), ("cos", cosine)];
-        let list: Vec<(String, String)> =
-            each.into_iter().filter_map(|(f, name)| Some((name?.to_owned(), self.call(f, angle)))).collect();
-        if list.is_empty() { Vec::new() } else { self.declarations(&list) }
+    /// Statements that declare the sine and the cosine of an angle at once; `None` if the language computes them one
+    /// by one.
+    fn circular(&self, _sine: &str, _cosine: &str, _angle: &str) -> Option<Vec<String>> {
+        None
     }
 
     /// Writes a statement without string literals on as many lines as it needs.

@@ -102,7 +102,7 @@ impl<'s> Writer<'s> {
     /// Declares variables with their values. Where several variables have short values, no line ends inside one.
     fn declare(&mut self, list: &[(String, String)]) {
         if !list.is_empty() {
-            self.syntax.declarations(list).iter().for_each(|text| self.line(text));
+            self.syntax.declare(&mut self.out, self.indent, list);
         }
     }
 
@@ -121,8 +121,7 @@ impl<'s> Writer<'s> {
             match line {
                 Line::Circular { sine, cosine, angle } => {
                     let [sine, cosine] = [sine, cosine].map(|name| Some(name.as_str()).filter(|n| read.contains(n)));
-                    let angle = formula(self.syntax, angle);
-                    self.syntax.circular(sine, cosine, &angle).iter().for_each(|text| self.line(text));
+                    self.circular(sine, cosine, &formula(self.syntax, angle));
                 }
                 Line::Let(step) | Line::Step(step) => self.step(step, planned.explained),
             }
@@ -133,6 +132,18 @@ impl<'s> Writer<'s> {
         for output in &program.outputs {
             self.step(output, planned.explained);
         }
+    }
+
+    /// Declares the sine and the cosine of an angle; `None` for one that is not read.
+    fn circular(&mut self, sine: Option<&str>, cosine: Option<&str>, angle: &str) {
+        let both = sine.zip(cosine).and_then(|(sine, cosine)| self.syntax.circular(sine, cosine, angle));
+        if let Some(lines) = both {
+            lines.iter().for_each(|text| self.line(text));
+            return;
+        }
+        let each = [("sin", sine), ("cos", cosine)].into_iter();
+        let list = each.filter_map(|(f, name)| Some((name?.to_owned(), self.syntax.call(f, angle))));
+        self.declare(&list.collect::<Vec<_>>());
     }
 
     fn step(&mut self, step: &Statement, explained: bool) {

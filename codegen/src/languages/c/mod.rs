@@ -62,19 +62,13 @@ impl Syntax for C {
         true
     }
 
-    fn declarations(&self, list: &[(String, String)]) -> Vec<String> {
-        vec![format!("const tripos_real {};", assigned(list, ", "))]
+    fn declare(&self, out: &mut String, indent: &str, list: &[(String, String)]) {
+        self.statement(out, indent, &format!("const tripos_real {};", assigned(list, ", ")));
     }
 
-    fn circular(&self, sine: Option<&str>, cosine: Option<&str>, angle: &str) -> Vec<String> {
-        match (sine, cosine) {
-            (Some(sine), Some(cosine)) => {
-                vec![format!("tripos_real {sine}, {cosine};"), format!("tripos_sincos({angle}, &{sine}, &{cosine});")]
-            }
-            (Some(name), None) => self.declarations(&[(name.to_owned(), self.call("sin", angle))]),
-            (None, Some(name)) => self.declarations(&[(name.to_owned(), self.call("cos", angle))]),
-            (None, None) => Vec::new(),
-        }
+    fn circular(&self, sine: &str, cosine: &str, angle: &str) -> Option<Vec<String>> {
+        let call = format!("tripos_sincos({angle}, &{sine}, &{cosine});");
+        Some(vec![format!("tripos_real {sine}, {cosine};"), call])
     }
 }
 
@@ -108,7 +102,7 @@ impl Dialect for C {
     }
 
     fn composites(&self) -> &'static [Composite] {
-        &[Composite::Unknowns, Composite::Project]
+        &[Composite::Unknowns, Composite::Reactions, Composite::Project]
     }
 }
 
@@ -139,6 +133,10 @@ fn header(module: &Module<'_>) -> String {
         ("CONSTRAINTS", module.plan.constraints.len()),
         ("CONDITIONS", module.plan.conditions.len()),
     ];
+    let further = module.plan.further.iter();
+    let further = further.map(|(title, names)| (title.to_ascii_uppercase().replace(' ', "_"), names.len()));
+    let lengths: Vec<(String, usize)> =
+        lengths.iter().map(|(name, length)| ((*name).to_owned(), *length)).chain(further).collect();
     writer.raw("enum {");
     for (at, (name, length)) in lengths.iter().enumerate() {
         let comma = if at + 1 < lengths.len() { "," } else { "" };
@@ -279,17 +277,24 @@ fn function(writer: &mut Writer<'_>, module: &Module<'_>, planned: &Function) {
 /// Description and signature of a function that calls planned ones.
 fn composite_signature(module: &Module<'_>, composite: Composite) -> (&'static str, String) {
     let (stem, v) = (stem(module), module.variables_argument());
+    let solving = format!(
+        "int {stem}_{}({}, {}, {}, {})",
+        composite.name(),
+        firm("const tripos_real *p"),
+        firm("const tripos_real *q"),
+        firm(&format!("const tripos_real *{v}")),
+        firm("tripos_real *TRIPOS_RESTRICT out")
+    );
     match composite {
         Composite::Unknowns => (
             "Solves the linear system for its unknowns: the accelerations, then the reactions or multipliers. Returns 0, \
              or 1 where the matrix is singular.",
-            format!(
-                "int {stem}_unknowns({}, {}, {}, {})",
-                firm("const tripos_real *p"),
-                firm("const tripos_real *q"),
-                firm(&format!("const tripos_real *{v}")),
-                firm("tripos_real *TRIPOS_RESTRICT out")
-            ),
+            solving,
+        ),
+        Composite::Reactions => (
+            "Solves the linear system for its reactions alone, in their order among the unknowns. Returns 0, or 1 where \
+             the matrix is singular.",
+            solving,
         ),
         _ => (
             "Moves a state, or a guess of a pose, onto the constraints, by the smallest corrections. Returns 0 if the \
@@ -302,15 +307,22 @@ fn composite_signature(module: &Module<'_>, composite: Composite) -> (&'static s
 fn composite_body(writer: &mut Writer<'_>, module: &Module<'_>, composite: Composite) {
     let (stem, v, e) = (stem(module), module.variables_argument(), module.equations());
     let mut text = String::new();
+    let n = e.unknowns.len();
+    let system = format!("{stem}_mass_matrix(p, q, {v}, matrix);\n{stem}_forcing(p, q, {v}, right);\n");
     if composite == Composite::Unknowns {
-        let n = e.unknowns.len();
         let _ = write!(
             text,
-            "tripos_real matrix[{}], right[{n}];\n\
-             {stem}_mass_matrix(p, q, {v}, matrix);\n\
-             {stem}_forcing(p, q, {v}, right);\n\
-             return tripos_solve({n}, matrix, right, out);",
+            "tripos_real matrix[{}], right[{n}];\n{system}return tripos_solve({n}, matrix, right, out);",
             n * n
+        );
+    } else if composite == Composite::Reactions {
+        let _ = write!(
+            text,
+            "tripos_real matrix[{}], right[{n}], x[{n}];\nint k, failed;\n{system}\
+             failed = tripos_solve({n}, matrix, right, x);\n\
+             for (k = {}; k < {n}; k++) {{\n  out[k - {1}] = x[k];\n}}\nreturn failed;",
+            n * n,
+            e.variables.len()
         );
     } else {
         let (m, nq, nv) = (module.plan.constraints.len(), e.coordinates.len(), e.variables.len());

@@ -52,7 +52,7 @@ impl Syntax for Matlab {
         format!("{array}({}, :)", at + 1)
     }
 
-    fn declarations(&self, list: &[(String, String)]) -> Vec<String> {
+    fn declare(&self, out: &mut String, indent: &str, list: &[(String, String)]) {
         // Short ones share lines.
         let mut lines: Vec<String> = Vec::new();
         for (name, value) in list {
@@ -62,7 +62,7 @@ impl Syntax for Matlab {
                 _ => lines.push(text),
             }
         }
-        lines
+        lines.iter().for_each(|text| self.statement(out, indent, text));
     }
 
     fn statement(&self, out: &mut String, indent: &str, text: &str) {
@@ -111,8 +111,8 @@ impl Dialect for Matlab {
     }
 
     fn composites(&self) -> &'static [Composite] {
-        use Composite::{Project, StateDerivative, StateForcing, StateMass, Unknowns};
-        &[Unknowns, StateDerivative, StateMass, StateForcing, Project]
+        use Composite::{Project, Reactions, StateDerivative, StateForcing, StateMass, Unknowns};
+        &[Unknowns, Reactions, StateDerivative, StateMass, StateForcing, Project]
     }
 }
 
@@ -236,6 +236,15 @@ fn composed(module: &Module<'_>, stem: &str, composite: Composite) -> String {
             format!(
                 "matrix = {stem}_mass_matrix(p, q, {v});\nright = {stem}_forcing(p, q, {v});\nout = zeros(size(right));\n\
                  for k = 1:size(right, 2)\n  out(:, k) = matrix(:, :, k) \\ right(:, k);\nend\n"
+            ),
+        ),
+        Composite::Reactions => (
+            format!("out = {stem}_reactions(p, q, {v})"),
+            "Reactions, in the order of the unknowns after the accelerations.",
+            format!(
+                "matrix = {stem}_mass_matrix(p, q, {v});\nright = {stem}_forcing(p, q, {v});\nout = zeros(size(right));\n\
+                 for k = 1:size(right, 2)\n  out(:, k) = matrix(:, :, k) \\ right(:, k);\nend\nout = out({}:end, :);\n",
+                e.variables.len() + 1
             ),
         ),
         Composite::StateDerivative => (

@@ -8,7 +8,7 @@ use super::module::table;
 use super::{Composite, Dialect, Module, SceneRun};
 use crate::plan::{Entry, Function, Language, Returns};
 use crate::syntax::{Comments, Syntax, Writer};
-use text::{array_of_entries, docstring, float, names_and_values, python_lines};
+use text::{array_of_entries, assign, docstring, float, names_and_values, value};
 
 /// Text of the module of helpers.
 const SHARED: &str = include_str!("tripos_arrays.py");
@@ -54,12 +54,8 @@ impl Syntax for Python {
         format!("{operand}**{exponent}")
     }
 
-    fn declarations(&self, list: &[(String, String)]) -> Vec<String> {
-        text::assignments(list)
-    }
-
-    fn statement(&self, out: &mut String, indent: &str, text: &str) {
-        python_lines(out, indent, text);
+    fn declare(&self, out: &mut String, indent: &str, list: &[(String, String)]) {
+        text::declare(out, indent, list);
     }
 }
 
@@ -96,7 +92,7 @@ impl Dialect for Python {
     }
 
     fn composites(&self) -> &'static [Composite] {
-        &[Composite::Unknowns, Composite::StateDerivative, Composite::Project]
+        &[Composite::Unknowns, Composite::Reactions, Composite::StateDerivative, Composite::Project]
     }
 }
 
@@ -124,7 +120,8 @@ fn function(writer: &mut Writer<'_>, planned: &Function) {
     writer.indent("    ");
     writer.raw(&docstring(&format!("{}\n\n{}.", planned.about, planned.cost)));
     let arrays = arguments.join(", ");
-    writer.line(&format!("{arrays}, shape = _arrays.arguments(xp, {arrays})"));
+    let names: Vec<&str> = arguments.iter().copied().chain(["shape"]).collect();
+    assign(&mut writer.out, "    ", &names, &format!("_arrays.arguments(xp, {arrays})"));
     writer.unpack(&planned.arguments);
     writer.program(planned, &planned.program, &[]);
     let text = |entry: &Entry| match entry {
@@ -137,12 +134,13 @@ fn function(writer: &mut Writer<'_>, planned: &Function) {
     };
     match (planned.returns, table(planned)) {
         (Returns::Number, _) => {
-            writer.line(&format!("return xp.broadcast_to(xp.asarray({}), shape)", entries.concat()));
+            let number = format!("xp.broadcast_to(xp.asarray({}), shape)", entries.concat());
+            value(&mut writer.out, "    ", "return ", &number);
         }
         (Returns::Pair(first), _) => {
             array(writer, "first = ", &entries[..first], &format!("({first},)"));
             array(writer, "second = ", &entries[first..], &format!("({},)", entries.len() - first));
-            writer.line("return first, second");
+            writer.raw("return first, second");
         }
         (_, Some([rows, columns])) => array(writer, "return ", &entries, &format!("({rows}, {columns})")),
         (_, None) => array(writer, "return ", &entries, &format!("({},)", entries.len())),
@@ -159,6 +157,11 @@ fn composed(writer: &mut Writer<'_>, module: &Module<'_>, composite: Composite) 
         Composite::Unknowns => format!(
             "def unknowns(p, q, {v}, xp=numpy):\n    \"\"\"The accelerations, then the reactions or multipliers: the solution of \
              the linear system.\"\"\"\n    return _arrays.solve(xp, mass_matrix(p, q, {v}, xp), forcing(p, q, {v}, xp))"
+        ),
+        Composite::Reactions => format!(
+            "def reactions(p, q, {v}, xp=numpy):\n    \"\"\"The reactions, in the order of UNKNOWNS after the \
+             accelerations.\"\"\"\n    return _arrays.solve(xp, mass_matrix(p, q, {v}, xp), forcing(p, q, {v}, xp))[{}:]",
+            e.variables.len()
         ),
         Composite::StateDerivative => format!(
             "def state_derivative(t, state, p=DEFAULTS, xp=numpy):\n    \"\"\"The derivative of the state (q, {v}), as \

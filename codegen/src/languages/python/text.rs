@@ -49,33 +49,36 @@ pub fn float(digits: &str) -> String {
     if value.is_finite() { format!("{value:?}") } else { "1e999".to_owned() }
 }
 
-/// Assignments of several variables at once.
-pub fn assignments(list: &[(String, String)]) -> Vec<String> {
+/// Writes the assignment of values to several variables at once.
+pub fn declare(out: &mut String, indent: &str, list: &[(String, String)]) {
     let names: Vec<&str> = list.iter().map(|(name, _)| name.as_str()).collect();
     let values: Vec<&str> = list.iter().map(|(_, value)| value.as_str()).collect();
-    vec![format!("{} = {}", names.join(", "), values.join(", "))]
+    assign(out, indent, &names, &values.join(", "));
 }
 
-/// Writes a statement; one that needs several lines gets parentheses around its value, or around its names.
-pub fn python_lines(out: &mut String, indent: &str, text: &str) {
-    if indent.len() + text.len() <= WIDTH {
-        let _ = writeln!(out, "{indent}{text}");
+/// Writes the assignment of an expression to variables; many names get lines of their own.
+pub fn assign(out: &mut String, indent: &str, names: &[&str], expression: &str) {
+    let list = names.join(", ");
+    let is_long = indent.len() + list.len() + 3 + expression.len() > WIDTH;
+    if is_long && names.len() > 1 && list.len() + 3 > WIDTH / 2 {
+        let _ = writeln!(out, "{indent}(");
+        block(out, indent, &list);
+        let _ = writeln!(out, "{indent}) = (");
+        block(out, indent, expression);
+        let _ = writeln!(out, "{indent})");
+    } else {
+        value(out, indent, &format!("{list} = "), expression);
+    }
+}
+
+/// Writes an expression after the beginning of its statement, in parentheses if it needs several lines.
+pub fn value(out: &mut String, indent: &str, beginning: &str, expression: &str) {
+    if indent.len() + beginning.len() + expression.len() <= WIDTH {
+        let _ = writeln!(out, "{indent}{beginning}{expression}");
         return;
     }
-    let parts = text.split_once(" = ").map(|(left, right)| (format!("{left} = "), right));
-    let (left, right) =
-        parts.or_else(|| Some(("return ".to_owned(), text.strip_prefix("return ")?))).unwrap_or((String::new(), text));
-    let list = left.contains(", ") && left.len() > WIDTH / 2;
-    let opening = match left.strip_suffix(" = ") {
-        Some(names) if list => {
-            let _ = writeln!(out, "{indent}(");
-            block(out, indent, names);
-            ") = (".to_owned()
-        }
-        _ => format!("{left}("),
-    };
-    let _ = writeln!(out, "{indent}{opening}");
-    block(out, indent, right);
+    let _ = writeln!(out, "{indent}{beginning}(");
+    block(out, indent, expression);
     let _ = writeln!(out, "{indent})");
 }
 
@@ -130,5 +133,9 @@ pub fn names_and_values(writer: &mut Writer<'_>, module: &Module<'_>, missing: &
     ];
     for (name, names) in named {
         list(writer, name, &strings(&mut names.iter().map(String::as_str)));
+    }
+    for (title, names) in &module.plan.further {
+        let name = title.to_ascii_uppercase().replace(' ', "_");
+        list(writer, &name, &strings(&mut names.iter().map(String::as_str)));
     }
 }

@@ -1,0 +1,116 @@
+//! Functions for the outputs and events of a scene, in the state alone.
+
+use super::function::{Arguments, Function, Planner, Returns, Value};
+use super::motion::other_variables;
+use rustc_hash::FxHashSet;
+use tripos_derive::algebra::solve::elimination::Elimination;
+use tripos_derive::algebra::term::steps::{Definition, needed};
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::scene::{ENERGIES, Scene, SceneEvent, SceneOutput};
+use tripos_derive::{Equations, Model};
+
+/// Reason why no function gives an output or an event of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hidden {
+    /// The formula contains a reaction, which no closed form gives.
+    Reaction,
+    /// The formula contains an acceleration, and the accelerations were not solved for in closed form.
+    Acceleration,
+}
+
+/// Outputs and events of a scene, with the steps that lead to them from the state.
+#[derive(Clone, Debug)]
+pub struct Shown {
+    /// Steps that compute the accelerations, the other of u and q̇, and the energies, in the order of computation.
+    pub steps: Vec<Definition>,
+    /// Outputs that the state determines.
+    pub outputs: Vec<SceneOutput>,
+    /// Events that the state determines.
+    pub events: Vec<SceneEvent>,
+    /// Names of the outputs and events that are left out, with the reasons.
+    pub left_out: Vec<(String, Hidden)>,
+}
+
+impl Shown {
+    /// Outputs and events of a scene that the equations give. `solved` are their accelerations, if they have a closed
+    /// form.
+    #[must_use]
+    pub fn new(
+        model: &Model,
+        scene: &Scene,
+        arena: &mut Arena,
+        equations: &Equations,
+        solved: Option<&Elimination>,
+    ) -> Self {
+        let steps = steps(model, arena, equations, solved);
+        let rates: Vec<Expr> = equations.unknowns.iter().take(equations.variables.len()).copied().collect();
+        let hidden = |value: Expr| {
+            // The steps may lead to an acceleration that the formula itself does not contain.
+            let read = needed(arena, &steps, &[value]);
+            let terms: Vec<Expr> = read.iter().map(|step| step.value).chain([value]).collect();
+            let mentions = |symbol: Expr| terms.iter().any(|term| arena.mentions(*term, symbol));
+            if model.reactions.iter().any(|reaction| mentions(reaction.symbol)) {
+                Some(Hidden::Reaction)
+            } else if solved.is_none() && rates.iter().any(|rate| mentions(*rate)) {
+                Some(Hidden::Acceleration)
+            } else {
+                None
+            }
+        };
+        let mut left_out = Vec::new();
+        let mut kept = |name: &str, value: Expr| {
+            let why = hidden(value);
+            left_out.extend(why.map(|why| (name.to_owned(), why)));
+            why.is_none()
+        };
+        let outputs = scene.outputs.iter().filter(|output| kept(&output.name, output.value)).cloned().collect();
+        let events = scene.events.iter().filter(|event| kept(&event.name, event.function)).cloned().collect();
+        Self { steps, outputs, events, left_out }
+    }
+
+    /// Functions `outputs` and `events`, each if it has an entry.
+    #[must_use]
+    pub fn functions(&self, planner: &Planner<'_>) -> Vec<Function> {
+        let outputs = numbered("output", self.outputs.iter().map(|o| (o.name.clone(), o.value)));
+        let events = numbered("event", self.events.iter().map(|e| (e.name.clone(), e.function)));
+        let own = |name: &'static str, about: &str, values: &[Value]| {
+            let plan = || planner.stepwise(name, about, Arguments::State, Returns::Vector, &self.steps, values);
+            (!values.is_empty()).then(plan)
+        };
+        let about_events = "Functions of the scene that are zero at its events.";
+        let list = [own("outputs", "Outputs of the scene.", &outputs), own("events", about_events, &events)];
+        list.into_iter().flatten().collect()
+    }
+
+    /// Names of the entries of the functions, under the title of each list.
+    #[must_use]
+    pub fn names(&self) -> [(&'static str, Vec<String>); 2] {
+        let outputs = self.outputs.iter().map(|output| output.name.clone()).collect();
+        [("Outputs", outputs), ("Events", self.events.iter().map(|event| event.name.clone()).collect())]
+    }
+}
+
+/// Steps that compute v̇, the other of u and q̇ with the rates of u, and the energies.
+fn steps(model: &Model, arena: &mut Arena, equations: &Equations, solved: Option<&Elimination>) -> Vec<Definition> {
+    let mut steps = solved.map_or_else(Vec::new, |solved| solved.steps.clone());
+    let known: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
+    steps.extend(equations.definitions.iter().filter(|step| !known.contains(&step.symbol)));
+    steps.extend(other_variables(model, equations));
+    if equations.formulation.is_in_rates() {
+        let rates = model.speeds.iter().map(|speed| speed.rate).zip(&equations.generalized_speed_rates);
+        steps.extend(rates.map(|(symbol, value)| Definition { symbol, value: *value }));
+    }
+    let total = arena.add(equations.kinetic_energy, equations.potential_energy);
+    let energies = [equations.kinetic_energy, equations.potential_energy, total];
+    for (name, value) in ENERGIES.iter().zip(energies) {
+        // A quantity of the model with the name of an energy is meant itself.
+        let symbol = arena.find_symbol(name).filter(|symbol| !model.p().contains(symbol));
+        steps.extend(symbol.map(|symbol| Definition { symbol, value }));
+    }
+    steps
+}
+
+/// Values with numbered variables, from names for people and terms.
+pub fn numbered(stem: &str, list: impl Iterator<Item = (String, Expr)>) -> Vec<Value> {
+    list.enumerate().map(|(at, (name, value))| (format!("{stem}{}", at + 1), name, value)).collect()
+}
