@@ -96,7 +96,7 @@ fn the_viewer_is_given_the_forces() {
     let told: f64 = words.split_once(" N").unwrap().0.parse().unwrap();
     assert!((told - most).abs() < 1e-3 * most, "{told} {most}");
     assert_eq!(sums(&arrows["list"][0]["values"], 3, step).len(), 1, "a weight never changes");
-    for words in [">weights</li>", ">forces of the file</li>"] {
+    for words in [">weights</li>", ">applied forces</li>"] {
         assert!(page.contains(words), "{words}");
     }
     assert!(!page.contains(">forces of constraints</li>"));
