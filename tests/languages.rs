@@ -1,6 +1,8 @@
 //! Equations in C, Python, MATLAB and CasADi compute what the Rust code from the same model computes.
 
 mod composed;
+mod identified;
+mod mechanisms;
 mod truth;
 
 use crate::left_out::is_left_out;
@@ -16,7 +18,7 @@ use tripos_codegen::languages::casadi::CasADi;
 use tripos_codegen::languages::matlab::Matlab;
 use tripos_codegen::languages::python::Python;
 use tripos_codegen::languages::{Dialect, Selection, emit_model};
-use tripos_codegen::plan::{ModulePlan, module_name};
+use tripos_codegen::plan::{ModulePlan, Regression, module_name};
 use tripos_derive::scene::{Scene, load_bound};
 use tripos_derive::{Formulation, Model};
 use tripos_models::MODELS;
@@ -519,7 +521,8 @@ fn hostile_models_stay_names_and_comments() {
         let Ok(model) = tripos_derive::model::load(&source) else { continue };
         read += 1;
         let (scene, model) = hostile_scene(&mut Random(seed), &model);
-        let named = ["accelerations", "outputs", "reactions"].map(str::to_owned);
+        let named = [&Regression::FUNCTIONS[..], &["accelerations", "outputs", "reactions"]].concat();
+        let named: Vec<String> = named.into_iter().map(str::to_owned).collect();
         let functions: &[String] = if seed % 3 == 0 { &named } else { &[] };
         let selection =
             Selection { formulations: &[Formulation::Kane, Formulation::NewtonEuler], functions, scene: Some(&scene) };

@@ -34,6 +34,8 @@ mod packages;
 mod passages;
 mod peers;
 mod prose;
+#[path = "../derive/tests/common/mechanisms.rs"]
+mod random_mechanisms;
 mod reductions;
 mod reference_cases;
 mod rolling_wheel;
@@ -43,6 +45,7 @@ mod stability_of_methods;
 mod stiff_advice;
 mod support;
 use support as spoilt;
+use support as random;
 #[path = "support/sympy.rs"]
 mod sympy;
 mod sympy_reference;

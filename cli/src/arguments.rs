@@ -251,7 +251,8 @@ pub enum Command {
         /// it runs; taylor, recurrences for Taylor's method
         #[arg(long, value_name = "FUNCTIONS", value_delimiter = ',')]
         with: Vec<String>,
-        /// Functions to be written in C, Python, MATLAB or for CasADi, such as mass_matrix,forcing; all if not given
+        /// Functions to be written in C, Python, MATLAB or for CasADi, such as mass_matrix,forcing; all if not
+        /// given, but a regressor only if named
         #[arg(long, value_name = "FUNCTIONS", value_delimiter = ',')]
         functions: Vec<String>,
         /// Print JSON

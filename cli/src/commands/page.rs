@@ -154,9 +154,9 @@ fn varied(scenes: Vec<Scene>, model: &mut Mechanism, set: &[String]) -> Result<V
     for scene in scenes {
         let (scene, values) = with_values(scene, model, set)?;
         if list.is_empty() {
-            values
-                .iter()
-                .for_each(|(name, value)| say(&format!("note: {name} = {value}, not the value of the scenes")));
+            for (name, value) in values {
+                say(&format!("note: {name} = {value}, not the value of the scenes"));
+            }
         }
         list.push(scene);
     }

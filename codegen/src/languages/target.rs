@@ -4,7 +4,7 @@ use super::module::word;
 use super::{Composite, Dialect, Module, SceneRun};
 use crate::emit::Emission;
 use crate::origin::Origin;
-use crate::plan::{Hidden, ModulePlan, Planner, Sharing, Shown, Solution, module_name};
+use crate::plan::{Hidden, ModulePlan, Planner, Regression, Sharing, Shown, Solution, module_name};
 use crate::target::{self, Target};
 use std::collections::BTreeMap;
 use tripos_derive::algebra::Arena;
@@ -76,6 +76,10 @@ fn help(name: &str, model: &Model, dialect: &dyn Dialect, selection: Selection<'
             "give a scene file in place of the model: its outputs and events become functions; "
         }
         "reactions" => "reactions are unknowns of `--formulation newton-euler`; ",
+        "base_regressor" | "base_parameters" if functions.contains(&"inverse_dynamics") => {
+            "the base parameters of this model have no formulas; `regressor` has a column for each inertial parameter; "
+        }
+        name if Regression::FUNCTIONS.contains(&name) => "regressors belong to `--formulation kane`; ",
         _ => "",
     };
     Ok(format!("{why}its functions are {}", functions.join(", ")))
@@ -124,9 +128,18 @@ impl Target for Modules<'_> {
         let equations = equations
             .with_inverse_dynamics(&mut arena)
             .map_err(|why| model.diagnose(&DeriveError::Unsolved(why.into())))?;
+        let wants_regressor = Regression::FUNCTIONS.iter().any(|name| self.names(name));
+        let regression = if wants_regressor && equations.formulation == Formulation::Kane {
+            Some(Regression::new(model, &equations).map_err(|why| model.diagnose(&why))?)
+        } else {
+            None
+        };
         let language = self.dialect.language();
         let planner = Planner::new(model, &arena, &equations, language, Sharing::Shared);
         let mut plan = ModulePlan::new(&planner, solution.as_ref());
+        if let Some(regression) = &regression {
+            plan.regress(&planner, regression, language);
+        }
         if let Some(shown) = &shown {
             plan.show(&planner, shown);
             let title = equations.title(model);

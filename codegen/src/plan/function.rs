@@ -55,6 +55,8 @@ pub enum Arguments {
     StateAndUnknowns,
     /// Arguments (p, q): parameters and coordinates, without motion variables.
     Configuration,
+    /// Argument p alone: the parameters.
+    Parameters,
     /// Arguments (p, q, v, r): the state with the reactions in the order of the model.
     Balanced,
     /// Arguments (p, t, q, v): the state with the time, for outputs.
@@ -251,9 +253,11 @@ impl<'a> Planner<'a> {
         if let Arguments::Shown { time } = arguments {
             list.push(Argument::Number(self.variables.of.get(&time).filter(|_| inputs.contains(&time)).cloned()));
         }
-        list.push(array("q", &e.coordinates));
+        if arguments != Arguments::Parameters {
+            list.push(array("q", &e.coordinates));
+        }
         match arguments {
-            Arguments::Configuration => {}
+            Arguments::Configuration | Arguments::Parameters => {}
             Arguments::Speeds => list.push(array("u", &self.model.u())),
             Arguments::State
             | Arguments::StateAndRates

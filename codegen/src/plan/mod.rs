@@ -15,6 +15,7 @@ mod motion;
 mod names;
 mod parts;
 mod program;
+mod regressor;
 mod scene;
 mod shown;
 mod taylor;
@@ -29,7 +30,9 @@ pub use motion::{MotionPlan, Watched};
 pub use names::{Allocator, Language, Names, Variables, identifier, module_name, spelled, type_name};
 pub use parts::{Part, Parts};
 pub use program::{Line, Output, Program, Statement, program};
+pub use regressor::Regression;
 pub use scene::{Costs, SceneEquations, ScenePlan, Taylor, costs};
+#[cfg(feature = "languages")]
 pub(crate) use shown::numbered;
 pub use shown::{Hidden, Shown};
 pub use taylor::TaylorPlan;

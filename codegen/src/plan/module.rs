@@ -6,6 +6,8 @@ use super::formulation::{
 };
 use super::function::{Arguments, Function, Planner, Returns, Value};
 use super::motion::{needs_reaction, state_steps};
+use super::names::Language;
+use super::regressor::Regression;
 use super::shown::Shown;
 use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::{Jacobian, Solved};
@@ -40,7 +42,7 @@ pub struct ModulePlan {
 
 impl ModulePlan {
     /// Names of all functions that a plan may contain, in the order in which they are read.
-    pub const FUNCTIONS: [&'static str; 23] = [
+    pub const FUNCTIONS: [&'static str; 28] = [
         "mass_matrix",
         "forcing",
         "linear_system",
@@ -64,6 +66,11 @@ impl ModulePlan {
         "conditions",
         "outputs",
         "events",
+        "regressor",
+        "regressor_rest",
+        "inertial_parameters",
+        "base_regressor",
+        "base_parameters",
     ];
 
     /// Plans all functions of these equations, with those of the solution if there is one.
@@ -112,6 +119,12 @@ impl ModulePlan {
     pub fn show(&mut self, planner: &Planner<'_>, shown: &Shown) {
         self.functions.extend(shown.functions(planner));
         self.list(shown.names());
+    }
+
+    /// Adds the regressor of the model.
+    pub fn regress(&mut self, planner: &Planner<'_>, regression: &Regression, language: &Language) {
+        self.functions.extend(regression.functions(planner.model, language));
+        self.list(regression.names());
     }
 
     fn list<const N: usize>(&mut self, names: [(&'static str, Vec<String>); N]) {

@@ -138,7 +138,9 @@ impl<'s> Writer<'s> {
     fn circular(&mut self, sine: Option<&str>, cosine: Option<&str>, angle: &str) {
         let both = sine.zip(cosine).and_then(|(sine, cosine)| self.syntax.circular(sine, cosine, angle));
         if let Some(lines) = both {
-            lines.iter().for_each(|text| self.line(text));
+            for text in &lines {
+                self.line(text);
+            }
             return;
         }
         let each = [("sin", sine), ("cos", cosine)].into_iter();

@@ -14,7 +14,7 @@ use super::input::Binding;
 use super::reading::names::{Kind, Names};
 use super::reading::reader::Loading;
 use super::reading::repetition::written_out;
-use super::{Compared, Condition, Coordinate, JointReaction, Model, NamedVelocity, Repeated, Rolled};
+use super::{Compared, Condition, Coordinate, JointReaction, Model, NamedVelocity, Parameter, Repeated, Rolled};
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
@@ -199,11 +199,9 @@ impl<'a> Loading<'a> {
         self.report_undefined(undefined);
         motion_errors += self.reader.errors.len() - before_constraints;
         let mut domain = self.domain(table);
-        let inputs_at = parameters.iter().position(|parameter| parameter.is_input).unwrap_or(parameters.len());
-        parameters.splice(inputs_at..inputs_at, std::mem::take(&mut self.stated_numbers));
+        self.put_stated_numbers(&mut parameters);
         signals.put_in(&mut self.arena, &mut elements, &mut domain);
-        let stated_speeds = texts.len();
-        let speeds = self.speeds(texts, &values, &replacements);
+        let (stated_speeds, speeds) = (texts.len(), self.speeds(texts, &values, &replacements));
         let openings = openings(&mut self.arena, &opened, &elements, &[&kept, &motion], &replacements);
         let mut fixed = Substitution::new(&replacements);
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
@@ -232,15 +230,11 @@ impl<'a> Loading<'a> {
         let mut fixed = Substitution::new(&replacements.into_iter().chain(of_left_out).collect::<Vec<_>>());
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
         // With an error in any declaration, the number and the rank of the speeds mean nothing.
-        let kinematic_equations = match &ties {
-            Some(ties) if motion_errors == 0 && speeds.len() == stated_speeds && has_speeds => {
-                self.kinematic_equations(table, &coordinates, &speeds, &ties.motion)
-            }
-            _ => None,
-        };
+        let tied = ties.as_ref().filter(|_| motion_errors == 0 && speeds.len() == stated_speeds && has_speeds);
+        let kinematic_equations =
+            tied.and_then(|ties| self.kinematic_equations(table, &coordinates, &speeds, &ties.motion));
         self.put_into_conditions(&mut fixed, &mut domain, &mut signals);
-        let put = |(name, e)| (name, fixed.apply(&mut self.arena, e));
-        let expressions = self.names.expressions().into_iter().map(put).collect();
+        let expressions = self.expressions_with(&mut fixed);
         let Ties { motion, loops, repeated, closed, dependent, branch, .. } =
             ties.filter(|_| self.reader.errors.is_empty())?;
         let mut model = Model {
@@ -287,6 +281,18 @@ impl<'a> Loading<'a> {
         };
         self.complete(&mut model, holding, &prescribing, &mut fixed);
         Some(model)
+    }
+
+    /// Expressions of the file by name, with replacements.
+    fn expressions_with(&mut self, fixed: &mut Substitution) -> Vec<(String, Expr)> {
+        let put = |(name, e)| (name, fixed.apply(&mut self.arena, e));
+        self.names.expressions().into_iter().map(put).collect()
+    }
+
+    /// Puts the parameters that stand for numbers with units before the inputs.
+    fn put_stated_numbers(&mut self, parameters: &mut Vec<Parameter>) {
+        let inputs_at = parameters.iter().position(|parameter| parameter.is_input).unwrap_or(parameters.len());
+        parameters.splice(inputs_at..inputs_at, std::mem::take(&mut self.stated_numbers));
     }
 
     /// Reads the coordinates, with those of joints and with time, and the texts of the speeds.

@@ -16,6 +16,9 @@ const LONGEST: usize = 63;
 /// Bytes of the longest name of a function, with the underscore before it.
 const LONGEST_FUNCTION: usize = 24;
 
+/// Largest residual of a constraint that counts as rounding, over the sizes of its terms.
+const CLOSED: &str = "1e-12";
+
 /// The language of MATLAB and Octave.
 pub struct Matlab;
 
@@ -62,7 +65,9 @@ impl Syntax for Matlab {
                 _ => lines.push(text),
             }
         }
-        lines.iter().for_each(|text| self.statement(out, indent, text));
+        for text in lines {
+            self.statement(out, indent, &text);
+        }
     }
 
     fn statement(&self, out: &mut String, indent: &str, text: &str) {
@@ -264,12 +269,15 @@ fn composed(module: &Module<'_>, stem: &str, composite: Composite) -> String {
         ),
         _ => (
             format!("[q, {v}] = {stem}_project(p, q, {v})"),
-            "State, or guess of a pose, moved onto the constraints by the smallest corrections; check `constraints`.",
+            "State, or guess of a pose, moved onto the constraints by the smallest corrections; NaN where they stay open.",
             format!(
                 "for k = 1:size(q, 2)\n  for correction = 1:30\n    \
                  step = pinv({stem}_constraint_slopes(p, q(:, k), {v}(:, k)), 1e-8) * {stem}_constraints(p, q(:, k), {v}(:, k));\n    \
                  q(:, k) = q(:, k) - step(1:{n});\n    {v}(:, k) = {v}(:, k) - step({}:end);\n    \
-                 if norm(step) <= 1e-15 * (1 + norm([q(:, k); {v}(:, k)]))\n      break\n    end\n  end\nend\n",
+                 if norm(step) <= 1e-15 * (1 + norm([q(:, k); {v}(:, k)]))\n      break\n    end\n  end\n  \
+                 sizes = abs({stem}_constraint_slopes(p, q(:, k), {v}(:, k))) * (1 + abs([q(:, k); {v}(:, k)]));\n  \
+                 if ~all(abs({stem}_constraints(p, q(:, k), {v}(:, k))) <= {CLOSED} * sizes)\n    \
+                 q(:, k) = NaN;\n    {v}(:, k) = NaN;\n  end\nend\n",
                 n + 1
             ),
         ),

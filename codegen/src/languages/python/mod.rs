@@ -170,7 +170,7 @@ fn composed(writer: &mut Writer<'_>, module: &Module<'_>, composite: Composite) 
         ),
         _ => format!(
             "def project(p, q, {v}, xp=numpy, corrections=30):\n    \"\"\"The state, or guess of a pose, moved onto the constraints \
-             by the smallest corrections; check `constraints`.\"\"\"\n    return _arrays.project(xp, constraints, \
+             by the smallest\n    corrections; nan where they do not hold afterwards.\"\"\"\n    return _arrays.project(xp, constraints, \
              constraint_slopes, p, q, {v}, corrections)"
         ),
     };

@@ -28,7 +28,7 @@ def solve(xp, matrix, right):
 
 
 def project(xp, constraints, slopes, p, q, v, corrections):
-    """The states moved onto their constraints, by Newton's method with the smallest correction."""
+    """The states moved onto their constraints, by Newton's method with the smallest correction; nan if they stay open."""
     q, v = xp.asarray(q, dtype=float), xp.asarray(v, dtype=float)
     count = q.shape[0]
     for _ in range(corrections):
@@ -40,4 +40,8 @@ def project(xp, constraints, slopes, p, q, v, corrections):
         if correction.ndim > 1:
             correction = xp.moveaxis(correction, 0, -1)
         q, v = q - correction[:count], v - correction[count:]
-    return q, v
+    # A residual counts as rounding beside the sizes of its terms.
+    residuals, rows = constraints(p, q, v, xp), slopes(p, q, v, xp)
+    sizes = xp.sum(abs(rows) * (1 + abs(xp.concatenate((q, v)))), axis=1)
+    closed = xp.all(abs(residuals) <= 1e-12 * sizes, axis=0)
+    return xp.where(closed, q, xp.nan), xp.where(closed, v, xp.nan)

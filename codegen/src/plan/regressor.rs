@@ -1,0 +1,138 @@
+//! Functions for identification: inverse dynamics as a sum over inertial parameters, M u̇ − f = Σ π_k Y_k + rest.
+//!
+//! Two sets of parameters have functions: all inertial parameters of the bodies, and the base parameters, which motion
+//! can determine. The second set is written only if every base parameter is a proved formula in the model's parameters.
+
+use super::function::{Arguments, Function, Planner, Returns, Sharing, Value};
+use super::names::Language;
+use tripos_derive::algebra::form::simplify::Simplifier;
+use tripos_derive::algebra::text::definitions::written;
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::identify::{Base, Complete, Factor, Identification};
+use tripos_derive::mechanics::{Column, DeriveError, Varied};
+use tripos_derive::{Equations, Model};
+
+/// Regressor of a model as functions, beside the functions of Kane's equations.
+pub struct Regression {
+    arena: Arena,
+    /// Kane's equations, for names and arguments, with the steps that lead to the columns as definitions.
+    equations: Equations,
+    columns: Vec<Column>,
+    rest: Vec<Expr>,
+    base: Option<Vec<BaseParameter>>,
+}
+
+/// Base parameter with a formula.
+struct BaseParameter {
+    /// Index of the column whose parameter names it.
+    column: usize,
+    value: Expr,
+}
+
+impl Regression {
+    /// Names of the functions. They are long, and written only if they are asked for.
+    pub const FUNCTIONS: [&'static str; 5] =
+        ["regressor", "regressor_rest", "inertial_parameters", "base_regressor", "base_parameters"];
+
+    /// Derives the regressor of a model with Kane's equations.
+    ///
+    /// # Errors
+    /// [`DeriveError`] if the model cannot be derived.
+    pub fn new(model: &Model, equations: &Equations) -> Result<Self, DeriveError> {
+        let Identification { regressor, base, grouped, complete, .. } = Identification::new(model, Varied::Bodies)?;
+        let (mut arena, mut columns) = (regressor.arena, regressor.columns);
+        // Closed poses group parameters by numbers of one model, which no formula gives.
+        let is_proved = matches!(complete, Complete::Proved(_)) && grouped.is_empty();
+        let base = is_proved.then(|| base_parameters(&mut arena, &columns, &base)).flatten();
+        let count = columns.iter().map(|column| column.forces.len()).sum::<usize>();
+        let all = columns.iter().flat_map(|column| &column.forces).chain(&regressor.rest).copied();
+        let all: Vec<Expr> = all.collect();
+        let (definitions, values) = written(&mut arena, &[], &all);
+        let (of_columns, rest) = values.split_at(count);
+        let mut of_columns = of_columns.iter();
+        for force in columns.iter_mut().flat_map(|column| &mut column.forces) {
+            *force = *of_columns.next().expect("a value for each force");
+        }
+        let equations = Equations { definitions, ..equations.clone() };
+        Ok(Self { arena, equations, columns, rest: rest.to_vec(), base })
+    }
+
+    /// Functions of the regressor in a language.
+    #[must_use]
+    pub fn functions(&self, model: &Model, language: &Language) -> Vec<Function> {
+        let planner = Planner::new(model, &self.arena, &self.equations, language, Sharing::Shared);
+        let all: Vec<usize> = (0..self.columns.len()).collect();
+        let about = "Regressor Y of the inverse dynamics Y pi + rest, a row for each speed and a column for each inertial \
+                     parameter of `inertial_parameters`.";
+        let about_rest = "Part of the inverse dynamics that contains no inertial parameter.";
+        let rest: Vec<Value> =
+            self.rest.iter().enumerate().map(|(at, e)| entry("rest", at, model.speeds[at].name.clone(), *e)).collect();
+        let about_parameters =
+            "Inertial parameters of the bodies, and parameters of loads, by the parameters of the model.";
+        let stated = self.columns.iter().enumerate();
+        let stated: Vec<Value> = stated.map(|(at, c)| entry("inertial", at, c.name.clone(), c.stated)).collect();
+        let moving = Arguments::StateAndRates;
+        let definitions = &self.equations.definitions;
+        let mut list = vec![
+            self.table(&planner, "regressor", about, &all),
+            planner.stepwise("regressor_rest", about_rest, moving, Returns::Vector, definitions, &rest),
+            planner.function("inertial_parameters", about_parameters, Arguments::Parameters, Returns::Vector, &stated),
+        ];
+        if let Some(base) = &self.base {
+            let about = "Regressor of the base parameters, which motion can determine: the inverse dynamics is this times \
+                         `base_parameters`, plus `regressor_rest`.";
+            let kept: Vec<usize> = base.iter().map(|base| base.column).collect();
+            list.push(self.table(&planner, "base_regressor", about, &kept));
+            let about = "Base parameters by the parameters of the model.";
+            let values = base.iter().enumerate();
+            let name = |base: &BaseParameter| self.columns[base.column].name.clone();
+            let values: Vec<Value> = values.map(|(at, base)| entry("base", at, name(base), base.value)).collect();
+            list.push(planner.function("base_parameters", about, Arguments::Parameters, Returns::Vector, &values));
+        }
+        list
+    }
+
+    /// Function for some of the columns, row by row.
+    fn table(&self, planner: &Planner<'_>, name: &'static str, about: &str, columns: &[usize]) -> Function {
+        let speeds = &planner.model.speeds;
+        let values = speeds.iter().enumerate().flat_map(|(row, speed)| {
+            columns.iter().enumerate().map(move |(at, column)| {
+                let column = &self.columns[*column];
+                let label = format!("Y({}, {})", speed.name, column.name);
+                entry("factor", row * columns.len() + at, label, column.forces[row])
+            })
+        });
+        let values: Vec<Value> = values.collect();
+        let returns = Returns::Table { columns: columns.len() };
+        planner.stepwise(name, about, Arguments::StateAndRates, returns, &self.equations.definitions, &values)
+    }
+
+    /// Names of the parameters of the columns, under the title of each list.
+    #[must_use]
+    pub fn names(&self) -> [(&'static str, Vec<String>); 2] {
+        let all = self.columns.iter().map(|column| column.name.clone()).collect();
+        let base = self.base.iter().flatten().map(|base| self.columns[base.column].name.clone()).collect();
+        [("Inertial parameters", all), ("Base parameters", base)]
+    }
+}
+
+/// Formulas of the base parameters; `None` if one has a factor without a formula.
+fn base_parameters(arena: &mut Arena, columns: &[Column], base: &[Base]) -> Option<Vec<BaseParameter>> {
+    let mut simplifier = Simplifier::default();
+    let mut list = Vec::new();
+    for base in base {
+        let mut value = columns[base.column].stated;
+        for (column, factor) in &base.with {
+            let Factor::Exact(factor) = factor else { return None };
+            let part = arena.mul(*factor, columns[*column].stated);
+            value = arena.add(value, part);
+        }
+        list.push(BaseParameter { column: base.column, value: simplifier.simplify(arena, value) });
+    }
+    Some(list)
+}
+
+/// Entry of a function, with a numbered variable.
+fn entry(stem: &str, at: usize, name: String, value: Expr) -> Value {
+    (format!("{stem}{}", at + 1), name, value)
+}
