@@ -47,8 +47,8 @@ pub enum Command {
         #[arg(long, conflicts_with = "format")]
         json: bool,
     },
-    /// Check a model: its degrees of freedom, integrable and redundant constraints, poses in which its speeds fail, and
-    /// unused declarations
+    /// Check a model: its degrees of freedom, integrable and redundant constraints, poses where its speeds do not
+    /// determine the motion, and unused declarations
     Check {
         /// A model file, or a folder with model.toml
         model: PathBuf,
@@ -386,7 +386,7 @@ pub enum Command {
         /// Fewer tolerances and repeats: less than two minutes
         #[arg(long)]
         quick: bool,
-        /// Also the printed equations of the publication beside the model
+        /// Also run the equations that the publication beside the model prints
         #[arg(long)]
         printed: bool,
         /// Folder for the tables and the chart

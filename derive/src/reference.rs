@@ -238,8 +238,8 @@ impl<'a> Table<'a> {
         let rows = self.entries.get("matrix").and_then(Value::as_array);
         let rows = rows.and_then(|rows| rows.iter().map(strings).collect::<Option<Vec<_>>>());
         let matrix = rows.filter(|rows| rows.len() == n && rows.iter().all(|row| row.len() == n));
-        let matrix =
-            matrix.ok_or_else(|| self.wrong("matrix", "rows of strings, as many as unknowns, each as long"))?;
+        let matrix = matrix
+            .ok_or_else(|| self.wrong("matrix", "a list of n rows of n strings, with n the number of unknowns"))?;
         Ok(System { formulation, unknowns, matrix, forcing: self.list("forcing", Some(n))? })
     }
 }

@@ -485,9 +485,10 @@ fn outputs_of_a_scene_become_functions() {
         sympy::python_with(&root().join("tests/languages/requirements.txt"), "import numpy, casadi, scipy, fmpy");
     let output = std::process::Command::new(python).current_dir(&out).args(["-c", script]).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    // Without the scene there are none, and its script goes.
+    // The model alone has none. Its first scene still has a script.
     let (_, said, _) = emit(&folder.path().join("swing.toml"), &out, &["--language", "python"]);
-    assert!(said.contains("removed    swing_kane_simulate.py"), "{said}");
+    assert!(said.contains("written    swing_kane.py") && said.contains("unchanged  swing_kane_simulate.py"), "{said}");
+    assert!(!std::fs::read_to_string(out.join("swing_kane.py")).unwrap().contains("def outputs("));
 }
 
 /// Goal: the first scene of a model runs from the emitted files as it runs here. Method: the script in Python for two

@@ -17,7 +17,7 @@ function evaluate(folder, stem, input, output, functions)
     name = names{k};
     f = str2func([stem '_' name]);
     switch name
-      case 'potential_energy'
+      case {'potential_energy', 'redundant_constraints'}
         out = f(p, q);
       case {'residual'}
         out = f(p, q, v, x);

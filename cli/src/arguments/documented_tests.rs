@@ -33,9 +33,10 @@ fn every_command_that_is_documented_is_understood() {
     assert!(seen > 30, "{seen} commands were found");
 }
 
-/// The part of a line that a reader types, after the name of the program; `None` if the line is no command.
+/// The part of a line that a reader types, after the name of the program and before a redirection to a file; `None` if
+/// the line is no command.
 fn typed(line: &str) -> Option<&str> {
-    let line = line.split("  #").next()?.trim();
+    let line = line.split("  #").next()?.split(" > ").next()?.trim();
     let line = line.strip_prefix("$ ").unwrap_or(line).trim();
     let rest = line.strip_prefix("cargo run --release -- ").or_else(|| line.strip_prefix("target/release/tripos "));
     rest.or_else(|| line.strip_prefix("tripos "))

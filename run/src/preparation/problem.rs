@@ -350,7 +350,10 @@ impl<'a> Problem<'a> {
         if how.method == Integrator::Quadrature {
             if self.by.is_reduced() && system.lengths().variables == 0 {
                 let what = "no motion by quadrature: nothing is left to integrate".to_owned();
-                return Err(Error::request(what, "any stepping method gives it: all of it is algebra".to_owned()));
+                return Err(Error::request(
+                    what,
+                    "choose any other method: the equations that are left are algebraic".to_owned(),
+                ));
             }
             return quadrature::solve(system, p, self.scene.span, y0, &self.options(options), events).map_err(
                 |error| match error {

@@ -94,7 +94,7 @@ fn simulate_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Re
         Ok(Own::Run(run)) => taken_through(mechanism, scene, watch, *run),
         Ok(Own::NoGain(why)) => whole(&why),
         Err(error) => {
-            let why = format!("the scene's reduced equations do not run it ({})", error.first_line());
+            let why = format!("the reduced equations cannot simulate this scene ({})", error.first_line());
             whole(&why).or(Err(error))
         }
     }

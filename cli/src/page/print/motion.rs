@@ -37,7 +37,7 @@ pub fn consequences(page: &Page, published: &Published) -> String {
             )
         };
     }
-    out + &part("systems", "System by system: determinants, and rates of first integrals", &systems)
+    out + &part("systems", "Determinants of each system, and rates of the first integrals", &systems)
 }
 
 fn yes_or_no(verdict: &Verdict, yes: &str, no: &str) -> String {

@@ -254,7 +254,11 @@ impl<'a> ValueReader<'a, '_> {
             if residual.is_nan() || residual.abs() > RESIDUAL * size {
                 let message =
                     format!("the start breaks the motion constraint `{}`: it is {residual:e}, not 0", constraint.name);
-                self.reader.error(place.clone(), message, "state the speeds, which satisfy it by themselves");
+                self.reader.error(
+                    place.clone(),
+                    message,
+                    "give the generalized speeds in place of rates: they satisfy the constraint",
+                );
             }
         }
     }
