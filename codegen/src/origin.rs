@@ -28,7 +28,8 @@ pub(crate) struct Origin {
 
 impl Origin {
     /// Origin of the modules that a command writes from one model file. If the file is `model.toml`, the name of its
-    /// folder is added, because the file name alone would say little. The origin does not depend on where the folder is.
+    /// folder is added, because the file name alone would say little. The origin does not depend on where the folder
+    /// is.
     pub fn emitted(path: &Path, command: &'static str) -> Self {
         let name = |path: Option<&std::ffi::OsStr>| path.map(|name| name.to_string_lossy().into_owned());
         let model = name(path.file_name()).unwrap_or_default();

@@ -46,10 +46,10 @@ fn write(model: &Model, folder: &Path) -> usize {
     longest
 }
 
-/// Goal: what is emitted is right for any mechanism. Method: random mechanisms with every kind of element. C is compiled
-/// without a warning; C, NumPy and CasADi have the same values at a state on the constraints; the unknowns solve the
-/// linear system, Jacobians are slopes, the power is the rate of the energy, and the regressor gives the forces. A
-/// defect of the equations themselves would escape: other tests compare these.
+/// Goal: what is emitted is right for any mechanism. Method: random mechanisms with every kind of element. C is
+/// compiled without a warning; C, NumPy and CasADi have the same values at a state on the constraints; the unknowns
+/// solve the linear system, Jacobians are slopes, the power is the rate of the energy, and the regressor gives the
+/// forces. A defect of the equations themselves would escape: other tests compare these.
 #[test]
 fn random_mechanisms_have_the_same_values_in_every_language() {
     let found = Command::new("gcc").arg("--version").output().is_ok_and(|output| output.status.success());
