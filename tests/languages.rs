@@ -3,13 +3,13 @@
 mod composed;
 mod identified;
 mod mechanisms;
+mod table;
 mod truth;
 
 use crate::left_out::is_left_out;
 use crate::support::Random;
 use crate::sympy;
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::rc::Rc;
@@ -50,6 +50,7 @@ fn states() -> usize {
 }
 
 /// One set of equations: its compiled Rust, and the states at which it is asked.
+#[derive(Clone)]
 struct Asked {
     model: &'static str,
     system: &'static CompiledSystem,
@@ -230,11 +231,11 @@ fn report(language: &str, count: usize, wrong: &[String]) {
     );
 }
 
-/// C program that evaluates the functions of one module.
-fn driver(asked: &Asked, header: &str) -> String {
+/// Call of each function of a module in C, with the number of its values, for the programs below.
+fn calls(asked: &Asked, header: &str) -> Vec<(String, usize)> {
     let stem = asked.stem();
-    let mut calls = String::new();
-    for name in &asked.functions {
+    let lengths = asked.system.double.lengths();
+    let call = |name: &String| {
         let start = header.find(&format!("{stem}_{name}(")).expect("a declared function");
         let list = &header[start..start + header[start..].find(';').unwrap()];
         let list = &list[list.find('(').unwrap() + 1..list.rfind(')').unwrap()];
@@ -244,7 +245,6 @@ fn driver(asked: &Asked, header: &str) -> String {
             .map(|words| *words.iter().rfind(|w| w.starts_with(|c: char| c.is_ascii_alphabetic())).unwrap())
             .collect();
         let count = asked.truth.exact(name, &asked.states[0].extended()).unwrap().len();
-        let lengths = asked.system.double.lengths();
         let first = match name.as_str() {
             "derivative" => lengths.coordinates,
             _ => count.saturating_sub(lengths.variables + lengths.reactions),
@@ -259,18 +259,31 @@ fn driver(asked: &Asked, header: &str) -> String {
         };
         let arguments: Vec<String> = names.iter().map(argument).collect();
         let call = format!("{stem}_{name}({})", arguments.join(", "));
-        let call = if names.contains(&"out") { call } else { format!("out[0] = {call}") };
-        let _ = writeln!(calls, "  for (k = 0; k < states; k++) {{ at(k); {call}; fwrite(out, 8, {count}, file); }}");
-    }
+        (if names.contains(&"out") { call } else { format!("out[0] = {call}") }, count)
+    };
+    asked.functions.iter().map(call).collect()
+}
+
+/// C program that reads states and writes a file; `at(k)` chooses a state, and `body` writes.
+fn program(stem: &str, body: &str) -> String {
     format!(
-        "#include \"{stem}.h\"\n#include <stdio.h>\n#include <stdlib.h>\nstatic double *all, *p, *q, *v, *u, *x; static long long n[6];\n\
+        "#include \"{stem}.h\"\n#include <stdio.h>\n#include <stdlib.h>\n#include <time.h>\n\
+         static double *all, *p, *q, *v, *u, *x; static long long n[6];\n\
          static void at(long long k) {{ p = all + k * (n[1] + n[2] + n[3] + n[4] + n[5]); q = p + n[1]; v = q + n[2]; u = v + n[3]; \
          x = u + n[4]; }}\n\
          int main(int argc, char **argv) {{\n  long long k, states; double *out = calloc(1000000, 8); FILE *file = fopen(argv[1], \"rb\");\n  \
          if (argc < 3 || fread(n, 8, 6, file) != 6) return 1;\n  states = n[0]; k = states * (n[1] + n[2] + n[3] + n[4] + n[5]);\n  \
-         all = malloc(8 * k);\n  if (fread(all, 8, k, file) != (size_t)k) return 1;\n  file = fopen(argv[2], \"wb\");\n{calls}  \
+         all = malloc(8 * k);\n  if (fread(all, 8, k, file) != (size_t)k) return 1;\n  file = fopen(argv[2], \"wb\");\n{body}  \
          fclose(file);\n  (void)u; (void)x;\n  return 0;\n}}\n"
     )
+}
+
+/// C program that evaluates the functions of one module.
+fn driver(asked: &Asked, header: &str) -> String {
+    let line = |(call, count): (String, usize)| {
+        format!("  for (k = 0; k < states; k++) {{ at(k); {call}; fwrite(out, 8, {count}, file); }}\n")
+    };
+    program(&asked.stem(), &calls(asked, header).into_iter().map(line).collect::<String>())
 }
 
 /// Goal: C computes what Rust computes, to the bit where both are written from one plan, and compiles without a

@@ -84,7 +84,7 @@ fn right_hand_sides_are_measured() {
 
 #[test]
 fn arms_are_measured() {
-    has_figures_of("arms", &["Tripos, default build"]);
+    has_figures_of("arms", &["Tripos, default build", "Tripos, C"]);
 }
 
 #[test]

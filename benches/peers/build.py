@@ -75,10 +75,15 @@ def c_program(name, *more):
 
 def rates_program(source, lengths, include=None):
     """The loops of rates.c around the function of one file, and the seconds that compiling this file took."""
-    program = source.with_name(f"{source.stem}-rates")
-    defines = [f"-D{name}={value}" for name, value in zip(("COORDINATES", "PARAMETERS"), lengths)]
+    return loops_program("rates", source, dict(zip(("COORDINATES", "PARAMETERS"), lengths)), include)
+
+
+def loops_program(worker, source, defines, include=None):
+    """The loops of a worker in C around the functions of one file, and the seconds that compiling this file took."""
+    program = source.with_name(f"{source.stem}-{worker}")
+    defines = [f"-D{name}={value}" for name, value in defines.items()]
     say(f"{source.name} -> {program.name}")
-    call([compiler(), *C_FLAGS, *defines, "-c", WORKERS / "rates.c", "-o", f"{program}-loops.o"])
+    call([compiler(), *C_FLAGS, *defines, "-c", WORKERS / f"{worker}.c", "-o", f"{program}-loops.o"])
     plus = source.suffix == ".cpp"
     command = [compiler_plus(), *CPP_FLAGS, "-I", include] if plus else [compiler(), *C_FLAGS]
     begin = time.perf_counter()
@@ -144,16 +149,31 @@ def emitted_crate(worker, formulation, models, name=None):
     return seconds
 
 
-def emitted_c(problem, path, formulation):
-    """A C file with `rates` around the derivative that `tripos emit --language c` writes, and the seconds that emitting took."""
+# Functions of the loops in C, by the functions that `tripos emit --language c` writes.
+IN_C = {
+    "rates": ("derivative", "void rates(const double *p, const double *y, double *out)", "p, y, y + N_, out, out + N_"),
+    "forward": ("accelerations", "void forward(const double *p, const double *q, const double *u, double *out)", "p, q, u, out"),
+    "inverse": (
+        "inverse_dynamics",
+        "void inverse(const double *p, const double *q, const double *u, const double *a, double *out)",
+        "p, q, u, a, out",
+    ),
+}
+
+
+def emitted_c(problem, path, formulation, wanted=("rates",)):
+    """A C file with the wanted functions of IN_C around those that `tripos emit --language c` writes, and the seconds that emitting
+    took."""
     place = PLACE / "emitted-c" / problem
     begin = time.perf_counter()
-    options = ["--language", "c", "--formulation", formulation, "--functions", "derivative"]
+    functions = ",".join(IN_C[name][0] for name in wanted)
+    options = ["--language", "c", "--formulation", formulation, "--functions", functions]
     call([command(), "emit", path, "--out", place, *options], quiet=True)
     seconds = time.perf_counter() - begin
     source = next(place.glob(f"*_{formulation}.c"))
-    body = f"{source.stem}_derivative(p, y, y + N_, out, out + N_);"
-    text = f"#include \"{source.name}\"\nvoid rates(const double *p, const double *y, double *out)\n{{\n    {body}\n}}\n"
+    text = f"#include \"{source.name}\"\n"
+    for function, head, arguments in (IN_C[name] for name in wanted):
+        text += f"{head}\n{{\n    {source.stem}_{function}({arguments});\n}}\n"
     text = text.replace("N_", f"{source.stem.upper()}_COORDINATES")
     write_text(place / "tripos.c", text)
     return place / "tripos.c", seconds

@@ -1,5 +1,5 @@
-% Evaluates functions of generated MATLAB at given states, as evaluate.py does.
-function evaluate(folder, stem, input, output, functions)
+% Evaluates functions of generated MATLAB at given states, as evaluate.py does. The first of the times is not measured.
+function evaluate(folder, stem, input, output, functions, times)
   addpath(folder);
   file = fopen(input, 'r', 'ieee-le');
   counts = fread(file, 6, 'int64');
@@ -16,21 +16,28 @@ function evaluate(folder, stem, input, output, functions)
   for k = 1:numel(names)
     name = names{k};
     f = str2func([stem '_' name]);
+    parts = 1;
     switch name
       case {'potential_energy', 'redundant_constraints'}
-        out = f(p, q);
+        given = {p, q};
       case {'residual'}
-        out = f(p, q, v, x);
+        given = {p, q, v, x};
       case {'inverse_dynamics', 'generalized_speed_rates'}
-        out = f(p, q, v, x(1:size(v, 1), :));
+        given = {p, q, v, x(1:size(v, 1), :)};
       case 'motion_variables'
-        out = f(p, q, u);
+        given = {p, q, u};
       case {'derivative', 'linear_system'}
-        [out, more] = f(p, q, v);
-        out = [out; more];
+        given = {p, q, v};
+        parts = 2;
       otherwise
-        out = f(p, q, v);
+        given = {p, q, v};
     end
+    out = cell(1, parts);
+    [out{:}] = f(given{:});
+    if nargin > 5
+      measured(k + 1) = seconds(f, given, parts) / counts(1);
+    end
+    out = vertcat(out{:});
     if ndims(out) == 3 || (size(out, 2) ~= size(q, 2))
       % Matrices are stored column by column.
       out = permute(out, [2, 1, 3]);
@@ -38,4 +45,24 @@ function evaluate(folder, stem, input, output, functions)
     fwrite(file, reshape(out, [], size(q, 2)), 'double');
   end
   fclose(file);
+  if nargin > 5
+    file = fopen(times, 'w', 'ieee-le');
+    fwrite(file, measured, 'double');
+    fclose(file);
+  end
+end
+
+% Least time of a call, of three samples.
+function least = seconds(f, given, parts)
+  least = Inf;
+  for sample = 1:3
+    calls = 0;
+    out = cell(1, parts);
+    begin = tic;
+    while toc(begin) < 5e-3
+      [out{:}] = f(given{:});
+      calls = calls + 1;
+    end
+    least = min(least, toc(begin) / calls);
+  end
 end

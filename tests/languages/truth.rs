@@ -68,58 +68,86 @@ impl Truth {
     }
 }
 
-/// Value of a function by the compiled equations; `None` for a function that they do not have.
-fn value<S: Real>(system: &dyn System<S>, name: &str, [p, q, v, u, x]: &[Vec<S>; 5]) -> Option<Vec<S>> {
+/// Number of values of a function by the compiled equations; `None` for a function that they do not have.
+pub fn length<S: Real>(system: &dyn System<S>, name: &str) -> Option<usize> {
     let lengths = system.lengths();
     let (nq, nv, n) = (lengths.coordinates, lengths.variables, lengths.variables + lengths.reactions);
-    let zeros = |count: usize| vec![S::int(0); count];
-    let filled = |count: usize, fill: &dyn Fn(&mut [S])| {
-        let mut out = zeros(count);
-        fill(&mut out);
-        Some(out)
-    };
-    let product = |x: &[S]| {
-        let (mut matrix, mut right) = (zeros(n * n), zeros(n));
-        system.mass_matrix(p, q, v, &mut matrix);
-        system.forcing(p, q, v, &mut right);
-        let row = |(i, f): (usize, &S)| (0..n).fold(S::int(0) - *f, |sum, j| sum + matrix[i * n + j] * x[j]);
-        right.iter().enumerate().map(row).collect::<Vec<S>>()
-    };
+    let if_solved = |count: usize| system.has_accelerations().then_some(count);
     match name {
-        "mass_matrix" => filled(n * n, &|out| system.mass_matrix(p, q, v, out)),
-        "forcing" => filled(n, &|out| system.forcing(p, q, v, out)),
-        "linear_system" => {
-            let parts = ["mass_matrix", "forcing"].map(|part| value(system, part, &[p, q, v, u, x].map(Clone::clone)));
-            parts.into_iter().collect::<Option<Vec<_>>>().map(|parts| parts.concat())
-        }
-        "residual" => Some(product(x)),
-        "inverse_dynamics" => (lengths.reactions == 0).then(|| product(&x[..nv])),
-        "accelerations" => system.has_accelerations().then(|| filled(nv, &|out| system.accelerations(p, q, v, out)))?,
-        "derivative" => system.has_accelerations().then(|| {
-            let (mut q_dot, mut v_dot) = (zeros(nq), zeros(nv));
-            system.derivative(p, q, v, &mut q_dot, &mut v_dot);
-            [q_dot, v_dot].concat()
-        }),
-        "jacobian" => {
-            let count = (nq + nv) * (nq + nv);
-            system.has_accelerations().then(|| filled(count, &|out| system.jacobian(p, q, v, out)))?
-        }
-        "coordinate_rates" => filled(nq, &|out| system.coordinate_rates(p, q, v, out)),
-        "kinetic_energy" => Some(vec![system.kinetic_energy(p, q, v)]),
-        "potential_energy" => Some(vec![system.potential_energy(p, q)]),
-        "power" => system.has_power().then(|| vec![system.power(p, q, v)]),
-        "generalized_speeds" => filled(lengths.speeds, &|out| system.generalized_speeds(p, q, v, out)),
-        "generalized_speed_rates" => {
-            filled(lengths.speeds, &|out| system.generalized_speed_rates(p, q, v, &x[..nv], out))
-        }
-        "motion_variables" => filled(nv, &|out| system.motion_variables(p, q, u, out)),
-        "divisors" => filled(system.divisor_count(), &|out| system.divisors(p, q, v, out)),
-        "constraints" => filled(system.constraint_count(), &|out| system.constraints(p, q, v, out)),
-        "constraint_slopes" => {
-            filled(system.constraint_count() * (nq + nv), &|out| system.constraint_slopes(p, q, v, out))
-        }
+        "mass_matrix" => Some(n * n),
+        "forcing" | "residual" => Some(n),
+        "linear_system" => Some(n * n + n),
+        "inverse_dynamics" => (lengths.reactions == 0).then_some(n),
+        "accelerations" => if_solved(nv),
+        "derivative" => if_solved(nq + nv),
+        "jacobian" => if_solved((nq + nv) * (nq + nv)),
+        "coordinate_rates" => Some(nq),
+        "kinetic_energy" | "potential_energy" => Some(1),
+        "power" => system.has_power().then_some(1),
+        "generalized_speeds" | "generalized_speed_rates" => Some(lengths.speeds),
+        "motion_variables" => Some(nv),
+        "divisors" => Some(system.divisor_count()),
+        "constraints" => Some(system.constraint_count()),
+        "constraint_slopes" => Some(system.constraint_count() * (nq + nv)),
         _ => None,
     }
+}
+
+/// True if one function of the compiled equations has these values; others are made here from several.
+pub fn is_one_function(name: &str) -> bool {
+    !matches!(name, "residual" | "linear_system" | "inverse_dynamics")
+}
+
+/// Slices of p, q, the motion variables, u and the unknowns.
+type Parts<'a, S> = [&'a [S]; 5];
+
+/// Procedure that writes the values of a function by the compiled equations. They have this function.
+pub fn procedure<S: Real>(name: &str) -> fn(&dyn System<S>, Parts<'_, S>, &mut [S]) {
+    match name {
+        "mass_matrix" => |system, [p, q, v, ..], out| system.mass_matrix(p, q, v, out),
+        "forcing" => |system, [p, q, v, ..], out| system.forcing(p, q, v, out),
+        "linear_system" => |system, [p, q, v, ..], out| {
+            let n = system.lengths().variables + system.lengths().reactions;
+            let (matrix, right) = out.split_at_mut(n * n);
+            system.mass_matrix(p, q, v, matrix);
+            system.forcing(p, q, v, right);
+        },
+        "residual" | "inverse_dynamics" => |system, parts, out| {
+            let (n, x) = (out.len(), parts[4]);
+            let mut both = vec![S::int(0); n * n + n];
+            procedure("linear_system")(system, parts, &mut both);
+            let (matrix, right) = both.split_at(n * n);
+            for (i, out) in out.iter_mut().enumerate() {
+                *out = (0..n).fold(S::int(0) - right[i], |sum, j| sum + matrix[i * n + j] * x[j]);
+            }
+        },
+        "accelerations" => |system, [p, q, v, ..], out| system.accelerations(p, q, v, out),
+        "derivative" => |system, [p, q, v, ..], out| {
+            let (q_dot, v_dot) = out.split_at_mut(system.lengths().coordinates);
+            system.derivative(p, q, v, q_dot, v_dot);
+        },
+        "jacobian" => |system, [p, q, v, ..], out| system.jacobian(p, q, v, out),
+        "coordinate_rates" => |system, [p, q, v, ..], out| system.coordinate_rates(p, q, v, out),
+        "kinetic_energy" => |system, [p, q, v, ..], out| out[0] = system.kinetic_energy(p, q, v),
+        "potential_energy" => |system, [p, q, ..], out| out[0] = system.potential_energy(p, q),
+        "power" => |system, [p, q, v, ..], out| out[0] = system.power(p, q, v),
+        "generalized_speeds" => |system, [p, q, v, ..], out| system.generalized_speeds(p, q, v, out),
+        "generalized_speed_rates" => |system, [p, q, v, _, x], out| {
+            system.generalized_speed_rates(p, q, v, &x[..system.lengths().variables], out);
+        },
+        "motion_variables" => |system, [p, q, _, u, _], out| system.motion_variables(p, q, u, out),
+        "divisors" => |system, [p, q, v, ..], out| system.divisors(p, q, v, out),
+        "constraints" => |system, [p, q, v, ..], out| system.constraints(p, q, v, out),
+        "constraint_slopes" => |system, [p, q, v, ..], out| system.constraint_slopes(p, q, v, out),
+        name => unreachable!("{name} has a length"),
+    }
+}
+
+/// Value of a function by the compiled equations; `None` for a function that they do not have.
+fn value<S: Real>(system: &dyn System<S>, name: &str, state: &[Vec<S>; 5]) -> Option<Vec<S>> {
+    let mut out = vec![S::int(0); length(system, name)?];
+    procedure(name)(system, state.each_ref().map(Vec::as_slice), &mut out);
+    Some(out)
 }
 
 /// Slopes of the derivative along the parameters, by central differences in 32 digits.

@@ -12,16 +12,17 @@ from tables import aims, duration, table
 
 ARMS = {"panda": "seven joints, the inertias of a Panda", "arm6": "six joints, full inertias, made up"}
 BUILDS = size.of({"Tripos, native": True, "Tripos, default build": False}, {"Tripos, default build": False})
+OURS_IN_C = "Tripos, C"
 PINOCCHIO = "Pinocchio, C++"
 WORK = {"forward": "forward dynamics", "inverse": "inverse dynamics"}
 PASSES, COMPARED, AGREEMENT = size.of(400, 2), 8, 1e-9
 STATES = 128
 
 ABOUT = [
-    "Accelerations from (q, u), and torques from (q, u, u'), by the functions that `tripos emit --formulation kane` writes and by",
-    "Pinocchio's articulated bodies (`aba`) and recursive Newton-Euler (`rnea`), compiled with `-O3 -march=native`; Tripos also as everyone",
-    "builds it. All take masses, inertias and distances as numbers in memory. Nanoseconds a state, at 128 states in turn, medians, and in",
-    "brackets the fastest sample. All give the same numbers to 1e-9.",
+    "Accelerations from (q, u), and torques from (q, u, u'), by the functions that `tripos emit --formulation kane` writes in Rust and",
+    "in C, and by Pinocchio's articulated bodies (`aba`) and recursive Newton-Euler (`rnea`). C and C++ are compiled with `-O3",
+    "-march=native`; Rust also as everyone builds it. All take masses, inertias and distances as numbers in memory. Nanoseconds a state,",
+    "at 128 states in turn, medians, and in brackets the fastest sample. All give the same numbers to 1e-9.",
 ]
 
 
@@ -30,11 +31,16 @@ def section(rounds):
     emitted = build.emitted_crate("arms", "kane", models)
     builds = {name: build.program_of_emitted("arms", native) for name, native in BUILDS.items()}
     pinocchio = build.pinocchio_program(tools.pinocchio()) if tools.has(PINOCCHIO, tools.CPP, tools.PINOCCHIO) else None
-    results = {}
+    results, in_c = {}, {}
     for name in ARMS:
         build.say(f"dynamics of {name}")
         states, chain = written(name)
         peers = {row: Peer(row, [program, name, states]) for row, (program, _) in builds.items()}
+        if tools.has(OURS_IN_C, tools.C):
+            source, _ = build.emitted_c(name, models[name], "kane", ("forward", "inverse"))
+            lengths = {"JOINTS": len(arms.model(name)["coordinates"]), "PARAMETERS": len(arms.parameters(name))}
+            program, in_c[name] = build.loops_program("arms", source, lengths)
+            peers[OURS_IN_C] = Peer(OURS_IN_C, [program, states])
         if pinocchio:
             peers[PINOCCHIO] = Peer(PINOCCHIO, [pinocchio[0], chain, states])
         must_agree({row: peer.ask(f"values {COMPARED}") for row, peer in peers.items()}, AGREEMENT)
@@ -44,7 +50,7 @@ def section(rounds):
         results[name] = interleaved(askings, rounds)
         for peer in peers.values():
             peer.close()
-    return ["## Arms", "", *ABOUT, "", *overview(results), "", *made(emitted, builds, pinocchio), "", *judged(results)]
+    return ["## Arms", "", *ABOUT, "", *overview(results), "", *made(emitted, builds, in_c, pinocchio), "", *judged(results)]
 
 
 def written(name):
@@ -70,18 +76,23 @@ def overview(results):
         yield ""
 
 
-def made(emitted, builds, pinocchio):
+def made(emitted, builds, in_c, pinocchio):
     seconds = ", ".join(f"{name} {duration(taken)}" for name, taken in emitted.items())
     compiled = ", ".join(f"{duration(taken)} ({name.removeprefix('Tripos, ')})" for name, (_, taken) in builds.items())
     yield f"`tripos emit` took {seconds}; both modules together, all their functions, compile in {compiled}."
+    if in_c:
+        yield f"C of both functions compiles in {', '.join(f'{duration(taken)} ({name})' for name, taken in in_c.items())}."
     if pinocchio:
         yield f"The program around Pinocchio's headers compiles in {duration(pinocchio[1])}."
 
 
 def judged(results):
-    rows = []
+    rows, native = [], next(iter(BUILDS))
     for name in ARMS:
         for work, title in WORK.items():
+            if (OURS_IN_C, work) in results[name]:
+                in_c, ours = results[name][OURS_IN_C, work], results[name][native, work]
+                rows.append((f"{name}, {title}, C", native, in_c.median, ours.median, 1.1))
             for row in BUILDS:
                 if (PINOCCHIO, work) in results[name]:
                     of = results[name]
