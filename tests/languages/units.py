@@ -1,10 +1,11 @@
-"""Checks Functional Mock-up Units by FMPy: units.py LIST ANSWERS. The list is JSON of {"unit", "t", "state", "slopes"}.
+"""Checks Functional Mock-up Units by FMPy: units.py LIST ANSWERS. The list is JSON of {"unit", "t", "state", "slopes", "constraints"}.
 
 Each unit is validated, run to the end of its scene by co-simulation and by model exchange, and asked for directional
 and adjoint derivatives, which are compared with differences. Its state is stored and restored in the middle of a run.
 The answers are a JSON list of what was found.
 """
 
+import importlib
 import json
 import shutil
 import sys
@@ -94,6 +95,16 @@ def restored(folder, description, start, end):
     return float(abs(numpy.array(first) - numpy.array(second)).max())
 
 
+def openness(folder, kind, end, emitted):
+    """The largest residual of the constraints at the end of a coarse run, by the emitted Python."""
+    sys.path.insert(0, emitted["folder"])
+    model = importlib.import_module(emitted["module"])
+    names = [*model.PARAMETERS, *model.COORDINATES, *model.VARIABLES]
+    run = simulate_fmu(folder, fmi_type=kind, relative_tolerance=1e-3, stop_time=end, output=names)[-1]
+    values = [numpy.array([run[name] for name in list_]) for list_ in (model.PARAMETERS, model.COORDINATES, model.VARIABLES)]
+    return float(abs(numpy.asarray(model.constraints(*values))).max())
+
+
 def check(entry):
     unit, end, expected = entry["unit"], entry["t"], entry["state"]
     description = read_model_description(unit)
@@ -107,12 +118,17 @@ def check(entry):
         if description.fmiVersion != "2.0":
             settings["early_return_allowed"] = True
         run = simulate_fmu(folder, fmi_type="CoSimulation", output_interval=(end - start) / 20, **settings)[-1]
+        found["ended"] = float(run["time"])
         found["cosimulation_s"] = time.perf_counter() - began
         found["cosimulation"] = float(error_of({n: float(run[n]) for n in names}, expected)) if run["time"] == end else None
         run = simulate_fmu(
             folder, fmi_type="ModelExchange", relative_tolerance=1e-9, output_interval=(end - start) / 1000, **settings
         )[-1]
+        found["ended_exchange"] = float(run["time"])
         found["exchange"] = float(error_of({n: float(run[n]) for n in names}, expected)) if run["time"] == end else None
+        if entry["constraints"]:
+            found["open"] = openness(folder, "CoSimulation", end, entry["constraints"])
+            found["open_exchange"] = openness(folder, "ModelExchange", end, entry["constraints"])
         if description.fmiVersion == "2.0":
             return found
         if entry["slopes"]:
