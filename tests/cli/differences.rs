@@ -244,3 +244,38 @@ fn several_publications_are_judged_in_one_call() {
     );
     assert!(said.contains("nowhere.toml"), "{said}");
 }
+
+/// Goal: a model in other variables is recognised, with proof, and a wrong one is not. Method: a double pendulum with
+/// renamed masses and angles, another zero and sense of one angle and another speed; then with a longer rod too.
+#[test]
+fn other_variables_are_recognised_and_a_longer_rod_is_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let old = std::fs::read_to_string(root().join("examples/own_crate/model.toml")).unwrap();
+    let new = old.replace("omega2 = \"theta2'\"", "omega2 = \"2*beta' - alpha'\"");
+    let new = new.replace("angle = \"theta2\"", "angle = \"pi/2 - beta\"").replace("theta2", "beta");
+    let new = new.replace("theta1", "alpha").replace("m1", "mu").replace("m2", "nu");
+    let longer = new.replace("\"-l2\"", "\"-2*l2\"");
+    assert!(new != old && longer != new);
+    for (name, text) in [("old", &old), ("new", &new), ("longer", &longer)] {
+        std::fs::create_dir(folder.path().join(name)).unwrap();
+        std::fs::write(folder.path().join(name).join("model.toml"), text).unwrap();
+    }
+    let (status, text) = diff(folder.path());
+    expect![[r#"
+        old/model.toml -> new/model.toml
+        equations of motion: proved the same in other variables; 42 of 46 entries read otherwise
+          old parameter m1 is mu
+          old parameter m2 is nu
+          old coordinate theta1 is alpha
+          old coordinate theta2 is pi/2 - beta
+          old speed omega2 is -omega1/2 - omega2/2
+        added: parameter mu; parameter nu; coordinate alpha; coordinate beta
+        removed: parameter m1; parameter m2; coordinate theta1; coordinate theta2
+        defined otherwise: omega1 theta1' -> alpha'; omega2 theta2' -> 2*beta' - alpha'; A from N about axis 3 (theta1) -> from N about axis 3 (alpha); B from N about axis 3 (theta2) -> from N about axis 3 (pi/2 - beta); upper particle at P (m1) -> particle at P (mu); lower particle at Q (m2) -> particle at Q (nu)
+    "#]].assert_eq(&text);
+    assert_eq!(status, 1);
+    let value = diff_json(folder.path());
+    assert_eq!(value["same"], false, "the declarations differ: {value}");
+    let (status, text, _) = tripos_in(folder.path(), &["diff", "old", "longer"]);
+    assert!(status == 1 && text.contains("entries changed") && !text.contains("proved the same"), "{text}");
+}
