@@ -34,6 +34,7 @@ use crate::model::Model;
 use crate::prove::Proof;
 use crate::publication::{EntryKind, Names, Publication};
 use equations::claim::{Claim, Table};
+use formulas::finding::TracedFinding;
 use formulas::near::Near;
 use printed::motion::Motion;
 
@@ -109,7 +110,8 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
         };
         match &entry.kind {
             EntryKind::Definition { text } => {
-                found.push((Finding::new(&entry.id, &entry.section, Judgement::Stated, text), Claim::Other));
+                let finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, text);
+                found.push(finding.with_claim(Claim::Other));
             }
             EntryKind::Equation { quantity, printed, text } => {
                 let finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, text);
@@ -159,17 +161,17 @@ struct Found {
     /// Claims of the findings, in equal order.
     claims: Vec<Claim>,
     tables: Vec<Table>,
-    motions: Vec<(Motion, printed::systems::Matched)>,
+    motions: Vec<printed::systems::MatchedMotion>,
 }
 
 impl Found {
-    fn push(&mut self, (finding, claim): (Finding, Claim)) {
-        self.findings.push(finding);
-        self.claims.push(claim);
+    fn push(&mut self, found: TracedFinding) {
+        self.findings.push(found.finding);
+        self.claims.push(found.claim);
     }
 
     fn take(&mut self, judged: printed::systems::Judged) {
-        judged.findings.into_iter().for_each(|pair| self.push(pair));
+        judged.findings.into_iter().for_each(|found| self.push(found));
         self.tables.extend(judged.table);
         self.motions.extend(judged.motion);
     }

@@ -182,8 +182,7 @@ impl Judge<'_, '_> {
         judged: &RowJudgement,
         at: usize,
     ) -> Finding {
-        let verdict = (judged.entries[at].clone(), judged.holds[at]);
-        let mut finding = finding.judged(verdict, judged.expected[at]);
+        let mut finding = finding.judged(judged.entries[at].clone(), judged.holds[at], judged.expected[at]);
         match &judged.by {
             Match::Row { factor, .. } if *factor != Expr::ONE => {
                 finding.factor = Some(*factor);

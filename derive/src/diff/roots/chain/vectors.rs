@@ -156,10 +156,12 @@ impl Chain {
     pub(super) fn partial(
         &mut self,
         quantities: &mut Quantities<'_>,
-        (vector, of, frame): (VectorName, usize, usize),
+        vector: VectorName,
+        of: usize,
+        frame: usize,
         speed: usize,
     ) -> Option<Components> {
-        let stated = self.put.iter().find_map(|(kind, _)| match *kind {
+        let stated = self.put.iter().find_map(|value| match value.kind {
             QuantityKind::Partial { vector: v, of: o, frame, speed: s, .. } if (v, o, s) == (vector, of, speed) => {
                 Some(frame)
             }
