@@ -149,7 +149,7 @@ impl<'a> Loading<'a, '_> {
         let residuals = residuals.into_iter().collect::<Option<Vec<_>>>()?;
         self.solved_for(item, formulation?, &residuals)?;
         let span = item.span.clone();
-        self.rows(formulation?, frame.ok()?, residuals, &span, false)
+        self.rows(formulation?, frame.ok()?, residuals, &span)
     }
 
     /// Equations of a system: those under `equations`, or those of labels in a file. One `label` means all equations
@@ -211,7 +211,8 @@ impl<'a> Loading<'a, '_> {
             None => self.formulation_of(residual),
         };
         let frame = self.frame(item, Some(formulation)).ok()?;
-        self.rows(formulation, frame, vec![(residual, formula.text.clone())], &formula.span, true)
+        let system = self.rows(formulation, frame, vec![(residual, formula.text.clone())], &formula.span)?;
+        Some(System { is_single: true, ..system })
     }
 
     /// Formulation whose unknowns an equation mentions.
@@ -254,7 +255,6 @@ impl<'a> Loading<'a, '_> {
         frame: Option<usize>,
         residuals: Vec<(Expr, String)>,
         span: &Range<usize>,
-        is_single: bool,
     ) -> Option<System> {
         let (unknown_names, unknowns): (Vec<String>, Vec<Expr>) = formulation.unknowns(self.model).into_iter().unzip();
         let mut form = LinearForm::new(&unknowns);
@@ -280,7 +280,7 @@ impl<'a> Loading<'a, '_> {
             right_texts: vec![String::new(); right.len()],
             right,
             row_texts: Some(texts),
-            is_single,
+            is_single: false,
             matrix_ids: None,
             right_ids: None,
         })

@@ -105,7 +105,7 @@ impl Judge<'_, '_> {
             let at_right = listing.moving[i];
             let right = &listing.derivative_texts[at_right];
             let has_decimals = texts.iter().chain([right]).any(|text| has_decimals(text));
-            let judged = self.row(&row, &order, i, has_decimals);
+            let judged = if has_decimals { self.row_with_decimals(&row, &order, i) } else { self.row(&row, &order, i) };
             for (j, at) in variables.iter().enumerate() {
                 let Some(column) = at.map(|at| column_of(listing, at)) else { continue };
                 let text = &texts[column];

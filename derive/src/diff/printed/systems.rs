@@ -108,7 +108,7 @@ impl Judge<'_, '_> {
         };
         let raw = rows_as_printed(system, &order.unknowns);
         let reading = Reading::of(system.formulation);
-        let is_equation = system.row_texts.is_some();
+
         let multipliers = self.own_multipliers(&mut order, &rows);
         let total = self.with_total_rates(system, &raw, &order);
         let mut findings: Vec<TracedFinding> = Vec::new();
@@ -117,7 +117,7 @@ impl Judge<'_, '_> {
             let texts = system.matrix_texts[i].iter().chain([&system.right_texts[i]]);
             let has_decimals =
                 texts.chain(system.row_texts.iter().map(|texts| &texts[i])).any(|text| has_decimals(text));
-            let judged = self.row(row, &order, i, has_decimals);
+            let judged = if has_decimals { self.row_with_decimals(row, &order, i) } else { self.row(row, &order, i) };
             let id = system.row_id(&entry.id, i);
             let (entries, right) = (&system.matrix_texts[i], &system.right_texts[i]);
             let shown = match &system.row_texts {
@@ -136,7 +136,7 @@ impl Judge<'_, '_> {
             };
             let row_printed: Vec<Printed> =
                 raw[i].iter().zip(row).map(|(raw, value)| Printed { raw: *raw, value: *value, reading }).collect();
-            let finding = self.row_finding(finding, &row_printed, &order, &judged, i, is_equation);
+            let finding = self.row_finding(finding, &row_printed, &order, &judged, i, system);
             findings.push(finding.with_claim(claim));
             for (j, unknown) in system.unknowns.iter().enumerate() {
                 let Some(id) = system.matrix_id(i, j) else { break };
