@@ -24,7 +24,7 @@ pub use arguments::{Argument, Entry};
 pub use cost::Cost;
 pub use form::{constant_and_factors, is_flat, is_plain_product, led};
 pub use formulation::{FormulationPlan, Jacobian, derivative};
-pub use function::{Arguments, Function, Planner, Returns, Sharing, Value};
+pub use function::{Arguments, Explanation, Function, Planner, Returns, Sharing, Value};
 pub use module::{ModulePlan, Solution};
 pub use motion::{MotionPlan, Watched};
 pub use names::{Allocator, Language, Names, Variables, identifier, module_name, spelled, type_name};

@@ -1,7 +1,7 @@
 //! Formatted text from tokens, with comments.
 
 use crate::lines::wrap;
-use crate::plan::{Entry, Function};
+use crate::plan::{Entry, Explanation, Function};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::fmt::Write;
@@ -42,7 +42,7 @@ pub fn stated(planned: &Function) -> TokenStream {
     if planned.entries.contains(&Entry::Zero) {
         lines[0].push_str(" Entries that are not listed are 0.");
     }
-    if !planned.explained {
+    if planned.explanation == Explanation::Names {
         lines.push(format!(" {}, step by step: the code names every term.", planned.cost));
         return quote!(#(#[doc = #lines])*);
     }
