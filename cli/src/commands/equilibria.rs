@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Error;
-use tripos::studies::steady::{About, ClosedForm, FoundMotion, conditions, equilibria as of_model};
+use tripos::studies::steady::{About, BranchesAt, ClosedForm, FoundMotion, conditions, equilibria as of_model};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::load_asked;
 
@@ -80,16 +80,18 @@ pub fn equilibria(
 }
 
 /// Words for the branches of the closed form on which a motion lies; empty if it lies on none.
-fn branches_text(closed: &ClosedForm, on: Option<(usize, Vec<usize>)>) -> String {
-    let Some((at, branches)) = on.filter(|(_, branches)| !branches.is_empty()) else { return String::new() };
-    let of = if closed.list[at].rest { "rest" } else { "steady motion" };
+fn branches_text(closed: &ClosedForm, on: Option<BranchesAt>) -> String {
+    let Some(BranchesAt { conditions, branches }) = on.filter(|on| !on.branches.is_empty()) else {
+        return String::new();
+    };
+    let of = if closed.list[conditions].rest { "rest" } else { "steady motion" };
     let list: Vec<String> = branches.iter().map(|branch| (branch + 1).to_string()).collect();
     format!("by its numbers on solution {} of {of} below\n", list.join(", "))
 }
 
 /// Adds the branches on which a motion lies, by their places, to the JSON of the motion.
-fn with_branches(mut value: Value, on: Option<(usize, Vec<usize>)>) -> Value {
-    if let Some((conditions, branches)) = on {
+fn with_branches(mut value: Value, on: Option<BranchesAt>) -> Value {
+    if let Some(BranchesAt { conditions, branches }) = on {
         value["on"] = json!({ "conditions": conditions, "branches": branches });
     }
     value

@@ -42,7 +42,7 @@ use terms::Terms;
 use tripos_derive::model::TIME;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, State};
-use words::CoordinateMark;
+use words::{CoordinateMark, MarkedCoordinate};
 
 /// Greatest width and height of the solids on a sketch's sheet, px.
 const ROOM: (f64, f64) = (340.0, 280.0);
@@ -149,9 +149,9 @@ impl Sketch {
         points(&subject, &mut sheet);
         let shown = coordinates(&subject, &mut sheet);
         axes::draw(&subject, &mut sheet);
-        let has_gravity = axes::gravity(&subject, &mut sheet);
+        axes::gravity(&subject, &mut sheet);
         body_names(&subject, &mut sheet);
-        let about = words::about(&subject, &shown, has_gravity);
+        let about = words::about(&subject, &shown);
         let drawn = words::drawn(&subject, &given.changed, &given.of);
         let (size, marks, labels) = finish(sheet);
         Ok(Self { title: mechanism.title.clone(), about, drawn, size, marks, labels, changed: given.changed })
@@ -226,8 +226,8 @@ fn points(subject: &Subject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// Puts a mark of every coordinate on the sheet. Returns the index of each coordinate with the mark that shows it.
-fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, CoordinateMark)> {
+/// Puts a mark of every coordinate on the sheet. Returns the marks.
+fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<MarkedCoordinate> {
     let mut arcs = Arcs::default();
     let (mut shown, mut alone) = (Vec::new(), Vec::new());
     let mut together: Vec<(usize, Vec<usize>)> = Vec::new();
@@ -235,7 +235,7 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Coordina
     for c in (0..subject.q.len()).filter(|c| subject.mechanism.coordinates[*c].name != TIME) {
         let oriented = (0..subject.pose.rotations.len())
             .find(|f| subject.terms.turn(*f).is_none() && subject.terms.turns_by(subject.mechanism, *f, c));
-        let how = if let Some(angle) = Angle::of(subject, c) {
+        let mark = if let Some(angle) = Angle::of(subject, c) {
             let is_open = angles::draw(subject, sheet, &mut arcs, &angle);
             CoordinateMark::Arc(angle, is_open)
         } else if let Some(frame) = oriented {
@@ -253,7 +253,7 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Coordina
             alone.push(c);
             CoordinateMark::Name
         };
-        shown.push((c, how));
+        shown.push(MarkedCoordinate { coordinate: c, mark });
     }
     for (frame, list) in together {
         let mut names = Vec::new();
