@@ -11,7 +11,7 @@ mod typst;
 
 use crate::arguments::{self, Format};
 use crate::failure::{Failure, print, print_json, say};
-use crate::words::NAMED;
+use crate::phrases::NAMED;
 use crate::workspace::{read_model, short_name};
 use document::Document;
 use rustc_hash::FxHashSet;

@@ -1,8 +1,8 @@
 //! `tripos equilibria`: states in which a mechanism rests or moves steadily, and their stability.
 
-mod closed;
+mod closed_form;
 mod figure;
-mod followed;
+mod followed_motion;
 mod range;
 
 use super::linearise::{kind_of, modes_of, modes_text, moves_of, state_of};
@@ -38,9 +38,9 @@ pub fn equilibria(
     let Some(file) = from.file else {
         let closed = conditions(&model, wanted)?;
         if output == Output::Json {
-            print_json(&json!({ "model": short_name(&model), "conditions": closed::json(&closed) }))?;
+            print_json(&json!({ "model": short_name(&model), "conditions": closed_form::json(&closed) }))?;
         } else {
-            print(&format!("{}\n\n{}", model.title, closed::text(&closed)))?;
+            print(&format!("{}\n\n{}", model.title, closed_form::text(&closed)))?;
         }
         return Ok(0);
     };
@@ -52,9 +52,9 @@ pub fn equilibria(
     let ranges: Result<Vec<Range>, Error> = over.iter().map(|over| Range::new(&model, &asked, over)).collect();
     match ranges?.as_slice() {
         [] => {}
-        [one] => return followed::along(&mut model, &source, one, out, output),
+        [one] => return followed_motion::along(&mut model, &source, one, out, output),
         [first, second] if first.name != second.name => {
-            return followed::over_two(&mut model, &source, [first, second], out, output);
+            return followed_motion::over_two(&mut model, &source, [first, second], out, output);
         }
         _ => {
             let what = "a map is over two different numbers".to_owned();
@@ -66,14 +66,14 @@ pub fn equilibria(
     let on = |found: &FoundMotion| closed.branches_at(&asked.parameters, &found.steady);
     if output == Output::Json {
         let list: Vec<Value> = found.iter().map(|found| with_branches(json_of(found), on(found))).collect();
-        let value = json!({ "model": short_name(&model), "steady": list, "conditions": closed::json(&closed) });
+        let value = json!({ "model": short_name(&model), "steady": list, "conditions": closed_form::json(&closed) });
         print_json(&value)?;
     } else {
         let mut out = format!("{}\n", model.title);
         for found in &found {
             let _ = write!(out, "\n{}{}", text_of(found), branches_text(&closed, on(found)));
         }
-        let _ = write!(out, "\n{}", closed::text(&closed));
+        let _ = write!(out, "\n{}", closed_form::text(&closed));
         print(&out)?;
     }
     Ok(0)

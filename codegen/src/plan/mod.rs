@@ -17,7 +17,7 @@ mod parts;
 mod program;
 mod regressor;
 mod scene;
-mod shown;
+mod scene_outputs;
 mod taylor;
 
 pub use arguments::{Argument, Entry};
@@ -33,6 +33,6 @@ pub use program::{Line, Output, Program, Statement, program};
 pub use regressor::Regression;
 pub use scene::{Costs, SceneEquations, ScenePlan, Taylor, costs};
 #[cfg(feature = "languages")]
-pub(crate) use shown::numbered;
-pub use shown::{Hidden, Shown};
+pub(crate) use scene_outputs::numbered;
+pub use scene_outputs::{Hidden, Shown};
 pub use taylor::TaylorPlan;

@@ -3,7 +3,7 @@
 use crate::lines::wrap;
 use crate::plan::{Entry, Explanation, Function};
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 use std::fmt::Write;
 use tripos_derive::plain::{one_line, visible};
 
@@ -66,6 +66,14 @@ pub fn comment(text: &str) -> TokenStream {
 }
 
 const MARK: &str = "~";
+
+/// Item `pub use` for names of a module, in alphabetical order.
+pub fn reexport<'n>(parent: &TokenStream, module: &str, names: impl IntoIterator<Item = &'n str>) -> TokenStream {
+    let mut names: Vec<&str> = names.into_iter().collect();
+    names.sort_unstable();
+    let (module, names) = (format_ident!("{module}"), names.into_iter().map(|name| format_ident!("{name}")));
+    quote!(pub use #parent::#module::{#(#names),*};)
+}
 
 /// Formats the items of a Rust file, with a header as file documentation, and turns the marked attributes into
 /// comments.

@@ -15,14 +15,14 @@ mod roots;
 mod states;
 
 pub use coordinates::{CoordinateSearch, CoordinateTable, find_coordinates};
-pub use edits::declared::{Declaration, Edit, Property, Section};
-pub use edits::derived::Derived;
+pub use edits::declarations::{Declaration, Edit, Property, Section};
+pub use edits::derived_model::Derived;
 pub use edits::models::{Change, ModelDifference, diff_models};
 pub use edits::scenes::{Setting, diff_scenes};
 pub use edits::variables::{VariableChange, VariableKind};
 pub use formulas::finding::{Finding, Judgement};
 pub use printed::consequences::{Agreement, Consequences, Rate};
-pub use printed::emitted::printed_equations;
+pub use printed::printed_equations::printed_equations;
 pub use repairs::Slip;
 pub use roots::{Follower, Link, Root};
 
@@ -129,7 +129,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
         }
     }
     let Found { findings, claims, tables, motions } = found;
-    let swapped = formulas::swapped::swapped_lists(model, publication);
+    let swapped = formulas::swapped_lists::swapped_lists(model, publication);
     let roots = roots::find(&mut quantities, &permitted, &findings, &claims, &tables, &swapped);
     let (consequences, agreements) = printed::consequences::draw(model, derivations, &mut comparer, proof, &motions);
     Difference { findings, roots, consequences, agreements }

@@ -2,7 +2,7 @@
 
 use super::{Comparison, CoordinateReport, verdicts};
 use crate::failure::Failure;
-use crate::judged::Judged;
+use crate::judgement::Judged;
 use crate::workspace::model_file;
 use serde_json::{Value, json};
 use std::fmt::Write;

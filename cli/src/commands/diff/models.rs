@@ -6,7 +6,7 @@
 use super::Comparison;
 use crate::failure::Failure;
 use crate::glossary::{names_json, names_text};
-use crate::words::{entries, shortened};
+use crate::phrases::{entries, shortened};
 use crate::workspace::short_name;
 use serde_json::{Value, json};
 use std::fmt::Write;

@@ -1,7 +1,7 @@
 //! Comparison of two models: changes of the equations of motion, entry by entry, and of the declarations.
 
-use super::declared::{Declaration, declarations};
-use super::derived::Derived;
+use super::declarations::{Declaration, declarations};
+use super::derived_model::Derived;
 use super::variables::{VariableChange, changed_variables};
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Comparer, Verdict};

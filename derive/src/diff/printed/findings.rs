@@ -1,6 +1,6 @@
 //! Findings on rows and entries of printed systems: the verdict, the wrong entries, and the mistake in each.
 
-use crate::diff::equations::ordered::Ordered;
+use crate::diff::equations::derived_system::Ordered;
 use crate::diff::equations::rows::{Match, Row, RowJudgement, Terms, judge};
 use crate::diff::formulas::entries::{Judge, Printed};
 use crate::diff::formulas::finding::{Finding, Judgement, Mistake, ROUNDED};

@@ -4,7 +4,7 @@ use super::systems::printed;
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Verdict;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
-use crate::diff::equations::ordered::Ordered;
+use crate::diff::equations::derived_system::Ordered;
 use crate::diff::equations::rows::{Row, RowJudgement};
 use crate::diff::formulas::entries::Judge;
 use crate::diff::formulas::finding::{Finding, Judgement};

@@ -4,7 +4,7 @@ use super::findings::stated;
 use super::motion::Motion;
 use super::systems::{Judged, MatchedMotion};
 use crate::diff::equations::claim::Claim;
-use crate::diff::equations::ordered::{Ordered, derived};
+use crate::diff::equations::derived_system::{Ordered, derived};
 use crate::diff::equations::rows::Row;
 use crate::diff::formulas::entries::{Judge, Printed, Reading};
 use crate::diff::formulas::finding::{Finding, Judgement, TracedFinding};

@@ -3,7 +3,7 @@
 use super::findings::stated;
 use super::motion::Motion;
 use crate::diff::equations::claim::{Claim, Table};
-use crate::diff::equations::ordered::{Ordered, derived};
+use crate::diff::equations::derived_system::{Ordered, derived};
 use crate::diff::equations::rows::{Match, Row, Terms};
 use crate::diff::formulas::entries::{Judge, Printed, Reading};
 use crate::diff::formulas::finding::{Finding, Judgement, TracedFinding};

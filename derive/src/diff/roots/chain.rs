@@ -11,7 +11,7 @@
 mod sums;
 mod vectors;
 
-use super::derived::{arena_of, component, derived, turned};
+use super::derived_values::{arena_of, component, derived, turned};
 use super::exact::Value;
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Differential;

@@ -8,20 +8,20 @@
 //! may give equal differences, and nothing would prove that they are one.
 
 mod chain;
-mod derived;
+mod derived_values;
 mod exact;
 mod numbers;
 mod root;
 mod rows;
 mod search;
-mod shared;
-mod solved;
+mod shared_mistake;
+mod solutions;
 
 pub use root::{Follower, Link, Root};
 
 use super::equations::claim::{Claim, Table};
 use super::formulas::finding::{Finding, Judgement};
-use super::formulas::swapped::Swapped;
+use super::formulas::swapped_lists::Swapped;
 use crate::algebra::Arena;
 use crate::algebra::meaning::permitted::Permitted;
 use crate::algebra::text::print::text;

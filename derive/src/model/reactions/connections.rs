@@ -20,8 +20,8 @@
 //! reactions do no work.
 
 mod elsewhere;
-mod held;
 mod search;
+mod stated_connections;
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::{Expr, Function};

@@ -1,7 +1,7 @@
 //! Equations of a LaTeX file by their labels.
 
 use super::macros::{Macros, group_end, near, without_comments};
-use super::traced::{Problem, Traced};
+use super::traced_text::{Problem, Traced};
 use crate::diagnostic::nearest;
 use std::ops::Range;
 

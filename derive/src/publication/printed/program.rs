@@ -1,6 +1,6 @@
 //! Assignments of a program: those of a function, of numbered lines, or between two marks.
 
-use super::traced::Traced;
+use super::traced_text::Traced;
 use crate::algebra::text::notation::Notation;
 use std::ops::Range;
 

@@ -13,33 +13,33 @@
 
 mod carrier;
 mod changes;
-mod checked;
 mod contact_change;
+mod contact_events;
 mod contacts;
-mod held;
+mod friction_modes;
 mod held_contacts;
+mod held_motion;
 mod meeting;
+mod missed_changes;
 mod short_bounces;
-mod slipping;
-mod watching;
 
 pub use carrier::{Approach, Carrier, Crossing, Doubles, Equations};
 pub use contact_change::ContactChange;
 pub use contacts::{Contacts, Operators, Response};
-pub use held::Held;
 pub use held_contacts::{HeldContacts, NONE};
+pub use held_motion::Held;
 pub use meeting::After;
 pub use short_bounces::notes_on_short_bounces;
 
 use super::initial::InitialState;
 use super::passage::{joined, rest};
+use contact_events::passed_on;
 use meeting::Meeting;
 use tripos_sim::{
     Accompanied, Event, EventRecord, Failure, ImpactRecord, Kind, Lent, Options, RightHandSide, SimError, Solution,
     Stop, integrate,
 };
 use tripos_traits::{Method, Real};
-use watching::passed_on;
 
 /// Function that gives the power at an instant and a state, W.
 type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;

@@ -3,7 +3,7 @@
 use super::Chain;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::{Expr, Rational};
-use crate::diff::roots::derived::{arena_of, components, derived, dot};
+use crate::diff::roots::derived_values::{arena_of, components, derived, dot};
 use crate::geometry::Components;
 use crate::mechanics::{Energy, Quantities, QuantityKind, Row, VectorName};
 

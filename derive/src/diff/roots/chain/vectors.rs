@@ -3,7 +3,7 @@
 use super::Chain;
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Differential;
-use crate::diff::roots::derived::{arena_of, components, derived, difference, sum, turned};
+use crate::diff::roots::derived_values::{arena_of, components, derived, difference, sum, turned};
 use crate::geometry::{Components, apply_tensor, cross_components};
 use crate::mechanics::{Quantities, QuantityKind, VectorName};
 

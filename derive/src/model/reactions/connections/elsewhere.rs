@@ -5,8 +5,8 @@
 //! it does no work, is felt, and is independent of those kept before. The search ends when there are as many reactions
 //! as the equations of all bodies need.
 
-use super::held::works_alone;
 use super::search::{FoundReaction, ReactionDirection, Search};
+use super::stated_connections::works_alone;
 use crate::model::reactions::random_pose::{DrawnModel, Triple};
 use crate::model::reactions::relative_motion::{BodyPair, Holder};
 use crate::model::{Place, ReactionKind};

@@ -3,7 +3,7 @@
 //! Invariant: one description explains the whole difference from the derived value in both components, by identity. It
 //! is an equal factor, an equal factor of one part of the vector's formula, or the angular velocity of a wrong frame.
 
-use super::derived::{arena_of, components, difference};
+use super::derived_values::{arena_of, components, difference};
 use super::exact::{Exact, Value};
 use crate::algebra::Expr;
 use crate::algebra::text::print::text;

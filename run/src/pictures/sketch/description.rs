@@ -2,9 +2,9 @@
 
 use super::angles::Angle;
 use super::axes::along_axis;
+use super::drawn_pose::Changed;
 use super::lengths::Length;
 use super::sheet::Subject;
-use super::shown::Changed;
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::dot;
 use crate::pictures::view::{Form, Solid};
