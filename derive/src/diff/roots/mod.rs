@@ -1,11 +1,11 @@
 //! Root mistakes: the search, by proof, for wrong entries that repeat others or follow from them.
 //!
 //! An entry is traced to earlier ones in three cases. First, it has an equal wrong value. Second, exactly the printed
-//! value follows when printed values replace the derived ones in its formula ([`chain`], [`rows`], [`solved`]). Third,
-//! an equal mistake is in another component of one vector ([`shared`]). Every such claim is an identity of terms. An
-//! entry without a proof within a counted budget is a root of its own. Invariant: every entry that is different is in
-//! exactly one group, that of its first source. Entries are not linked because their differences are equal: two slips
-//! may give equal differences, and nothing would prove that they are one.
+//! value follows when printed values replace the derived ones in its formula ([`chain`], [`rows`], [`solutions`]).
+//! Third, an equal mistake is in another component of one vector ([`shared_mistake`]). Every such claim is an identity
+//! of terms. An entry without a proof within a counted budget is a root of its own. Invariant: every entry that is
+//! different is in exactly one group, that of its first source. Entries are not linked because their differences are
+//! equal: two slips may give equal differences, and nothing would prove that they are one.
 
 mod chain;
 mod derived_values;

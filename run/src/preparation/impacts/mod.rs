@@ -3,8 +3,8 @@
 //! A run consists of parts. Each part ends at the root of a gap that closes, or of a force that no longer pushes. The
 //! next part begins at that instant with the velocities that the law of impact leaves: no step crosses a jump. The
 //! effect of an impact follows from all contacts that are closed at its instant together ([`tripos_sim::Closed`]).
-//! Closed contacts that would be pushed together are held ([`held`]). A contact with friction is held along its gap,
-//! and along its slip while it sticks ([`slipping`]). Another part begins where it begins or ceases to slip.
+//! Closed contacts that would be pushed together are held ([`held_motion`]). A contact with friction is held along its
+//! gap, and along its slip while it sticks ([`friction_modes`]). Another part begins where it begins or ceases to slip.
 //!
 //! Bounces that become ever shorter have no end in numbers. So the contact is held if its next flight would be shorter
 //! than [`LEAST`] of the time scale, or no higher than the rounding of its gap.
