@@ -2,4 +2,4 @@
 
 pub mod figure;
 pub mod files;
-pub mod words;
+pub mod sentences;

@@ -2,7 +2,7 @@
 //!
 //! Invariant: a document contains no name that it does not define.
 
-use crate::words::NAMED;
+use crate::phrases::NAMED;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use tripos_derive::algebra::text::definitions::glossary;

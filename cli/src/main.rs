@@ -7,10 +7,11 @@ mod failure;
 mod figures;
 mod follow;
 mod glossary;
-mod judged;
+mod judgement;
 mod latex;
 mod output;
 mod page;
+mod phrases;
 mod picture;
 mod plot;
 mod scene_file;
@@ -18,11 +19,11 @@ mod sketch;
 mod stability;
 mod sweep;
 mod view;
-mod words;
 mod workspace;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
+use commands::derive::latex::Part;
 use commands::diff::coordinates::in_found_coordinates;
 use commands::diff::{Compare, compared};
 use commands::inverse::Shape;
@@ -80,7 +81,8 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Page(request) => commands::page::page(&request),
         Command::Derive { model, by, form, format, fragment, json } => {
             let format = if json { arguments::Format::Json } else { format };
-            commands::derive::derive(&model, by.as_deref(), form, (format, fragment))
+            let part = if fragment { Part::Fragment } else { Part::Document };
+            commands::derive::derive(&model, by.as_deref(), form, format, part)
         }
         Command::Diff { model, others, find_coordinates, json } => {
             let compare: Compare = if find_coordinates { in_found_coordinates } else { compared };

@@ -5,7 +5,7 @@
 //! compile time.
 
 #[cfg(feature = "pictures")]
-mod made;
+mod formats;
 
 use crate::failure::Failure;
 use crate::output::text;
@@ -79,7 +79,7 @@ pub fn write(path: &Path, kind: Kind, svg: &str, dpi: u32) -> Result<(), Failure
 
 #[cfg(feature = "pictures")]
 fn made(path: &Path, kind: Kind, svg: &str, dpi: u32) -> Result<(), Failure> {
-    let bytes = if kind == Kind::Png { made::png(svg, dpi) } else { made::pdf(svg) };
+    let bytes = if kind == Kind::Png { formats::png(svg, dpi) } else { formats::pdf(svg) };
     crate::output::bytes(path, &bytes?)
 }
 

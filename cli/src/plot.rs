@@ -63,7 +63,8 @@ pub fn draw(panels: &[Panel], columns: usize) -> Result<String, PlotError> {
                 .iter()
                 .zip(&corners)
                 .any(|(p, c)| c.0.total_cmp(&corner.0).is_eq() && c.1 > corner.1 && p.x_label == panel.x_label);
-            plot.draw(&canvas, *corner, column - left - 10.0, below)?;
+            let label = (!below).then_some(plot.x.label.as_str());
+            plot.draw(&canvas, *corner, column - left - 10.0, label)?;
         }
         canvas.present()?;
     }
@@ -121,7 +122,8 @@ struct Entry<'a> {
 }
 
 /// Draws a legend whose corner is at a place of the canvas.
-fn names(canvas: &Canvas, entries: &[Entry<'_>], (left, top): (f64, f64)) -> Result<(), PlotError> {
+fn names(canvas: &Canvas, entries: &[Entry<'_>], corner: (f64, f64)) -> Result<(), PlotError> {
+    let (left, top) = corner;
     for Entry { series, x, y } in entries {
         let (look, x, y) = (look(series.style), left + x, top + y + 9.0);
         curve(canvas, &[(x, y), (x + 44.0, y)], look)?;
@@ -202,7 +204,10 @@ impl<'a> Plot<'a> {
         self.head.len() as f64 + lines(&self.names)
     }
 
-    fn draw(&self, canvas: &Canvas, (left, top): (f64, f64), width: f64, below: bool) -> Result<(), PlotError> {
+    /// Draws the plot with its upper left corner at a place of the canvas. `label` is the label of the axis x; `None` if
+    /// a plot below shows it.
+    fn draw(&self, canvas: &Canvas, corner: (f64, f64), width: f64, label: Option<&str>) -> Result<(), PlotError> {
+        let (left, top) = corner;
         let (right, bottom) = (left + width, top + self.height);
         let head_top = top - 6.0 - self.lines_above() * LINE + LINE / 2.0;
         names(canvas, &self.names, (left, top - 6.0 - lines(&self.names) * LINE))?;
@@ -220,11 +225,11 @@ impl<'a> Plot<'a> {
             write(canvas, text, (left - 6.0, y), HPos::Right, FontStyle::Normal)?;
         }
         line(canvas, &[(left, top), (left, bottom), (right, bottom)], 1.0, EDGE)?;
-        if !below {
-            write(canvas, &self.x.label, (left + width / 2.0, bottom + 26.0), HPos::Center, FontStyle::Normal)?;
+        if let Some(label) = label {
+            write(canvas, label, (left + width / 2.0, bottom + 26.0), HPos::Center, FontStyle::Normal)?;
         }
         for (at, text) in self.foot.iter().enumerate() {
-            let y = bottom + if below { 27.0 } else { 42.0 } + at as f64 * LINE;
+            let y = bottom + if label.is_none() { 27.0 } else { 42.0 } + at as f64 * LINE;
             write(canvas, text, (left, y), HPos::Left, FontStyle::Italic)?;
         }
         let shows = |p: (f64, f64)| self.panel.shows(p);

@@ -1,6 +1,6 @@
 //! Output of the studies of a scene's limits: tables, figures, and words.
 
-pub mod words;
+pub mod sentences;
 
 use crate::chart::figure::drawn;
 use crate::failure::Failure;
@@ -49,8 +49,8 @@ pub fn tables(findings: &Findings, out: &Path) -> Result<(), Failure> {
 pub fn statements(model: &Mechanism, findings: &Findings) -> Vec<String> {
     let (passages, others): (Vec<_>, Vec<_>) = findings.statements.iter().partition(|s| s.study == Topic::Passages);
     let mut list: Vec<String> = passages.into_iter().map(|s| s.text.clone()).collect();
-    list.extend(words::own(&findings.passages));
-    list.extend(words::coordinate(model, &findings.passages));
+    list.extend(sentences::own(&findings.passages));
+    list.extend(sentences::coordinate(model, &findings.passages));
     list.extend(others.into_iter().map(|s| s.text.clone()));
     list
 }

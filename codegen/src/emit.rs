@@ -9,7 +9,7 @@ use crate::extras::Extras;
 use crate::files::{self, WriteError};
 #[cfg(feature = "rust")]
 use crate::origin::Origin;
-use crate::origin::{EMIT, are_of_one_model, is_written_by, origin_in};
+use crate::origin::{EMIT, is_written_by, source_in};
 use crate::target::LeftOut;
 #[cfg(feature = "rust")]
 use crate::workspace::{ModuleFiles, asked_for, module_files};
@@ -151,9 +151,9 @@ pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceErr
         placed.push(Placed::Written(file.clone()));
     }
     // Files of other models stay, so that several can share a folder.
-    let own: Vec<_> = emission.files.values().filter_map(|text| origin_in(text, emission.command)).collect();
+    let own: Vec<_> = emission.files.values().filter_map(|text| source_in(text, emission.command)).collect();
     let is_own = |text: &str| {
-        origin_in(text, emission.command).is_some_and(|old| own.iter().any(|own| are_of_one_model(own, &old)))
+        source_in(text, emission.command).is_some_and(|old| own.iter().any(|own| own.is_of_one_model(&old)))
     };
     let gone = old.into_iter().filter(|(file, text)| !emission.files.contains_key(file) && is_own(text));
     for file in gone.map(|(file, _)| file) {

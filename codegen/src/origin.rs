@@ -80,11 +80,25 @@ fn advice(command: &str) -> String {
 
 /// True if a command wrote the text: its header has the origin sentence in a comment before the first item.
 pub(crate) fn is_written_by(text: &str, command: &str) -> bool {
-    origin_in(text, command).is_some()
+    source_in(text, command).is_some()
 }
 
-/// Folder and file from which a command generated the text, as its header states them; `None` if it did not write it.
-pub(crate) fn origin_in(text: &str, command: &str) -> Option<(String, String)> {
+/// Place of the file from which a text was generated, as the text's header states it.
+pub(crate) struct StatedSource {
+    folder: String,
+    file: String,
+}
+
+impl StatedSource {
+    /// True if two texts were generated from one model, or from the publication beside it.
+    pub(crate) fn is_of_one_model(&self, other: &Self) -> bool {
+        let is_publication = |source: &Self| source.file == PUBLICATION;
+        self.folder == other.folder && (self.file == other.file || is_publication(self) || is_publication(other))
+    }
+}
+
+/// File from which a command generated the text, as its header states it; `None` if the command did not write the text.
+pub(crate) fn source_in(text: &str, command: &str) -> Option<StatedSource> {
     let advice = advice(command);
     let comment = |line: &'_ str| MARKS.iter().find_map(|mark| line.strip_prefix(mark)).map(str::to_owned);
     let origin = |line: String| {
@@ -92,13 +106,7 @@ pub(crate) fn origin_in(text: &str, command: &str) -> Option<(String, String)> {
         let rest = line.strip_prefix(GENERATED).or_else(|| line.strip_prefix(BESIDE))?;
         let path = rest.strip_suffix(&advice)?.trim_end_matches(['`', '.', ' ']);
         let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
-        Some((folder.to_owned(), file.to_owned()))
+        Some(StatedSource { folder: folder.to_owned(), file: file.to_owned() })
     };
     text.lines().map_while(comment).find_map(origin)
-}
-
-/// True if two texts were generated from one model, or from the publication beside it.
-pub(crate) fn are_of_one_model(one: &(String, String), other: &(String, String)) -> bool {
-    let is_publication = |(_, file): &(String, String)| file == PUBLICATION;
-    one.0 == other.0 && (one.1 == other.1 || is_publication(one) || is_publication(other))
 }

@@ -61,7 +61,8 @@ fn output(scene: &Scene) -> Output {
 /// Divides a span into `count` equal parts and returns the `count` + 1 instants, s. The last instant is exact,
 /// independent of the rounding of the division.
 #[must_use]
-pub fn instants((from, to): (f64, f64), count: u32) -> Vec<f64> {
+pub fn instants(span: (f64, f64), count: u32) -> Vec<f64> {
+    let (from, to) = span;
     (0..=count).map(|i| if i == count { to } else { from + (to - from) * (f64::from(i) / f64::from(count)) }).collect()
 }
 

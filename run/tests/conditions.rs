@@ -6,7 +6,7 @@
 
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::studies::steady::{ClosedForm, Conditions, FoundMotion, conditions, equilibria};
+use tripos::studies::steady::{BranchesAt, ClosedForm, Conditions, FoundMotion, conditions, equilibria};
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::value::evaluate::Tape;
@@ -331,7 +331,8 @@ fn what_newton_finds_lies_on_a_branch() {
         for (model, state) in &cases {
             let (form, asked, list) = found(model, state, 3);
             for found in &list {
-                let (at, branches) = form.branches_at(&asked.parameters, &found.steady).unwrap();
+                let BranchesAt { conditions: at, branches } =
+                    form.branches_at(&asked.parameters, &found.steady).unwrap();
                 let conditions = &form.list[at];
                 assert!(!branches.is_empty(), "{state}{:?}\n{}", found.steady, in_lines(conditions));
                 let mechanism = read(model);
@@ -357,9 +358,9 @@ fn what_newton_finds_lies_on_a_branch() {
 fn other_motions_lie_on_no_branch() {
     let (form, asked, list) = found("pendulum", "[state]\ntheta = 3\nomega = 0\n", 0);
     let mut steady = list[0].steady.clone();
-    assert_eq!(form.branches_at(&asked.parameters, &steady), Some((0, vec![1])));
+    assert_eq!(form.branches_at(&asked.parameters, &steady), Some(BranchesAt { conditions: 0, branches: vec![1] }));
     steady.x[0] = steady.x[0] + tripos_traits::DoubleDouble::from(1e-6);
-    assert_eq!(form.branches_at(&asked.parameters, &steady), Some((0, vec![])));
+    assert_eq!(form.branches_at(&asked.parameters, &steady), Some(BranchesAt { conditions: 0, branches: vec![] }));
 }
 
 /// Goal: parameters are solved for on request, unknown names are refused, and the work is limited. Method: the radius

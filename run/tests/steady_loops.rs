@@ -57,7 +57,7 @@ fn rests_of_a_redundant_loop_close_it() {
     let mut mechanism = model(TIED);
     let state = loaded(&mut mechanism, &format!("[state]\n{held}q_J1 = 0\nq_J2 = 0\n"));
     for rest in &found {
-        let on = form.branches_at(&state.parameters, &rest.steady).map(|(_, branches)| branches.len());
+        let on = form.branches_at(&state.parameters, &rest.steady).map(|at| at.branches.len());
         assert_eq!(on, Some(1), "{:?}", form.list[0].branches);
     }
 }

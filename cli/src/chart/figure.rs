@@ -1,6 +1,6 @@
 //! Figure of a speed chart: a panel for each question.
 
-use super::words::{is_derived, is_whole};
+use super::sentences::{is_derived, is_whole};
 use crate::failure::Failure;
 use crate::plot::styles::{BY_QUADRATURE, FRONT, METHODS, MOST_PRINTED, NUMERIC, PRINTED, style};
 use crate::plot::{Figure, Panel, PlotError, Scale, Series, draw, draw_heat};

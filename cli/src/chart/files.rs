@@ -1,6 +1,6 @@
 //! Files of a speed chart: tables for programs, and a table for people.
 
-use super::words::{TARGETS, fastest, seconds};
+use super::sentences::{TARGETS, fastest, seconds};
 use crate::failure::Failure;
 use crate::output::table;
 use std::fmt::Write;

@@ -1,7 +1,7 @@
 //! `tripos check`: facts about a model before its equations are used.
 
 use crate::failure::{Failure, Output, print, print_json};
-use crate::words::{NAMED, shortened};
+use crate::phrases::{NAMED, shortened};
 use crate::workspace::{read_model, short_name};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;

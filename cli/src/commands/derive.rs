@@ -3,7 +3,7 @@
 mod document;
 mod formulas;
 mod json;
-mod latex;
+pub mod latex;
 mod layout;
 mod markdown;
 mod sympy;
@@ -11,7 +11,7 @@ mod typst;
 
 use crate::arguments::{self, Format};
 use crate::failure::{Failure, print, print_json, say};
-use crate::words::NAMED;
+use crate::phrases::NAMED;
 use crate::workspace::{read_model, short_name};
 use document::Document;
 use rustc_hash::FxHashSet;
@@ -36,14 +36,16 @@ struct Derived {
     solved: Option<Elimination>,
 }
 
-/// Runs `tripos derive`: derives the equations and prints them in a format. Returns the exit status.
+/// Runs `tripos derive`: derives the equations and prints them in a format. Only LaTeX has parts. Returns the exit
+/// status.
 pub fn derive(
     model: &Path,
     by: Option<&str>,
     form: Option<arguments::Form>,
-    (format, is_fragment): (Format, bool),
+    format: Format,
+    part: latex::Part,
 ) -> Result<u8, Failure> {
-    if is_fragment && format != Format::Latex {
+    if part == latex::Part::Fragment && format != Format::Latex {
         return Err(Failure::request("only LaTeX has fragments", "add --format latex, or leave out --fragment"));
     }
     let model = read_model(model)?;
@@ -56,9 +58,7 @@ pub fn derive(
     let document = || document(&model, &moving, &derived);
     let out = match format {
         Format::Text => as_text(&model, &moving, &derived),
-        Format::Latex => {
-            latex::latex(&document()?, if is_fragment { latex::Part::Fragment } else { latex::Part::Document })
-        }
+        Format::Latex => latex::latex(&document()?, part),
         Format::Markdown => markdown::markdown(&document()?),
         Format::Typst => typst::typst(&document()?),
         Format::Sympy => sympy::sympy(&model, &derived)?,

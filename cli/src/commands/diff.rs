@@ -9,8 +9,8 @@ pub use models::changed_equations;
 use crate::commands::prove::{witness, word};
 use crate::failure::{Failure, Output, print, print_either, print_json, say, status};
 use crate::glossary::{names_json, names_text};
-use crate::judged::Judged;
-use crate::words::{entries, shortened};
+use crate::judgement::Judged;
+use crate::phrases::{entries, shortened};
 use crate::workspace::{model_file, read_model, short_name};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -86,17 +86,23 @@ pub fn compared(model: &Mechanism, other: &Path) -> Result<Comparison, Failure> 
     Ok(verdicts(Judged::new(model, &source)?, None))
 }
 
-/// Verdicts on a publication. Words about its coordinates stand in front: as text, and as JSON.
-fn verdicts(judged: Judged, coordinates: Option<(String, Value)>) -> Comparison {
+/// Result of the search for the coordinates of a publication, for people and for programs.
+struct CoordinateReport {
+    text: String,
+    json: Value,
+}
+
+/// Verdicts on a publication. The report on its coordinates stands in front, if there is one.
+fn verdicts(judged: Judged, coordinates: Option<CoordinateReport>) -> Comparison {
     let Judged { model, publication, mut derivations, proof, difference } = judged;
     difference.write_names(&proof, &mut derivations);
     let arena = &derivations.kinematics.arena;
-    let (words, value) = coordinates.unzip();
     let mut json = json_of(&model, arena, &difference);
-    if let Some(value) = value {
-        json["coordinates"] = value;
+    let mut text = text_of(&model, &publication.title, arena, &difference);
+    if let Some(report) = coordinates {
+        json["coordinates"] = report.json;
+        text.insert_str(0, &report.text);
     }
-    let text = words.unwrap_or_default() + &text_of(&model, &publication.title, arena, &difference);
     Comparison { is_clean: difference.is_clean(), text, json }
 }
 

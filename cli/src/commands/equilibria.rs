@@ -1,8 +1,8 @@
 //! `tripos equilibria`: states in which a mechanism rests or moves steadily, and their stability.
 
-mod closed;
+mod closed_form;
 mod figure;
-mod followed;
+mod followed_motion;
 mod range;
 
 use super::linearise::{kind_of, modes_of, modes_text, moves_of, state_of};
@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Error;
-use tripos::studies::steady::{About, ClosedForm, FoundMotion, conditions, equilibria as of_model};
+use tripos::studies::steady::{About, BranchesAt, ClosedForm, FoundMotion, conditions, equilibria as of_model};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::load_asked;
 
@@ -38,9 +38,9 @@ pub fn equilibria(
     let Some(file) = from.file else {
         let closed = conditions(&model, wanted)?;
         if output == Output::Json {
-            print_json(&json!({ "model": short_name(&model), "conditions": closed::json(&closed) }))?;
+            print_json(&json!({ "model": short_name(&model), "conditions": closed_form::json(&closed) }))?;
         } else {
-            print(&format!("{}\n\n{}", model.title, closed::text(&closed)))?;
+            print(&format!("{}\n\n{}", model.title, closed_form::text(&closed)))?;
         }
         return Ok(0);
     };
@@ -52,9 +52,9 @@ pub fn equilibria(
     let ranges: Result<Vec<Range>, Error> = over.iter().map(|over| Range::new(&model, &asked, over)).collect();
     match ranges?.as_slice() {
         [] => {}
-        [one] => return followed::along(&mut model, &source, one, out, output),
+        [one] => return followed_motion::along(&mut model, &source, one, out, output),
         [first, second] if first.name != second.name => {
-            return followed::over_two(&mut model, &source, [first, second], out, output);
+            return followed_motion::over_two(&mut model, &source, [first, second], out, output);
         }
         _ => {
             let what = "a map is over two different numbers".to_owned();
@@ -66,30 +66,32 @@ pub fn equilibria(
     let on = |found: &FoundMotion| closed.branches_at(&asked.parameters, &found.steady);
     if output == Output::Json {
         let list: Vec<Value> = found.iter().map(|found| with_branches(json_of(found), on(found))).collect();
-        let value = json!({ "model": short_name(&model), "steady": list, "conditions": closed::json(&closed) });
+        let value = json!({ "model": short_name(&model), "steady": list, "conditions": closed_form::json(&closed) });
         print_json(&value)?;
     } else {
         let mut out = format!("{}\n", model.title);
         for found in &found {
             let _ = write!(out, "\n{}{}", text_of(found), branches_text(&closed, on(found)));
         }
-        let _ = write!(out, "\n{}", closed::text(&closed));
+        let _ = write!(out, "\n{}", closed_form::text(&closed));
         print(&out)?;
     }
     Ok(0)
 }
 
 /// Words for the branches of the closed form on which a motion lies; empty if it lies on none.
-fn branches_text(closed: &ClosedForm, on: Option<(usize, Vec<usize>)>) -> String {
-    let Some((at, branches)) = on.filter(|(_, branches)| !branches.is_empty()) else { return String::new() };
-    let of = if closed.list[at].rest { "rest" } else { "steady motion" };
+fn branches_text(closed: &ClosedForm, on: Option<BranchesAt>) -> String {
+    let Some(BranchesAt { conditions, branches }) = on.filter(|on| !on.branches.is_empty()) else {
+        return String::new();
+    };
+    let of = if closed.list[conditions].rest { "rest" } else { "steady motion" };
     let list: Vec<String> = branches.iter().map(|branch| (branch + 1).to_string()).collect();
     format!("by its numbers on solution {} of {of} below\n", list.join(", "))
 }
 
 /// Adds the branches on which a motion lies, by their places, to the JSON of the motion.
-fn with_branches(mut value: Value, on: Option<(usize, Vec<usize>)>) -> Value {
-    if let Some((conditions, branches)) = on {
+fn with_branches(mut value: Value, on: Option<BranchesAt>) -> Value {
+    if let Some(BranchesAt { conditions, branches }) = on {
         value["on"] = json!({ "conditions": conditions, "branches": branches });
     }
     value

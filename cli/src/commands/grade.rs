@@ -2,7 +2,7 @@
 
 use crate::arguments::{Grade as Request, MarksFormat};
 use crate::failure::{Failure, print, print_json, status};
-use crate::judged::Judged;
+use crate::judgement::Judged;
 use crate::output;
 use crate::page::markup::html::escape;
 use crate::workspace::{read_model, short_name};

@@ -1,6 +1,6 @@
 //! `tripos linearise`: a mechanism near rest or a steady motion, as a linear system.
 
-mod written;
+mod notations;
 
 use crate::arguments::Notation;
 use crate::failure::{Failure, print, print_json};
@@ -61,7 +61,7 @@ pub fn linearise(
             let letters = letters.as_ref().map_or_else(String::new, |letters| text_of_letters(&found, letters));
             print(&format!("{}{letters}", text_of(&model, &found)))?;
         }
-        Written::Notation(notation) => print(&written::written(&model, &found, letters.as_ref(), notation))?,
+        Written::Notation(notation) => print(&notations::written(&model, &found, letters.as_ref(), notation))?,
     }
     Ok(0)
 }

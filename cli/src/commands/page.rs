@@ -1,12 +1,12 @@
 //! `tripos page`: derives a model, runs every scene by every formulation, and writes one page.
 
-mod drawn;
-mod measured;
-mod moving;
+mod motion_figure;
 mod own;
 mod rows;
-mod sketched;
-mod standing;
+mod run_figures;
+mod sketch;
+mod standings;
+mod study_figures;
 
 use crate::arguments::Page as Request;
 use crate::commands::chart::progress;
@@ -18,16 +18,16 @@ use crate::page::{self, Page, RunRow, SceneSection, Standing};
 use crate::plot::{Panel, styles};
 use crate::scene_file::with_values;
 use crate::workspace::{current_folder, edited, model_file, read_model, workspace_around};
-use drawn::{Drawn, after, drawing, folder_of};
 use indicatif::ProgressBar;
-use measured::Measured;
-use moving::moving;
+use motion_figure::moving;
 use own::{Own, shown};
 use rows::{UNWATCHED, facts, impacts, own_row, row, title};
+use run_figures::{Drawn, after, drawing, folder_of};
 use serde_json::json;
-use sketched::sketched;
+use sketch::sketched;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use study_figures::Measured;
 use tripos::code::{Code, Ready, code, formulation};
 use tripos::studies::study::{Printed, Study};
 use tripos::trust::comparison::Compared;
@@ -299,7 +299,7 @@ impl<'a> Work<'a> {
         }
         let (derived, own) = (runs.derived.iter().map(|(run, _)| run), runs.own.iter().map(|own| &own.run));
         let all = derived.chain(own).chain(runs.printed.iter().map(|(run, _)| run));
-        runs.standings = all.map(|run| standing::of(self.study, scene, run)).collect();
+        runs.standings = all.map(|run| standings::of(self.study, scene, run)).collect();
         Ok(runs)
     }
 

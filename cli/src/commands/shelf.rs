@@ -3,10 +3,10 @@
 mod motion;
 
 use crate::failure::{Failure, Output, print_either, status};
-use crate::judged::Judged;
+use crate::judgement::Judged;
 use crate::output;
 use crate::page::markup::html::escape;
-use crate::words::{entries, shortened};
+use crate::phrases::{entries, shortened};
 use crate::workspace::{current_folder, read_model, workspace_around};
 use motion::{Motion, motions};
 use serde_json::{Value, json};

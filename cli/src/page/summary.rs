@@ -4,7 +4,7 @@
 //! Invariant: every sentence is made of values and links to its evidence on the page. Absent on purpose: sentences that
 //! only one model could need.
 
-use crate::chart::words::{TARGETS, seconds};
+use crate::chart::sentences::{TARGETS, seconds};
 use crate::page::content::{Choice, Page, SceneSection};
 use crate::page::markup::html::{anchor, count, escape, link, listed, number, rounded};
 use crate::page::markup::math::{length, vanishing};

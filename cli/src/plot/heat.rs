@@ -62,7 +62,8 @@ fn draw_cell(canvas: &Canvas, map: &HeatMap, cell: &Cell, at: (f64, f64), width:
 }
 
 /// Colour of a value on a logarithmic scale between the ends of the range.
-fn colour(value: f64, (light, dark): (f64, f64)) -> RGBColor {
+fn colour(value: f64, range: (f64, f64)) -> RGBColor {
+    let (light, dark) = range;
     let part = (value.max(1e-300).log10() - light.log10()) / (dark.log10() - light.log10());
     let place = part.clamp(0.0, 1.0) * (COLOURS.len() - 1) as f64;
     let first = place.floor().min((COLOURS.len() - 2) as f64);

@@ -220,7 +220,8 @@ pub fn band(canvas: &Canvas, low: &[(f64, f64)], high: &[(f64, f64)], look: &Loo
     Ok(canvas.draw(&Polygon::new(corners, look.0.mix(SHADE)))?)
 }
 
-pub fn marker(canvas: &Canvas, (x, y): (f64, f64), look: &Look) -> Result<(), PlotError> {
+pub fn marker(canvas: &Canvas, middle: (f64, f64), look: &Look) -> Result<(), PlotError> {
+    let (x, y) = middle;
     let radius = 3.6;
     if look.4.is_empty() {
         let style = ShapeStyle { color: look.3.into(), filled: false, stroke_width: extent(OUTLINE) };

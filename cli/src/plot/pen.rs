@@ -63,7 +63,8 @@ impl<'a> Pen<'a> {
 }
 
 /// Colour as six hexadecimal digits.
-fn colour(BackendColor { rgb: (r, g, b), .. }: BackendColor) -> String {
+fn colour(colour: BackendColor) -> String {
+    let (r, g, b) = colour.rgb;
     format!("#{r:02X}{g:02X}{b:02X}")
 }
 

@@ -193,7 +193,8 @@ fn data(seen: &Seen<'_>, plan: &MotionPlan, stops: &Stops, title: &str) -> Value
 }
 
 /// JSON of a slider from one value to another; `at` is the index of the value that it changes.
-fn slider(name: &str, about: &str, unit: &str, at: usize, value: f64, (from, to): (f64, f64)) -> Value {
+fn slider(name: &str, about: &str, unit: &str, at: usize, value: f64, range: (f64, f64)) -> Value {
+    let (from, to) = range;
     json!({ "name": name, "about": about, "unit": unit, "at": at, "value": value, "from": from, "to": to })
 }
 

@@ -1,5 +1,6 @@
 //! Text of `modelDescription.xml` by FMI 3.0, and the parts that FMI 2.0 has as well.
 
+use super::functions::FmuFunctions;
 use super::token;
 use super::variables::{Role, Variable, Variables};
 use crate::languages::Module;
@@ -13,7 +14,14 @@ use tripos_derive::scene::Scene;
 const INITIAL: &str = "InitialUnknown";
 
 /// Text of the description of a scene's unit.
-pub fn text(identifier: &str, module: &Module<'_>, scene: &Scene, variables: &Variables, has_slopes: bool) -> String {
+pub fn text(
+    identifier: &str,
+    module: &Module<'_>,
+    scene: &Scene,
+    functions: &FmuFunctions,
+    variables: &Variables,
+) -> String {
+    let has_slopes = functions.has_slopes(module.plan);
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     let list = &variables.list;
     let _ = writeln!(

@@ -1,6 +1,7 @@
 //! Text of `modelDescription.xml` by FMI 2.0.
 
 use super::description::{escaped, experiment, number, title, units};
+use super::functions::FmuFunctions;
 use super::token;
 use super::variables::{Role, Variable, Variables};
 use crate::languages::Module;
@@ -8,7 +9,14 @@ use std::fmt::Write;
 use tripos_derive::scene::Scene;
 
 /// Text of the description of a scene's unit. Places in lists count from 1.
-pub fn text(identifier: &str, module: &Module<'_>, scene: &Scene, variables: &Variables, has_slopes: bool) -> String {
+pub fn text(
+    identifier: &str,
+    module: &Module<'_>,
+    scene: &Scene,
+    functions: &FmuFunctions,
+    variables: &Variables,
+) -> String {
+    let has_slopes = functions.has_slopes(module.plan);
     let list = &variables.list;
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     let indicators = list.iter().filter(|variable| variable.role == Role::Indicator).count();
@@ -43,9 +51,9 @@ pub fn text(identifier: &str, module: &Module<'_>, scene: &Scene, variables: &Va
     let outputs: Vec<_> = of(|role| matches!(role, Role::Output | Role::State(true))).collect();
     let derivatives: Vec<_> = of(|role| matches!(role, Role::Derivative(_))).collect();
     let computed: Vec<_> = of(|role| matches!(role, Role::Derivative(_) | Role::Output)).collect();
-    unknowns(&mut out, "Outputs", &outputs, true);
-    unknowns(&mut out, "Derivatives", &derivatives, true);
-    unknowns(&mut out, "InitialUnknowns", &computed, false);
+    unknowns(&mut out, "Outputs", &outputs, Dependencies::Stated);
+    unknowns(&mut out, "Derivatives", &derivatives, Dependencies::Stated);
+    unknowns(&mut out, "InitialUnknowns", &computed, Dependencies::LeftOut);
     out.push_str("  </ModelStructure>\n</fmiModelDescription>\n");
     out
 }
@@ -85,15 +93,22 @@ fn element(out: &mut String, variable: &Variable) {
     out.push_str("/></ScalarVariable>\n");
 }
 
-/// List of unknowns, with what they depend on if `is_known`.
-fn unknowns(out: &mut String, name: &str, list: &[&Variable], is_known: bool) {
+/// Variables on which an unknown depends, in a list of unknowns.
+#[derive(Clone, Copy, PartialEq)]
+enum Dependencies {
+    Stated,
+    LeftOut,
+}
+
+/// List of unknowns.
+fn unknowns(out: &mut String, name: &str, list: &[&Variable], dependencies: Dependencies) {
     if list.is_empty() {
         return;
     }
     let _ = writeln!(out, "    <{name}>");
     for variable in list {
         let _ = write!(out, "      <Unknown index=\"{}\"", variable.reference + 1);
-        if let Some(depends_on) = variable.depends_on.as_ref().filter(|_| is_known) {
+        if let Some(depends_on) = variable.depends_on.as_ref().filter(|_| dependencies == Dependencies::Stated) {
             let places: Vec<String> = depends_on.iter().map(|reference| (reference + 1).to_string()).collect();
             let _ = write!(out, " dependencies=\"{}\"", places.join(" "));
         }

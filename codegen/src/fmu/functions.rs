@@ -55,9 +55,10 @@ impl FmuFunctions {
         self.shown.left_out.iter().map(|(name, _)| name.clone()).collect()
     }
 
-    /// True if the slopes of all outputs, and of the derivative along the parameters, are known.
-    pub fn has_slopes(&self) -> bool {
-        self.output_slopes.is_some() && self.solution.by_parameters.is_some()
+    /// True if the plan computes the slopes of the derivative, and the slopes of all outputs, and of the derivative
+    /// along the parameters, are known.
+    pub fn has_slopes(&self, plan: &ModulePlan) -> bool {
+        self.output_slopes.is_some() && self.solution.by_parameters.is_some() && plan.has("jacobian")
     }
 
     /// Plans the functions that a unit calls.

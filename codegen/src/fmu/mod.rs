@@ -108,15 +108,15 @@ impl Fmu {
         let mut sources = C.files(&module);
         sources.extend(C.shared_files(&origin));
         let variables = Variables::new(model, scene, &functions, &plan);
-        let has_slopes = functions.has_slopes() && plan.has("jacobian");
-        sources.push(("fmu_model.h".to_owned(), configuration(&module, scene, &functions, &variables, has_slopes)));
+        sources.push(("fmu_model.h".to_owned(), configuration(&module, scene, &functions, &variables)));
         let (name, text) = version.interface();
         sources.extend([("fmu_core.h", CORE), (name, text)].map(|(name, text)| (name.to_owned(), text.to_owned())));
         let description = match version {
-            Version::Two => fmi2::text(&identifier, &module, scene, &variables, has_slopes),
-            Version::Three => description::text(&identifier, &module, scene, &variables, has_slopes),
+            Version::Two => fmi2::text(&identifier, &module, scene, &functions, &variables),
+            Version::Three => description::text(&identifier, &module, scene, &functions, &variables),
         };
-        Ok(Self { identifier, description, sources, left_out: functions.left_out(), has_slopes })
+        let (left_out, has_slopes) = (functions.left_out(), functions.has_slopes(&plan));
+        Ok(Self { identifier, description, sources, left_out, has_slopes })
     }
 }
 
@@ -134,13 +134,7 @@ fn token(module: &Module<'_>, scene: &Scene) -> String {
 }
 
 /// Text of the header that describes a model to the interface.
-fn configuration(
-    module: &Module<'_>,
-    scene: &Scene,
-    functions: &FmuFunctions,
-    variables: &Variables,
-    has_slopes: bool,
-) -> String {
+fn configuration(module: &Module<'_>, scene: &Scene, functions: &FmuFunctions, variables: &Variables) -> String {
     let (plan, e) = (module.plan, module.equations());
     let stem = format!("{}_{}", module.model_word, module.equations_word);
     let mut writer = Writer::new(&C, Comments::Written);
@@ -170,7 +164,7 @@ fn configuration(
         ("HAS_DIVISORS", usize::from(plan.has("divisors"))),
         ("HAS_CONDITIONS", usize::from(plan.has("conditions"))),
         ("HAS_EVENTS", usize::from(events > 0)),
-        ("HAS_SLOPES", usize::from(has_slopes)),
+        ("HAS_SLOPES", usize::from(functions.has_slopes(plan))),
     ];
     for (name, value) in counts {
         writer.raw(&format!("#define {name} {value}"));

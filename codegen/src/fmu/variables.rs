@@ -84,27 +84,23 @@ impl Variables {
             add(name, Role::State(is_shown(name)), Some(*start), Some(unit), about, None);
         }
         let inputs: Vec<usize> = (0..np).filter(|at| model.parameters[*at].is_input).collect();
-        let is_zero = |name: &str, at: usize| {
-            let function = plan.functions.iter().find(|f| f.name == name)?;
-            Some(matches!(function.entries[at], Entry::Zero))
-        };
+        let entry = |name: &str, at: usize| plan.functions.iter().find(|f| f.name == name).map(|f| &f.entries[at]);
         let nx = states.len();
         for (row, (name, unit, ..)) in states.iter().enumerate() {
-            let of_states = (0..nx).map(|at| Some((first_state + at, is_zero("jacobian", row * nx + at)?)));
-            let of_inputs = inputs.iter().map(|at| Some((at + 1, is_zero("parameter_jacobian", row * np + at)?)));
-            let found: Option<Vec<(usize, bool)>> = of_states.chain(of_inputs).collect();
+            let of_states = (0..nx).map(|at| Some((first_state + at, entry("jacobian", row * nx + at)?)));
+            let of_inputs = inputs.iter().map(|at| Some((at + 1, entry("parameter_jacobian", row * np + at)?)));
+            let depends_on = nonzero(of_states.chain(of_inputs));
             let unit = unit.times(&Unit::new(0, 0, -1));
             let what = if row < nq { "rate" } else { "acceleration" };
-            let depends_on = found.map(nonzero);
+
             add(&format!("der({name})"), Role::Derivative(first_state + row), None, Some(&unit), what, depends_on);
         }
         for (row, output) in functions.outputs().iter().enumerate() {
             let columns = nx + np;
-            let of_states = (0..nx).map(|at| Some((first_state + at, is_zero("output_jacobian", row * columns + at)?)));
-            let of_inputs =
-                inputs.iter().map(|at| Some((at + 1, is_zero("output_jacobian", row * columns + nx + at)?)));
-            let found: Option<Vec<(usize, bool)>> = of_states.chain(of_inputs).collect();
-            add(&output.name, Role::Output, None, None, "output of the scene", found.map(nonzero));
+            let of_states = (0..nx).map(|at| Some((first_state + at, entry("output_jacobian", row * columns + at)?)));
+            let of_inputs = inputs.iter().map(|at| Some((at + 1, entry("output_jacobian", row * columns + nx + at)?)));
+            let depends_on = nonzero(of_states.chain(of_inputs));
+            add(&output.name, Role::Output, None, None, "output of the scene", depends_on);
         }
         let events = functions.events().iter().map(|event| &event.name);
         for name in plan.divisors.iter().chain(&plan.conditions).chain(events) {
@@ -120,9 +116,15 @@ impl Variables {
     }
 }
 
-/// References of the entries that are not zero.
-fn nonzero(found: Vec<(usize, bool)>) -> Vec<usize> {
-    found.into_iter().filter(|(_, is_zero)| !is_zero).map(|(reference, _)| reference).collect()
+/// References of the variables whose entry is not zero; `None` if an entry is not known.
+fn nonzero<'e>(mut slopes: impl Iterator<Item = Option<(usize, &'e Entry)>>) -> Option<Vec<usize>> {
+    slopes.try_fold(Vec::new(), |mut list, slope| {
+        let (reference, entry) = slope?;
+        if !matches!(entry, Entry::Zero) {
+            list.push(reference);
+        }
+        Some(list)
+    })
 }
 
 /// Names that were given out.

@@ -9,12 +9,12 @@ mod module;
 mod names;
 mod syntax;
 mod text;
-mod written;
+mod written_equations;
 
 pub use module::Module;
 pub use names::{LANGUAGE, is_name};
 pub use text::{in_page, string};
-pub use written::Written;
+pub use written_equations::Written;
 
 /// Sources of the runners, each with its name: the integrator, the projection onto constraints, and runs that use both.
 pub const RUNNERS: [(&str, &str); 3] = [

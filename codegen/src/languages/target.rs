@@ -7,8 +7,8 @@ use crate::origin::Origin;
 use crate::plan::{Hidden, ModulePlan, Planner, Regression, Sharing, Shown, Solution, module_name};
 use crate::target::{self, Target};
 use std::collections::BTreeMap;
-use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::form::simplify::Simplifier;
+use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
 use tripos_derive::mechanics::{Derivation, DeriveError, Solved, Unsolved, parameter_jacobian};
 use tripos_derive::scene::Scene;
@@ -119,8 +119,8 @@ impl Target for Modules<'_> {
     fn derived(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics> {
         let Derivation { mut arena, equations } = derivation;
         let equations = equations.written(&mut arena);
-        let has_parameters = self.wants("parameter_jacobian");
-        let solution = solution(model, &mut arena, &equations, has_parameters).map_err(|why| model.diagnose(&why))?;
+        let parameters = self.wants("parameter_jacobian").then(|| model.p());
+        let solution = solution(&mut arena, &equations, parameters.as_deref()).map_err(|why| model.diagnose(&why))?;
         let shown = self.selection.scene.map(|scene| {
             let solved = solution.as_ref().map(|solution| &solution.by_state.accelerations);
             Shown::new(model, scene, &mut arena, &equations, solved)
@@ -201,13 +201,12 @@ impl Modules<'_> {
     }
 }
 
-/// Accelerations in closed form with their slopes, along the parameters too if `has_parameters`; `None` if the model
+/// Accelerations in closed form with their slopes, also along the parameters if these are given; `None` if the model
 /// does not determine them in closed form.
 fn solution(
-    model: &Model,
     arena: &mut Arena,
     equations: &Equations,
-    has_parameters: bool,
+    parameters: Option<&[Expr]>,
 ) -> Result<Option<Solution>, DeriveError> {
     let by_state = match Solved::new(arena, equations) {
         Ok(solved) => solved,
@@ -215,11 +214,10 @@ fn solution(
         Err(why) => return Err(DeriveError::Unsolved(why)),
     };
     let solved = &by_state.accelerations;
-    let by_parameters = if has_parameters {
-        parameter_jacobian(arena, &mut Simplifier::default(), equations, solved, &model.p())
-            .map_err(|why| DeriveError::Unsolved(why.into()))?
-    } else {
-        None
+    let by_parameters = match parameters {
+        Some(parameters) => parameter_jacobian(arena, &mut Simplifier::default(), equations, solved, parameters)
+            .map_err(|why| DeriveError::Unsolved(why.into()))?,
+        None => None,
     };
     Ok(Some(Solution { by_state, by_parameters }))
 }

@@ -1,6 +1,6 @@
 //! Plan of the functions of one formulation, and of the statements about them.
 
-use super::function::{Arguments, Function, Planner, Returns, Value};
+use super::function::{Arguments, Explanation, Function, Planner, Returns, Value};
 use super::names::spelled;
 use super::taylor::TaylorPlan;
 use crate::taylor::Recurrences;
@@ -378,7 +378,7 @@ fn divisors_text(planner: &Planner<'_>, divisors: &[Expr]) -> String {
     }
     let distinct = distinct(planner.arena, divisors);
     // Long formulations divide by named terms, and their names would tell nothing here.
-    if distinct.len() > MOST_LISTED || !planner.explains() {
+    if distinct.len() > MOST_LISTED || planner.explanation() == Explanation::Names {
         let count = distinct.len();
         return format!("The accelerations divide by {count} pivots, which are positive where the mass matrix is.");
     }

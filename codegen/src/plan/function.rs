@@ -4,7 +4,7 @@ use super::arguments::{Argument, Entry};
 use super::cost::Cost;
 use super::names::{Language, Variables, type_name};
 use super::parts::Parts;
-use super::program::{Output, Program, program};
+use super::program::{Output, Program, Statement, program};
 use rustc_hash::FxHashSet;
 use tripos_derive::algebra::form::sharing::{Reading, is_same, share};
 use tripos_derive::algebra::form::simplify::Simplifier;
@@ -38,8 +38,25 @@ pub struct Function {
     pub parts: Option<Parts>,
     /// Operations of one call of the function.
     pub cost: Cost,
-    /// True if each line has its formula above it as a comment. If most lines are named terms, their names are enough.
-    pub explained: bool,
+    /// Comments on the lines of the program.
+    pub explanation: Explanation,
+}
+
+/// Comments on the lines of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Explanation {
+    /// Each line has its formula above it as a comment.
+    Formulas,
+    /// No line has a comment. Most lines are named terms, whose names are enough.
+    Names,
+}
+
+impl Explanation {
+    /// Formula of a statement, if it stands above the statement as a comment.
+    #[must_use]
+    pub fn of(self, statement: &Statement) -> Option<&str> {
+        statement.comment.as_deref().filter(|_| self == Self::Formulas)
+    }
 }
 
 /// Kinds of argument lists that planned functions have.
@@ -152,10 +169,10 @@ impl<'a> Planner<'a> {
         Self { model, arena, equations, variables, sharing }
     }
 
-    /// True if lines have their formulas above them as comments; false if the equations consist of named terms.
+    /// Comments on the lines of long programs: formulas, or none if the equations consist of named terms.
     #[must_use]
-    pub fn explains(&self) -> bool {
-        self.equations.definitions.len() <= MOST_READ
+    pub fn explanation(&self) -> Explanation {
+        if self.equations.definitions.len() <= MOST_READ { Explanation::Formulas } else { Explanation::Names }
     }
 
     /// Plans a function that computes its values without further steps.
@@ -210,8 +227,9 @@ impl<'a> Planner<'a> {
         let arguments = self.arguments(arguments, &program.inputs);
         let cost = Cost::of(&program);
         let parts = Parts::of(&program, &arguments, &entries);
-        let explained = self.explains() || program.equations().count() <= MOST_LINES;
-        Function { name, about: about.to_owned(), arguments, returns, program, entries, parts, cost, explained }
+        let is_short = program.equations().count() <= MOST_LINES;
+        let explanation = if is_short { Explanation::Formulas } else { self.explanation() };
+        Function { name, about: about.to_owned(), arguments, returns, program, entries, parts, cost, explanation }
     }
 
     /// Program with the least cost for these outputs and for results that are steps or inputs: as given, or with common
@@ -224,7 +242,10 @@ impl<'a> Planner<'a> {
         }
         let values: Vec<Expr> = outputs.iter().map(|o| o.value).collect();
         // Named terms are short, and every reading of them is equal.
-        let readings = if self.explains() { &Reading::ALL[..] } else { &Reading::SAMPLE[..1] };
+        let readings = match self.explanation() {
+            Explanation::Formulas => &Reading::ALL[..],
+            Explanation::Names => &Reading::SAMPLE[..1],
+        };
         for &reading in readings {
             let mut arena = self.arena.clone();
             let shared = share(&mut arena, &mut Simplifier::default(), reading, steps, &values);

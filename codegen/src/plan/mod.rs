@@ -17,14 +17,14 @@ mod parts;
 mod program;
 mod regressor;
 mod scene;
-mod shown;
+mod scene_outputs;
 mod taylor;
 
 pub use arguments::{Argument, Entry};
 pub use cost::Cost;
 pub use form::{constant_and_factors, is_flat, is_plain_product, led};
 pub use formulation::{FormulationPlan, Jacobian, derivative};
-pub use function::{Arguments, Function, Planner, Returns, Sharing, Value};
+pub use function::{Arguments, Explanation, Function, Planner, Returns, Sharing, Value};
 pub use module::{ModulePlan, Solution};
 pub use motion::{MotionPlan, Watched};
 pub use names::{Allocator, Language, Names, Variables, identifier, module_name, spelled, type_name};
@@ -33,6 +33,6 @@ pub use program::{Line, Output, Program, Statement, program};
 pub use regressor::Regression;
 pub use scene::{Costs, SceneEquations, ScenePlan, Taylor, costs};
 #[cfg(feature = "languages")]
-pub(crate) use shown::numbered;
-pub use shown::{Hidden, Shown};
+pub(crate) use scene_outputs::numbered;
+pub use scene_outputs::{Hidden, Shown};
 pub use taylor::TaylorPlan;

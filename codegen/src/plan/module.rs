@@ -8,7 +8,7 @@ use super::function::{Arguments, Function, Planner, Returns, Value};
 use super::motion::{needs_reaction, state_steps};
 use super::names::Language;
 use super::regressor::Regression;
-use super::shown::Shown;
+use super::scene_outputs::Shown;
 use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::{Jacobian, Solved};
 

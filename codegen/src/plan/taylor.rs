@@ -1,6 +1,6 @@
 //! Plan of a function `taylor`: the names and the order of all that it computes, and its comments.
 
-use super::{Allocator, Argument, Names, Output, Planner, Program, Variables, identifier, program};
+use super::{Allocator, Argument, Explanation, Names, Output, Planner, Program, Variables, identifier, program};
 use crate::taylor::{Operand, Recurrences, Rule, Series};
 use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::text::print::text;
@@ -35,8 +35,8 @@ pub struct TaylorPlan<'a> {
     pub parameters: Argument,
     /// Program of the terms that are constant in time.
     pub constants: Program,
-    /// True if each line has its formula above it as a comment.
-    pub explained: bool,
+    /// Comments on the lines.
+    pub explanation: Explanation,
 }
 
 impl<'a> TaylorPlan<'a> {
@@ -84,7 +84,7 @@ impl<'a> TaylorPlan<'a> {
             slots,
             parameters: planner.parameters(&inputs(arena, list)),
             constants: constants(arena, &variables, list, &weights),
-            explained: planner.explains(),
+            explanation: planner.explanation(),
             weights,
             variables,
         }

@@ -3,7 +3,9 @@
 use super::expression::{expression, ident, receiver};
 use super::names::LANGUAGE;
 use super::text::comment;
-use crate::plan::{Allocator, Argument, Entry, Function, Language, Line, Parts, Program, Returns, Statement};
+use crate::plan::{
+    Allocator, Argument, Entry, Explanation, Function, Language, Line, Parts, Program, Returns, Statement,
+};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
@@ -133,8 +135,8 @@ fn in_parts(planned: &Function, parts: &Parts, parameters: &Parameters) -> Token
 fn lines(planned: &Function, program: &Program, more: &[(usize, String)]) -> TokenStream {
     let mut read = program.names_read(0..usize::MAX);
     read.extend(more.iter().map(|(_, name)| name.as_str()));
-    let head = statements(&program.lines, &|name| read.contains(name), planned.explained);
-    let body = section(planned.returns.heading(), &program.outputs, planned.explained);
+    let head = statements(&program.lines, &|name| read.contains(name), planned.explanation);
+    let body = section(planned.returns.heading(), &program.outputs, planned.explanation);
     quote!(#head #body)
 }
 
@@ -226,11 +228,10 @@ fn rows(entries: &[TokenStream], columns: usize) -> (TokenStream, TokenStream) {
     (quote!([[S; #columns]; #count]), quote!([#(#rows),*]))
 }
 
-/// Lines of a program, with one heading for each kind of line. Comments are written as marked doc attributes. If
-/// `explained`, each line has its formula above it.
-pub fn statements(lines: &[Line], is_read: &dyn Fn(&str) -> bool, explained: bool) -> TokenStream {
+/// Lines of a program, with one heading for each kind of line. Comments are written as marked doc attributes.
+pub fn statements(lines: &[Line], is_read: &dyn Fn(&str) -> bool, explanation: Explanation) -> TokenStream {
     let is_elimination = lines.iter().any(|line| matches!(line, Line::Step(_)));
-    let shared = if !explained {
+    let shared = if explanation == Explanation::Names {
         "Step by step, each after the terms that it needs."
     } else if is_elimination {
         "Elimination, step by step, each after the terms that it shares."
@@ -246,7 +247,7 @@ pub fn statements(lines: &[Line], is_read: &dyn Fn(&str) -> bool, explained: boo
                 let (sine, cosine, angle) = (name(sine), name(cosine), receiver(angle));
                 ("Sines and cosines.", quote!(let (#sine, #cosine) = #angle.sin_cos();))
             }
-            Line::Let(step) | Line::Step(step) => (shared, statement(step, explained)),
+            Line::Let(step) | Line::Step(step) => (shared, statement(step, explanation)),
         };
         if !headings.contains(&wanted) {
             headings.push(wanted);
@@ -257,16 +258,16 @@ pub fn statements(lines: &[Line], is_read: &dyn Fn(&str) -> bool, explained: boo
     tokens
 }
 
-/// `let` statements with a heading above the first. If `explained`, each has its formula above it.
-pub fn section(heading: &str, list: &[Statement], explained: bool) -> TokenStream {
+/// `let` statements with a heading above the first.
+pub fn section(heading: &str, list: &[Statement], explanation: Explanation) -> TokenStream {
     let heading = if list.is_empty() { TokenStream::new() } else { comment(heading) };
-    let statements = list.iter().map(|one| statement(one, explained));
+    let statements = list.iter().map(|one| statement(one, explanation));
     quote!(#heading #(#statements)*)
 }
 
-/// `let` statement. If `explained`, it has the equation that it computes above it.
-fn statement(statement: &Statement, explained: bool) -> TokenStream {
-    let equation = statement.comment.as_deref().filter(|_| explained).map(comment);
+/// `let` statement, with the equation that it computes above it if equations are comments.
+fn statement(statement: &Statement, explanation: Explanation) -> TokenStream {
+    let equation = explanation.of(statement).map(comment);
     let (name, value) = (ident(&statement.name), expression(&statement.value));
     quote!(#equation let #name = #value;)
 }

@@ -12,7 +12,7 @@ mod system;
 mod target;
 mod taylor;
 mod text;
-mod written;
+mod written_functions;
 
 pub use formulation::{FormulationFiles, files as formulation_files};
 pub use library::library;
@@ -20,4 +20,4 @@ pub use module::{About, Entry, files as module_files};
 pub use names::{LANGUAGE, is_name};
 pub use scene::{Named, SceneFile, file as scene_file, list as scene_list};
 pub(crate) use target::{RustModule, unsolved};
-pub use written::Written;
+pub use written_functions::Written;

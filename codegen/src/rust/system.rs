@@ -45,20 +45,13 @@ impl Part {
     fn methods(&self) -> TokenStream {
         let state = state();
         match self {
-            Self::LinearSystem { together } => linear_system(*together),
+            Self::LinearSystem { together: true } => {
+                let (apart, at_once) = (linear_system(), linear_system_at_once());
+                quote!(#apart #at_once)
+            }
+            Self::LinearSystem { together: false } => linear_system(),
             Self::Eliminated { product, together } => {
-                let derivative = if *together {
-                    quote! {
-                        let (of_q, of_v) = derivative(#state);
-                        q_dot.copy_from_slice(&of_q);
-                        v_dot.copy_from_slice(&of_v);
-                    }
-                } else {
-                    quote! {
-                        q_dot.copy_from_slice(&coordinate_rates(#state));
-                        v_dot.copy_from_slice(&accelerations(#state));
-                    }
-                };
+                let derivative = if *together { derivative_at_once() } else { derivative_apart() };
                 let jacobian = if *product {
                     quote!(by_columns(out, |direction| jacobian_product(#state, direction)))
                 } else {
@@ -266,18 +259,40 @@ fn conversions(e: &Equations) -> TokenStream {
     }
 }
 
-/// Methods of matrix and forcing, and of both at once if a function computes both.
-fn linear_system(together: bool) -> TokenStream {
+/// Statements that compute q̇ and v̇ by one function.
+fn derivative_at_once() -> TokenStream {
     let state = state();
-    let both = together.then(|| {
-        quote! {
-            fn linear_system(&self, p: &[S], q: &[S], v: &[S], matrix: &mut [S], forcing: &mut [S]) {
-                let (of_matrix, of_forcing) = linear_system(#state);
-                matrix.copy_from_slice(&of_matrix);
-                forcing.copy_from_slice(&of_forcing);
-            }
+    quote! {
+        let (of_q, of_v) = derivative(#state);
+        q_dot.copy_from_slice(&of_q);
+        v_dot.copy_from_slice(&of_v);
+    }
+}
+
+/// Statements that compute q̇ and v̇ by a function for each.
+fn derivative_apart() -> TokenStream {
+    let state = state();
+    quote! {
+        q_dot.copy_from_slice(&coordinate_rates(#state));
+        v_dot.copy_from_slice(&accelerations(#state));
+    }
+}
+
+/// Method of matrix and forcing at once, by the function that computes both.
+fn linear_system_at_once() -> TokenStream {
+    let state = state();
+    quote! {
+        fn linear_system(&self, p: &[S], q: &[S], v: &[S], matrix: &mut [S], forcing: &mut [S]) {
+            let (of_matrix, of_forcing) = linear_system(#state);
+            matrix.copy_from_slice(&of_matrix);
+            forcing.copy_from_slice(&of_forcing);
         }
-    });
+    }
+}
+
+/// Methods of the matrix and of the forcing.
+fn linear_system() -> TokenStream {
+    let state = state();
     quote! {
         fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
             out.copy_from_slice(mass_matrix(#state).as_flattened());
@@ -285,7 +300,6 @@ fn linear_system(together: bool) -> TokenStream {
         fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
             out.copy_from_slice(&forcing(#state));
         }
-        #both
     }
 }
 

@@ -1,9 +1,9 @@
 //! Formatted text from tokens, with comments.
 
 use crate::lines::wrap;
-use crate::plan::{Entry, Function};
+use crate::plan::{Entry, Explanation, Function};
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 use std::fmt::Write;
 use tripos_derive::plain::{one_line, visible};
 
@@ -42,7 +42,7 @@ pub fn stated(planned: &Function) -> TokenStream {
     if planned.entries.contains(&Entry::Zero) {
         lines[0].push_str(" Entries that are not listed are 0.");
     }
-    if !planned.explained {
+    if planned.explanation == Explanation::Names {
         lines.push(format!(" {}, step by step: the code names every term.", planned.cost));
         return quote!(#(#[doc = #lines])*);
     }
@@ -66,6 +66,14 @@ pub fn comment(text: &str) -> TokenStream {
 }
 
 const MARK: &str = "~";
+
+/// Item `pub use` for names of a module, in alphabetical order.
+pub fn reexport<'n>(parent: &TokenStream, module: &str, names: impl IntoIterator<Item = &'n str>) -> TokenStream {
+    let mut names: Vec<&str> = names.into_iter().collect();
+    names.sort_unstable();
+    let (module, names) = (format_ident!("{module}"), names.into_iter().map(|name| format_ident!("{name}")));
+    quote!(pub use #parent::#module::{#(#names),*};)
+}
 
 /// Formats the items of a Rust file, with a header as file documentation, and turns the marked attributes into
 /// comments.

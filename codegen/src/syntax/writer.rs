@@ -2,7 +2,7 @@
 
 use super::{Syntax, WIDTH, formula};
 use crate::lines::wrap;
-use crate::plan::{Argument, Function, Line, Program, Statement};
+use crate::plan::{Argument, Explanation, Function, Line, Program, Statement};
 use std::fmt::Write;
 
 /// Choice whether the code contains comments.
@@ -123,14 +123,14 @@ impl<'s> Writer<'s> {
                     let [sine, cosine] = [sine, cosine].map(|name| Some(name.as_str()).filter(|n| read.contains(n)));
                     self.circular(sine, cosine, &formula(self.syntax, angle));
                 }
-                Line::Let(step) | Line::Step(step) => self.step(step, planned.explained),
+                Line::Let(step) | Line::Step(step) => self.step(step, planned.explanation),
             }
         }
         if !program.outputs.is_empty() {
             self.comment(planned.returns.heading());
         }
         for output in &program.outputs {
-            self.step(output, planned.explained);
+            self.step(output, planned.explanation);
         }
     }
 
@@ -148,8 +148,8 @@ impl<'s> Writer<'s> {
         self.declare(&list.collect::<Vec<_>>());
     }
 
-    fn step(&mut self, step: &Statement, explained: bool) {
-        if let Some(equation) = step.comment.as_deref().filter(|_| explained) {
+    fn step(&mut self, step: &Statement, explanation: Explanation) {
+        if let Some(equation) = explanation.of(step) {
             self.comment(equation);
         }
         self.declare(&[(step.name.clone(), formula(self.syntax, &step.value))]);
@@ -160,7 +160,7 @@ fn heading(planned: &Function, line: &Line, lines: &[Line]) -> &'static str {
     let eliminates = lines.iter().any(|line| matches!(line, Line::Step(_)));
     match line {
         Line::Circular { .. } => "Sines and cosines.",
-        _ if !planned.explained => "Step by step, each after the terms that it needs.",
+        _ if planned.explanation == Explanation::Names => "Step by step, each after the terms that it needs.",
         _ if eliminates => "Elimination, step by step, each after the terms that it shares.",
         _ => "Shared terms.",
     }

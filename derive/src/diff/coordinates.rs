@@ -4,24 +4,21 @@
 //! The search compares numbers only, and proves nothing. The publication is then read and judged in the coordinates
 //! that were found.
 
-use crate::algebra::term::calculus::Substitution;
-use crate::algebra::text::print::text;
+mod changes;
+
 use crate::algebra::value::evaluate::Tape;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Derivations, Energy, Quantities, Quantity, QuantityKind};
 use crate::model::{Coordinate, Model, TIME};
 use crate::publication::{EntryKind, Listing, Publication, System};
+use changes::{Change, changes, table};
 
-/// Most choices of coordinates that are tried.
-const MOST: usize = 20_000;
 /// Most choices that are listed if several are equally good.
 const LISTED: usize = 8;
 /// Number of states in which formulas are compared.
 const STATES: usize = 3;
 /// Relative difference below which two numbers count as equal.
 const NEAR: f64 = 1e-9;
-/// Number of coordinates up to which all orders and all changes of them are tried.
-const FEW: usize = 3;
 
 /// Coordinates of a publication as formulas in those of the model: (name, formula), as `[coordinates]` states them.
 pub type CoordinateTable = Vec<(String, String)>;
@@ -40,34 +37,6 @@ pub struct CoordinateSearch {
     pub best: Vec<CoordinateTable>,
     /// Number of choices that were tried.
     pub tried: usize,
-}
-
-/// Change of coordinates: each coordinate of the publication as a sum of coordinates of the model and quarter turns.
-#[derive(Clone)]
-struct Change {
-    rows: Vec<Vec<i8>>,
-    quarters: Vec<i8>,
-    /// Number of places at which the change differs from none.
-    size: usize,
-}
-
-impl Change {
-    /// This change after another one.
-    fn after(&self, other: &Self) -> Self {
-        let n = self.rows.len();
-        let product = |i: usize, of: &dyn Fn(usize) -> i8| (0..n).map(|k| self.rows[i][k] * of(k)).sum::<i8>();
-        let rows = (0..n).map(|i| (0..n).map(|j| product(i, &|k| other.rows[k][j])).collect()).collect();
-        let quarters = (0..n).map(|i| product(i, &|k| other.quarters[k]) + self.quarters[i]).collect();
-        Self { rows, quarters, size: 0 }
-    }
-}
-
-impl PartialEq for Change {
-    /// True if two changes are the same up to whole turns.
-    fn eq(&self, other: &Self) -> bool {
-        let turns = |(a, b): (&i8, &i8)| (a - b).rem_euclid(4) == 0;
-        self.rows == other.rows && self.quarters.iter().zip(&other.quarters).all(turns)
-    }
 }
 
 /// Comparison of one printed formula, in numbers.
@@ -398,163 +367,4 @@ fn printed(model: &Model, publication: &Publication) -> Vec<Expr> {
         }
     }
     list
-}
-
-/// Changes of the coordinates `moving` that are tried, those with the fewest changes first. The first is none.
-fn changes(model: &Model, moving: &[usize]) -> Vec<Change> {
-    let n = model.coordinates.len();
-    let is_angle = |at: usize| model.coordinates[at].unit.is_plain();
-    let angles: Vec<usize> = moving.iter().copied().filter(|at| is_angle(*at)).collect();
-    let mut forms = vec![(identity(n), 0)];
-    if angles.len() > 1 {
-        let (mut sums, mut differences) = (identity(n), identity(n));
-        for (k, at) in angles.iter().enumerate() {
-            for before in &angles[..k] {
-                sums[*at][*before] = 1;
-            }
-            if k > 0 {
-                differences[*at][angles[k - 1]] = -1;
-            }
-        }
-        forms.extend([(sums, 1), (differences, 1)]);
-    }
-    let mut list: Vec<Change> = Vec::new();
-    for order in orders(model, moving) {
-        for (form, own) in &forms {
-            for options in signs(moving, &is_angle) {
-                let (mut rows, mut quarters) = (form.clone(), vec![0; n]);
-                let mut size = own + options.iter().filter(|(sign, turn)| (*sign, *turn) != (1, 0)).count();
-                size += 2 * usize::from(order.iter().zip(moving).any(|(a, b)| a != b));
-                for ((at, from), (sign, turn)) in moving.iter().zip(&order).zip(&options) {
-                    rows[*at] = form[*from].iter().map(|factor| factor * sign).collect();
-                    quarters[*at] = *turn;
-                }
-                let change = Change { rows, quarters, size };
-                list.push(change);
-                if list.len() > 4 * MOST {
-                    break;
-                }
-            }
-        }
-    }
-    list.sort_by_key(|change| change.size);
-    list.truncate(MOST);
-    list
-}
-
-fn identity(n: usize) -> Vec<Vec<i8>> {
-    (0..n).map(|i| (0..n).map(|j| i8::from(i == j)).collect()).collect()
-}
-
-/// Orders of coordinates of equal units: all of a few coordinates, else exchanges of two.
-fn orders(model: &Model, moving: &[usize]) -> Vec<Vec<usize>> {
-    let fits = |order: &Vec<usize>| {
-        order.iter().zip(moving).all(|(a, b)| model.coordinates[*a].unit == model.coordinates[*b].unit)
-    };
-    let mut list = vec![moving.to_vec()];
-    let rounds = if moving.len() <= FEW { moving.len() } else { 2 };
-    for _ in 1..rounds {
-        for order in list.clone() {
-            for i in 0..order.len() {
-                for j in 0..i {
-                    let mut other = order.clone();
-                    other.swap(i, j);
-                    if !list.contains(&other) {
-                        list.push(other);
-                    }
-                }
-            }
-        }
-    }
-    list.retain(fits);
-    list
-}
-
-/// Signs and quarter turns of coordinates: all of a few coordinates, else of at most two, or the same of all angles.
-fn signs(moving: &[usize], is_angle: &dyn Fn(usize) -> bool) -> Vec<Vec<(i8, i8)>> {
-    let all = [(1, 0), (-1, 0), (1, 1), (1, -1), (1, 2), (-1, 1), (-1, -1), (-1, 2)];
-    let options = |at: usize| if is_angle(at) { &all[..] } else { &all[..2] };
-    let none = vec![(1, 0); moving.len()];
-    let mut list = vec![none.clone()];
-    if moving.len() <= FEW {
-        for (k, at) in moving.iter().enumerate() {
-            let before = std::mem::take(&mut list);
-            for option in options(*at) {
-                list.extend(before.iter().map(|signs| {
-                    let mut signs = signs.clone();
-                    signs[k] = *option;
-                    signs
-                }));
-            }
-        }
-        return list;
-    }
-    for option in &all[1..] {
-        let angles = moving.iter().map(|at| if is_angle(*at) { *option } else { (1, 0) });
-        list.push(angles.collect());
-    }
-    for i in 0..moving.len() {
-        for first in &options(moving[i])[1..] {
-            let mut signs = none.clone();
-            signs[i] = *first;
-            list.push(signs.clone());
-            for j in 0..i {
-                for second in &options(moving[j])[1..] {
-                    let mut signs = signs.clone();
-                    signs[j] = *second;
-                    list.push(signs);
-                }
-            }
-        }
-    }
-    list
-}
-
-/// Table `[coordinates]` of a change: the coordinates and plain speeds of the model that change, then those that the
-/// publication declares.
-fn table(
-    model: &Model,
-    arena: &mut Arena,
-    publication: &Publication,
-    change: &Change,
-) -> Result<CoordinateTable, String> {
-    let quarter = arena.pi();
-    let half = arena.ratio(1, 2);
-    let quarter = arena.mul(quarter, half);
-    let same = identity(model.coordinates.len());
-    let is_changed = |at: usize| change.rows[at] != same[at] || change.quarters[at] != 0;
-    let speed_of = |at: usize| model.speeds.iter().find(|s| s.definition == model.coordinates[at].rate);
-    let (mut pairs, mut list) = (Vec::new(), Vec::new());
-    for (at, c) in model.coordinates.iter().enumerate().filter(|(at, _)| is_changed(*at)) {
-        let mut sum = |of: &dyn Fn(usize) -> Expr, quarters: i8| {
-            let turns = arena.integer(i64::from(quarters));
-            let mut terms = vec![arena.mul(turns, quarter)];
-            for (from, factor) in change.rows[at].iter().enumerate() {
-                let factor = arena.integer(i64::from(*factor));
-                terms.push(arena.mul(factor, of(from)));
-            }
-            arena.sum(&terms)
-        };
-        let value = sum(&|from| model.coordinates[from].symbol, change.quarters[at]);
-        let rate = sum(&|from| model.coordinates[from].rate, 0);
-        let second = sum(&|from| model.coordinates[from].second_rate, 0);
-        let speed = speed_of(at).map(|speed| (speed, sum(&|from| speed_of(from).map_or(Expr::ZERO, |s| s.symbol), 0)));
-        list.push((c.name.clone(), text(arena, value)));
-        pairs.extend([(c.symbol, value), (c.rate, rate), (c.second_rate, second)]);
-        if let Some((speed, value)) = speed {
-            let plain = change.rows[at].iter().enumerate().all(|(from, f)| *f == 0 || speed_of(from).is_some());
-            if !plain {
-                return Err("a speed of the model is not the rate of one coordinate".to_owned());
-            }
-            if value != speed.symbol {
-                list.push((speed.name.clone(), text(arena, value)));
-                pairs.push((speed.symbol, value));
-            }
-        }
-    }
-    for (name, value) in &publication.coordinates {
-        let value = Substitution::new(&pairs).apply(arena, *value);
-        list.push((name.clone(), text(arena, value)));
-    }
-    Ok(list)
 }

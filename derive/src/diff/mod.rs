@@ -15,14 +15,14 @@ mod roots;
 mod states;
 
 pub use coordinates::{CoordinateSearch, CoordinateTable, find_coordinates};
-pub use edits::declared::{Declaration, Edit, Property, Section};
-pub use edits::derived::Derived;
+pub use edits::declarations::{Declaration, Edit, Property, Section};
+pub use edits::derived_model::Derived;
 pub use edits::models::{Change, ModelDifference, diff_models};
 pub use edits::scenes::{Setting, diff_scenes};
 pub use edits::variables::{VariableChange, VariableKind};
 pub use formulas::finding::{Finding, Judgement};
 pub use printed::consequences::{Agreement, Consequences, Rate};
-pub use printed::emitted::printed_equations;
+pub use printed::printed_equations::printed_equations;
 pub use repairs::Slip;
 pub use roots::{Follower, Link, Root};
 
@@ -34,6 +34,7 @@ use crate::model::Model;
 use crate::prove::Proof;
 use crate::publication::{EntryKind, Names, Publication};
 use equations::claim::{Claim, Table};
+use formulas::finding::TracedFinding;
 use formulas::near::Near;
 use printed::motion::Motion;
 
@@ -109,7 +110,8 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
         };
         match &entry.kind {
             EntryKind::Definition { text } => {
-                found.push((Finding::new(&entry.id, &entry.section, Judgement::Stated, text), Claim::Other));
+                let finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, text);
+                found.push(finding.with_claim(Claim::Other));
             }
             EntryKind::Equation { quantity, printed, text } => {
                 let finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, text);
@@ -127,7 +129,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
         }
     }
     let Found { findings, claims, tables, motions } = found;
-    let swapped = formulas::swapped::swapped_lists(model, publication);
+    let swapped = formulas::swapped_lists::swapped_lists(model, publication);
     let roots = roots::find(&mut quantities, &permitted, &findings, &claims, &tables, &swapped);
     let (consequences, agreements) = printed::consequences::draw(model, derivations, &mut comparer, proof, &motions);
     Difference { findings, roots, consequences, agreements }
@@ -159,17 +161,17 @@ struct Found {
     /// Claims of the findings, in equal order.
     claims: Vec<Claim>,
     tables: Vec<Table>,
-    motions: Vec<(Motion, printed::systems::Matched)>,
+    motions: Vec<printed::systems::MatchedMotion>,
 }
 
 impl Found {
-    fn push(&mut self, (finding, claim): (Finding, Claim)) {
-        self.findings.push(finding);
-        self.claims.push(claim);
+    fn push(&mut self, found: TracedFinding) {
+        self.findings.push(found.finding);
+        self.claims.push(found.claim);
     }
 
     fn take(&mut self, judged: printed::systems::Judged) {
-        judged.findings.into_iter().for_each(|pair| self.push(pair));
+        judged.findings.into_iter().for_each(|found| self.push(found));
         self.tables.extend(judged.table);
         self.motions.extend(judged.motion);
     }

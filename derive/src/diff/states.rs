@@ -59,7 +59,7 @@ fn solved_loops(quantities: &mut Quantities<'_>) -> (Vec<(Expr, Expr)>, Option<S
         if zero_test(arena, equation) == ZeroTest::Zero {
             continue;
         }
-        let found = solve_one(model, (&mut *arena, &mut *simplifier), equation).map(|pair| vec![pair]);
+        let found = solve_one(model, arena, simplifier, equation).map(|pair| vec![pair]);
         let Some(found) = found.or_else(|| solve_angle(model, arena, equation)) else {
             open = Some(format!(
                 "the equation of `{}` gives no symbol in closed form, so that no state on it is known",
@@ -156,11 +156,7 @@ impl Quadratic {
 ///
 /// An equation that is a product does not determine a symbol that only one factor contains. So a value must contain a
 /// coordinate.
-fn solve_one(
-    model: &Model,
-    (arena, simplifier): (&mut Arena, &mut Simplifier),
-    equation: Expr,
-) -> Option<(Expr, Expr)> {
+fn solve_one(model: &Model, arena: &mut Arena, simplifier: &mut Simplifier, equation: Expr) -> Option<(Expr, Expr)> {
     let ties_coordinates = |arena: &Arena, e: Expr| {
         let parts = arena.reachable(&[e]);
         model.coordinates.iter().any(|c| parts.binary_search(&c.symbol).is_ok())

@@ -12,13 +12,13 @@
 //! serial robots", ibid. 368–373; W. Khalil & E. Dombre, *Modeling, Identification and Control of Robots* (2002),
 //! § 9.4.
 
-mod closed;
 mod formula;
 mod letters;
+mod loop_relations;
 mod proof;
 mod table;
 
-pub use closed::OnLoops;
+pub use loop_relations::OnLoops;
 
 use crate::algebra::Expr;
 use crate::mechanics::{DeriveError, Regressor, Varied};
@@ -114,7 +114,7 @@ impl Identification {
             Complete::AtPoints
         };
         found.ungrouped = found.base.len();
-        found.on_loops = if found.has_loops { closed::close(model, &mut found) } else { None };
+        found.on_loops = if found.has_loops { loop_relations::close(model, &mut found) } else { None };
         Ok(found)
     }
 

@@ -310,6 +310,13 @@ pub struct Model {
 }
 
 impl Model {
+    /// Named expressions of the model that contain no other symbols than these.
+    pub(crate) fn expressions_in(&self, symbols: &[Expr]) -> Vec<(String, Expr)> {
+        let is_known = |e: &Expr| self.arena.symbol_name(*e).is_none() || symbols.contains(e);
+        let list = self.expressions.iter().filter(|(_, e)| self.arena.reachable(&[*e]).iter().all(is_known));
+        list.cloned().collect()
+    }
+
     /// Unit of a term of `arena` in parameters, coordinates and speeds; `None` if its parts do not fit or it has no
     /// unit.
     #[must_use]

@@ -187,7 +187,7 @@ impl<'a> Loading<'a> {
         let Declared { mut coordinates, configuration_variables, texts } = self.variables(table, &joints);
         let mut motion_errors = self.reader.errors.len() - before_motion;
         let reactions = self.reaction_symbols(table);
-        let has_speeds = self.missing_sections(table, &joints, !coordinates.is_empty());
+        let has_speeds = self.missing_sections(table, &joints, &coordinates);
         let mut signals = self.inputs(table, &mut parameters);
         let mut elements = Elements::read(self, table, &joints, &reactions);
         let shapes = self.shapes(table, &elements, &parameters);
@@ -426,7 +426,8 @@ impl<'a> Loading<'a> {
 
     /// Reports sections that are missing. Returns true if the model has speeds, or if constraints may leave it without
     /// speeds. `moves` is true if the model may move, along a coordinate or by time.
-    fn missing_sections(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>, moves: bool) -> bool {
+    fn missing_sections(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>, coordinates: &[Coordinate]) -> bool {
+        let moves = !coordinates.is_empty();
         let empty = |key: &str| {
             self.reader.get(table, key).is_none_or(|v| v.get_ref().as_table().is_some_and(DeTable::is_empty))
         };

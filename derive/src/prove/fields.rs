@@ -27,6 +27,15 @@ pub struct Field {
     pub xi: Vec<Expr>,
 }
 
+/// Term of a field: a factor along one coordinate.
+#[derive(Clone, Copy)]
+struct FieldTerm {
+    /// Index of the coordinate.
+    along: usize,
+    /// Component of the term along the coordinate.
+    factor: Expr,
+}
+
 /// Partial derivatives of T and V, and the generalized forces without a potential, in q and q̇.
 #[derive(Clone)]
 pub struct Lagrangian {
@@ -101,27 +110,26 @@ impl Lagrangian {
     /// conditions linear in A and b, over the field of the parameters. `None` if the conditions are too large to solve.
     pub fn affine(&self, model: &Model, arena: &mut Arena, simplifier: &mut Simplifier) -> Option<Vec<Field>> {
         let n = self.q.len();
-        let mut unknowns: Vec<(usize, Expr)> = Vec::new();
-        for i in 0..n {
-            unknowns.push((i, Expr::ONE));
-            unknowns.extend(self.q.iter().map(|q| (i, *q)));
+        let mut unknowns: Vec<FieldTerm> = Vec::new();
+        for along in 0..n {
+            unknowns.push(FieldTerm { along, factor: Expr::ONE });
+            unknowns.extend(self.q.iter().map(|q| FieldTerm { along, factor: *q }));
         }
         self.conserved(model, arena, simplifier, &unknowns)
     }
 
-    /// Fields with conserved momenta among the sums of these components with constant factors; (i, e) is the component
-    /// e along q_i.
+    /// Fields with conserved momenta among the sums of these terms with constant coefficients.
     fn conserved(
         &self,
         model: &Model,
         arena: &mut Arena,
         simplifier: &mut Simplifier,
-        unknowns: &[(usize, Expr)],
+        unknowns: &[FieldTerm],
     ) -> Option<Vec<Field>> {
         let n = self.q.len();
         let mut conditions = Vec::new();
-        for (i, factor) in unknowns {
-            let xi: Vec<Expr> = (0..n).map(|k| if k == *i { *factor } else { Expr::ZERO }).collect();
+        for term in unknowns {
+            let xi: Vec<Expr> = (0..n).map(|k| if k == term.along { term.factor } else { Expr::ZERO }).collect();
             conditions.push(self.rate(arena, &xi));
         }
         let mut normalizer = Normalizer::new(Normalizer::BUDGET);
@@ -129,8 +137,8 @@ impl Lagrangian {
         let mut fields = Vec::new();
         for coefficients in basis {
             let mut xi = vec![Vec::new(); n];
-            for ((i, factor), c) in unknowns.iter().zip(&coefficients) {
-                xi[*i].push(arena.mul(*factor, *c));
+            for (term, c) in unknowns.iter().zip(&coefficients) {
+                xi[term.along].push(arena.mul(term.factor, *c));
             }
             let xi: Vec<Expr> = xi.iter().map(|terms| arena.sum(terms)).collect();
             fields.push(Field { kind: IntegralKind::Symmetry, xi });
@@ -148,8 +156,9 @@ impl Lagrangian {
             return Vec::new();
         }
         // The last components normalize the basis.
-        let along = cyclic.iter().flat_map(|s| products.iter().map(|m| (*s, *m)));
-        let unknowns: Vec<(usize, Expr)> = along.chain((0..self.q.len()).map(|k| (k, Expr::ONE))).collect();
+        let coupled = cyclic.iter().flat_map(|s| products.iter().map(|m| FieldTerm { along: *s, factor: *m }));
+        let units = (0..self.q.len()).map(|along| FieldTerm { along, factor: Expr::ONE });
+        let unknowns: Vec<FieldTerm> = coupled.chain(units).collect();
         let found = self.conserved(model, arena, simplifier, &unknowns).unwrap_or_default();
         let constant = |x: &Expr| !self.q.iter().any(|q| arena.mentions(*x, *q));
         found.into_iter().filter(|field| !field.xi.iter().all(constant)).collect()

@@ -1,15 +1,15 @@
-//! Entries of a publication with many formulas: linear systems, and programs that compute the derivative of a state.
+//! Entries of a publication that are linear systems, as a matrix or as equations of motion.
 
+use super::System;
 use super::entries::Item;
 use super::printed::Choice;
 use super::read::Loading;
 use super::row_text::row_text;
-use super::{Listing, System};
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::text::notation::Notation;
 use crate::diagnostic::{Diagnostic, nearest, shown};
-use crate::mechanics::{Formulation, MotionVariables};
+use crate::mechanics::Formulation;
 use crate::read::Located;
 use std::ops::Range;
 use toml::Spanned;
@@ -22,21 +22,21 @@ const MAX_ROWS: usize = 500;
 struct Reported;
 
 /// Formulas as terms, and their printed texts.
-type Formulas = (Vec<Expr>, Vec<String>);
+pub(super) type Formulas = (Vec<Expr>, Vec<String>);
 /// Entries of a printed matrix, row by row: as terms, and as texts.
-type Matrix = (Vec<Vec<Expr>>, Vec<Vec<String>>);
+pub(super) type Matrix = (Vec<Vec<Expr>>, Vec<Vec<String>>);
 
 /// Requirements on a printed matrix: its width, and the symbols that no entry may contain.
 #[derive(Clone, Copy)]
-struct Fit<'a> {
+pub(super) struct Fit<'a> {
     /// Number of entries in each row; `None` if it is not known.
-    columns: Option<usize>,
+    pub(super) columns: Option<usize>,
     /// Reason for the number of columns, given as help in an error.
-    help: &'a str,
+    pub(super) help: &'a str,
     /// Unknowns of the system. No entry of the matrix may contain one.
-    unknowns: &'a [Expr],
+    pub(super) unknowns: &'a [Expr],
     /// Notation of the matrix entries.
-    notation: Notation,
+    pub(super) notation: Notation,
 }
 
 impl<'a> Loading<'a, '_> {
@@ -149,7 +149,7 @@ impl<'a> Loading<'a, '_> {
         let residuals = residuals.into_iter().collect::<Option<Vec<_>>>()?;
         self.solved_for(item, formulation?, &residuals)?;
         let span = item.span.clone();
-        self.rows(formulation?, frame.ok()?, residuals, &span, false)
+        self.rows(formulation?, frame.ok()?, residuals, &span)
     }
 
     /// Equations of a system: those under `equations`, or those of labels in a file. One `label` means all equations
@@ -211,7 +211,8 @@ impl<'a> Loading<'a, '_> {
             None => self.formulation_of(residual),
         };
         let frame = self.frame(item, Some(formulation)).ok()?;
-        self.rows(formulation, frame, vec![(residual, formula.text.clone())], &formula.span, true)
+        let system = self.rows(formulation, frame, vec![(residual, formula.text.clone())], &formula.span)?;
+        Some(System { is_single: true, ..system })
     }
 
     /// Formulation whose unknowns an equation mentions.
@@ -254,7 +255,6 @@ impl<'a> Loading<'a, '_> {
         frame: Option<usize>,
         residuals: Vec<(Expr, String)>,
         span: &Range<usize>,
-        is_single: bool,
     ) -> Option<System> {
         let (unknown_names, unknowns): (Vec<String>, Vec<Expr>) = formulation.unknowns(self.model).into_iter().unzip();
         let mut form = LinearForm::new(&unknowns);
@@ -280,50 +280,13 @@ impl<'a> Loading<'a, '_> {
             right_texts: vec![String::new(); right.len()],
             right,
             row_texts: Some(texts),
-            is_single,
+            is_single: false,
             matrix_ids: None,
             right_ids: None,
         })
     }
 
-    /// Reads an entry `[[listing]]`: a program that computes the derivative of a state.
-    pub fn listing(&mut self, item: &Item<'a>) -> Option<Listing> {
-        let formulation = self.formulation(item);
-        let state = self.required_array(item, "state", "[\"q1\", \"u1\"]");
-        let length = state.as_ref().map(|(array, _)| array.len());
-        let state = state.and_then(|(array, span)| self.state(array, &span, formulation?));
-        let derivative = self.required_array(item, "derivative", "[\"u1\", \"-g*sin(q1)\"]");
-        let derivative = derivative.and_then(|(array, span)| {
-            if let Some(states) = length.filter(|n| *n != array.len()) {
-                let message = format!("`derivative` has {} for a state of {states}", count(array.len(), "entry"));
-                self.reader.error(span, message, "one derivative for each entry of the state, 0 where it is left zero");
-                return None;
-            }
-            self.formulas(array, "an entry of `derivative`", &[], item.notation)
-        });
-        let moving = state.as_ref().map(|(_, _, moving)| moving.len());
-        let matrix = match self.reader.get(item.table, "matrix") {
-            None => Some(None),
-            Some(value) => self.array(value, "`matrix`", "rows, as in [[\"m\", 0], [0, \"I\"]]").and_then(|array| {
-                let (span, help) = (value.span(), "one row and one column for each speed of the state");
-                if let Some(moving) = moving.filter(|moving| *moving != array.len()) {
-                    let message = format!("the matrix has {}, not {moving}", count(array.len(), "row"));
-                    self.reader.error(span, message, help);
-                    return None;
-                }
-                self.matrix(array, &span, Fit { columns: moving, help, unknowns: &[], notation: item.notation })
-                    .map(Some)
-            }),
-        };
-        let ((state, state_names, _), (derivative, derivative_texts)) = (state?, derivative?);
-        let (matrix, matrix_texts) = matrix?.unzip();
-        let formulation = formulation?;
-        let (state, derivative, matrix) = self.own_state(&state_names, (state, derivative, matrix), item)?;
-        let moving = (0..state.len()).filter(|at| formulation.variables(self.model).contains(&state[*at])).collect();
-        Some(Listing { formulation, state, state_names, derivative, derivative_texts, moving, matrix, matrix_texts })
-    }
-
-    fn formulation(&mut self, item: &Item<'a>) -> Option<Formulation> {
+    pub(super) fn formulation(&mut self, item: &Item<'a>) -> Option<Formulation> {
         let name = self.required_text(item, "formulation")?;
         let standard = Formulation::STANDARD;
         let found = Formulation::named(&name.text).filter(|formulation| standard.contains(formulation));
@@ -352,27 +315,6 @@ impl<'a> Loading<'a, '_> {
         found.map(Some).ok_or(Reported)
     }
 
-    /// Reads a state: coordinates and speeds in any order, and the indices of the speeds. For Lagrange, rates of
-    /// coordinates take the place of speeds.
-    fn state(
-        &mut self,
-        array: &'a [Spanned<DeValue<'a>>],
-        span: &Range<usize>,
-        formulation: Formulation,
-    ) -> Option<(Vec<Expr>, Vec<String>, Vec<usize>)> {
-        let model = &self.model;
-        let variables = formulation.variables(model);
-        let named = |symbol: &Expr| (model.arena.symbol_name(*symbol).unwrap_or_default().to_owned(), *symbol);
-        let known: Vec<(String, Expr)> = model.q().iter().chain(&variables).map(named).collect();
-        let what = match formulation.method().variables {
-            MotionVariables::Rates => "a coordinate or its derivative, as a state of Lagrange's equations has",
-            MotionVariables::Speeds => "a coordinate or a speed",
-        };
-        let (state, names) = self.members(array, span, &known, what)?;
-        let moving = (0..state.len()).filter(|at| variables.contains(&state[*at])).collect();
-        Some((state, names, moving))
-    }
-
     /// Accelerations of the publication's own coordinates and speeds among these names.
     fn accelerations(&self, names: &'a [Spanned<DeValue<'a>>]) -> Vec<(String, Expr)> {
         let name = |value: &'a Spanned<DeValue<'a>>| match value.get_ref() {
@@ -385,7 +327,7 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Reads at least one name out of the list `known`, each once.
-    fn members(
+    pub(super) fn members(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
         span: &Range<usize>,
@@ -423,7 +365,7 @@ impl<'a> Loading<'a, '_> {
         complete.then(|| found.into_iter().map(|(e, name)| (e, name.text)).unzip())
     }
 
-    fn required_array(
+    pub(super) fn required_array(
         &mut self,
         item: &Item<'a>,
         key: &str,
@@ -434,7 +376,7 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Reads formulas that contain none of the unknowns.
-    fn formulas(
+    pub(super) fn formulas(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
         what: &str,
@@ -466,7 +408,12 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Reads a matrix: rows with equal numbers of formulas.
-    fn matrix(&mut self, array: &'a [Spanned<DeValue<'a>>], span: &Range<usize>, fit: Fit<'_>) -> Option<Matrix> {
+    pub(super) fn matrix(
+        &mut self,
+        array: &'a [Spanned<DeValue<'a>>],
+        span: &Range<usize>,
+        fit: Fit<'_>,
+    ) -> Option<Matrix> {
         if array.is_empty() || array.len() > MAX_ROWS {
             let message = format!("a matrix of {}", count(array.len(), "row"));
             self.reader.error(span.clone(), message, format!("a matrix has 1 to {MAX_ROWS} rows"));
@@ -503,7 +450,7 @@ impl<'a> Loading<'a, '_> {
     }
 }
 
-fn count(n: usize, noun: &str) -> String {
+pub(super) fn count(n: usize, noun: &str) -> String {
     match (n, noun.strip_suffix('y')) {
         (1, _) => format!("1 {noun}"),
         (_, Some(stem)) => format!("{n} {stem}ies"),

@@ -45,12 +45,15 @@
 //! ```
 
 mod beside;
+mod clock;
 mod coriolis;
 mod entries;
 mod files;
 mod linear;
+mod listing;
 mod locals;
 mod matrix;
+mod meanings;
 mod named_files;
 mod names;
 mod near;
@@ -60,7 +63,6 @@ mod read;
 mod row_text;
 mod shorthand;
 mod spelling;
-mod words;
 
 pub use beside::{beside, hash_beside, is_beside, load_beside};
 pub use names::Names;

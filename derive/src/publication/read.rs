@@ -3,8 +3,8 @@
 //! Every error is reported once, at its cause; `None` always means that an error stands in the reader.
 
 use super::files::{Files, notation_of_file, read_named};
+use super::meanings::Words;
 use super::spelling::notations;
-use super::words::Words;
 use super::{Approximation, Publication};
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
@@ -229,7 +229,7 @@ impl<'a> Loading<'a, '_> {
             let symbol = quantity.as_ref().map(|q| self.model.arena.symbol(&format!("derived {q}")));
             let declared = self.words.declare(&mut self.reader, &name, symbol);
             if let (true, Some(quantity), Some(symbol)) = (declared, quantity, symbol) {
-                self.words.keep_still(symbol);
+                self.words.clock.keep_still(symbol);
                 names.push((name.text, quantity, symbol));
             }
         }

@@ -17,17 +17,18 @@ mod angles;
 mod axes;
 mod bodies;
 mod camera;
+mod description;
 mod drawing;
+mod drawn_pose;
 mod lengths;
+mod model_start;
 mod place;
 mod sheet;
-mod shown;
 mod supports;
 mod terms;
-mod words;
 
 pub use drawing::{Label, Mark, Paint, Part, Path, Role, SheetPoint, Word};
-pub use shown::Changed;
+pub use drawn_pose::Changed;
 
 use super::view::space::dot;
 use super::view::{Configuration, Form, Pose, Poses, View};
@@ -35,14 +36,15 @@ use crate::error::Error;
 use crate::mechanism::Mechanism;
 use angles::{Angle, Arcs};
 use camera::Camera;
+use description::{CoordinateMark, MarkedCoordinate};
+use drawn_pose::is_somewhere;
 use lengths::Length;
+use model_start::without_scene;
 use sheet::{Sheet, Subject};
-use shown::{is_somewhere, without_scene};
 use terms::Terms;
 use tripos_derive::model::TIME;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, State};
-use words::CoordinateMark;
 
 /// Greatest width and height of the solids on a sketch's sheet, px.
 const ROOM: (f64, f64) = (340.0, 280.0);
@@ -116,7 +118,7 @@ impl Sketch {
     /// Draws a mechanism after coordinates whose marks could not be seen were changed. `of` names the pose.
     fn seen(mechanism: &Mechanism, at: Configuration<'_>, of: String) -> Result<Self, Error> {
         let (terms, poses) = (Terms::new(mechanism)?, Poses::new(mechanism)?);
-        let (q, changed) = shown::shown(mechanism, &terms, &poses, at)?;
+        let (q, changed) = drawn_pose::shown(mechanism, &terms, &poses, at)?;
         Self::new(mechanism, &terms, &poses, DrawnState { parameters: at.parameters, q, changed, of })
     }
 
@@ -149,10 +151,10 @@ impl Sketch {
         points(&subject, &mut sheet);
         let shown = coordinates(&subject, &mut sheet);
         axes::draw(&subject, &mut sheet);
-        let has_gravity = axes::gravity(&subject, &mut sheet);
+        axes::gravity(&subject, &mut sheet);
         body_names(&subject, &mut sheet);
-        let about = words::about(&subject, &shown, has_gravity);
-        let drawn = words::drawn(&subject, &given.changed, &given.of);
+        let about = description::about(&subject, &shown);
+        let drawn = description::drawn(&subject, &given.changed, &given.of);
         let (size, marks, labels) = finish(sheet);
         Ok(Self { title: mechanism.title.clone(), about, drawn, size, marks, labels, changed: given.changed })
     }
@@ -179,13 +181,13 @@ fn look(subject: &mut Subject<'_>, at: Configuration<'_>) -> Result<(), Error> {
     let moving: Vec<Pose> = std::iter::once(subject.pose.clone()).chain(subject.far.iter().cloned()).collect();
     let plane = View::of_poses(subject.mechanism, at, &[&moving])?.plane;
     let angles: Vec<Angle> = (0..subject.q.len()).filter_map(|c| Angle::of(subject, c)).collect();
-    let turns = words::turns(subject, &angles);
+    let turns = description::turns(subject, &angles);
     let is_across = |normal: &super::view::Triple| turns.iter().all(|axis| dot(*axis, *normal).abs() > 1.0 - 1e-9);
     let plane = plane.filter(is_across);
     subject.is_planar = plane.is_some();
     subject.camera = match plane {
         Some(normal) => Camera::along(normal, subject.view.up),
-        None => Camera::oblique(subject.view.up, &turns, &words::ways(subject)),
+        None => Camera::oblique(subject.view.up, &turns, &description::ways(subject)),
     };
     let (low, high) = bodies::extent(subject);
     let fits = |room: f64, i: usize| if high[i] - low[i] > 1e-9 { room / (high[i] - low[i]) } else { f64::MAX };
@@ -226,8 +228,8 @@ fn points(subject: &Subject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// Puts a mark of every coordinate on the sheet. Returns the index of each coordinate with the mark that shows it.
-fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, CoordinateMark)> {
+/// Puts a mark of every coordinate on the sheet. Returns the marks.
+fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<MarkedCoordinate> {
     let mut arcs = Arcs::default();
     let (mut shown, mut alone) = (Vec::new(), Vec::new());
     let mut together: Vec<(usize, Vec<usize>)> = Vec::new();
@@ -235,7 +237,7 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Coordina
     for c in (0..subject.q.len()).filter(|c| subject.mechanism.coordinates[*c].name != TIME) {
         let oriented = (0..subject.pose.rotations.len())
             .find(|f| subject.terms.turn(*f).is_none() && subject.terms.turns_by(subject.mechanism, *f, c));
-        let how = if let Some(angle) = Angle::of(subject, c) {
+        let mark = if let Some(angle) = Angle::of(subject, c) {
             let is_open = angles::draw(subject, sheet, &mut arcs, &angle);
             CoordinateMark::Arc(angle, is_open)
         } else if let Some(frame) = oriented {
@@ -253,7 +255,7 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Coordina
             alone.push(c);
             CoordinateMark::Name
         };
-        shown.push((c, how));
+        shown.push(MarkedCoordinate { coordinate: c, mark });
     }
     for (frame, list) in together {
         let mut names = Vec::new();

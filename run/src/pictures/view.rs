@@ -15,14 +15,14 @@
 //! ```
 
 mod arrows;
-mod guessed;
+mod body_forms;
+mod guessed_solids;
 mod inertia;
-mod made;
 mod motion;
 mod pose;
 mod solid;
 pub(crate) mod space;
-mod stated;
+mod stated_solids;
 mod swept;
 
 pub use arrows::{Arrow, ArrowKind, Forces};
@@ -30,11 +30,11 @@ pub use motion::Motion;
 pub use pose::{Configuration, Links, Pose, Poses};
 pub use solid::{Form, Place, Solid};
 pub use space::{Quaternion, Rotation, Triple, quaternion};
-pub use stated::lengths;
+pub use stated_solids::lengths;
 
 use crate::error::Error;
 use crate::mechanism::Mechanism;
-use guessed::Guess;
+use guessed_solids::Guess;
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::scene::Scene;
 
@@ -76,7 +76,7 @@ impl View {
     /// [`Error::Request`] if a shape has a length that is not positive at the given parameters.
     pub fn of_poses(mechanism: &Mechanism, at: Configuration<'_>, motions: &[&[Pose]]) -> Result<Self, Error> {
         let poses = Poses::new(mechanism)?;
-        let stated = stated::solids(mechanism, at.parameters)?;
+        let stated = stated_solids::solids(mechanism, at.parameters)?;
         let is_stated = !stated.is_empty();
         let first = motions.first().copied().unwrap_or_default();
         let guess = Guess::new(mechanism, at, &poses, first)?;

@@ -3,9 +3,9 @@
 //! Equations may be written in the distance of a coordinate from a singular surface. The integrated state then holds
 //! that distance; states that people see hold the coordinate.
 
-mod bouncing;
-mod changing;
-mod extended;
+mod contacts;
+mod extended_precision;
+mod speed_change;
 
 use super::initial::InitialState;
 use super::near_divisors::near_divisors;
@@ -126,7 +126,7 @@ impl<'a> Problem<'a> {
         code: &'a Code,
         solve: Option<Solve>,
     ) -> Result<Self, Error> {
-        bouncing::check(scene, by)?;
+        contacts::check(scene, by)?;
         let eliminated = code.system().has_accelerations();
         let wanted = solve.or(scene.integration.solve);
         if wanted == Some(Solve::Eliminated) && !eliminated {

@@ -21,7 +21,8 @@ impl Scale {
     /// True if a point (coordinate on the other axis, coordinate on this axis) can be drawn. Beyond 1e300 a range could
     /// overflow.
     #[must_use]
-    pub fn shows(self, (x, y): (f64, f64)) -> bool {
+    pub fn shows(self, point: (f64, f64)) -> bool {
+        let (x, y) = point;
         x.abs() < 1e300 && y.abs() < 1e300 && (self == Self::Linear || y >= 1e-300)
     }
 }
@@ -81,8 +82,8 @@ pub struct Panel {
 impl Panel {
     /// True if a point (x, y) can be drawn in the panel.
     #[must_use]
-    pub fn shows(&self, (x, y): (f64, f64)) -> bool {
-        self.scale.shows((x, y)) && self.x_scale.shows((y, x))
+    pub fn shows(&self, point: (f64, f64)) -> bool {
+        self.scale.shows(point) && self.x_scale.shows((point.1, point.0))
     }
 }
 

@@ -14,11 +14,11 @@ mod queue;
 mod taylor;
 #[cfg(feature = "threads")]
 mod threads;
-mod watching;
+mod watcher;
 
 #[cfg(feature = "threads")]
 pub use threads::integrate_on_all_cores;
-pub use watching::{Watched, Watching};
+pub use watcher::{Watched, Watching};
 
 use tripos_traits::{AbsoluteTolerance, InLanes, Lanes, Method, Rates, Series};
 

@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use tripos_traits::Lanes;
 
 use super::method::{Attempt, Method};
-use super::watching::{Ending, Watcher, Watching};
+use super::watcher::{Ending, Watcher, Watching};
 use super::{Outcome, Trajectory};
 use crate::driver::pace::{Pace, Verdict};
 use crate::solution::Stop;

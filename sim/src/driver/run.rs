@@ -139,7 +139,11 @@ impl<M: Stepper> Run<'_, M> {
                 break Stop::HandedOver;
             }
             let looks_inside = work.is_some() || recorder.looks_inside(self.stepper.span());
-            let end = match self.end_inside(rhs, watch, &mut guard, looks_inside) {
+            let suspects = !guard.is_empty() && guard.suspects(rhs, &self.stepper);
+            if suspects || looks_inside || !watch.is_empty() {
+                self.prepare_inside(rhs);
+            }
+            let end = match end_inside(&self.stepper, rhs, watch, suspects.then_some(&mut guard)) {
                 Ok(end) => end,
                 Err(stop) => break stop,
             };
@@ -205,23 +209,14 @@ impl<M: Stepper> Run<'_, M> {
         (stop, self.stepper.span().0)
     }
 
-    /// Prepares the inside of the last step and finds the end of the run in it, as the function [`end_inside`] does.
-    fn end_inside<R>(
-        &mut self,
-        rhs: &mut R,
-        watch: &mut Watch<'_, '_>,
-        guard: &mut Guard<M::Real>,
-        is_sampled: bool,
-    ) -> Result<Option<(f64, Stop)>, Stop>
+    /// Prepares the inside of the last step, and notes a step whose inside is coarse.
+    fn prepare_inside<R>(&mut self, rhs: &mut R)
     where
         R: RightHandSide<M::Real>,
     {
-        let suspects = !guard.is_empty() && guard.suspects(rhs, &self.stepper);
-        let is_used = suspects || is_sampled || !watch.is_empty();
-        if is_used && !self.stepper.prepare_inside(rhs) {
+        if !self.stepper.prepare_inside(rhs) {
             self.doubts.note_coarse(&self.stepper);
         }
-        end_inside(&self.stepper, suspects, rhs, watch, guard)
     }
 
     /// Takes a step, with as many attempts as it needs; true if it reached the end of the span. An error is the reason
@@ -277,22 +272,21 @@ impl<M: Stepper> Run<'_, M> {
     }
 }
 
-/// Finds the end of a run inside a prepared step: an event, or a zero of a divisor if one is suspected. Returns the
-/// fraction of the step and the reason; `None` if the run goes on. If both lie at one place, the event counts, since it
-/// names the condition that ends there.
+/// Finds the end of a run inside a prepared step: an event, or a zero of a divisor. `suspicious` is the guard of the
+/// divisors; `None` if it suspects no zero in this step. Returns the fraction of the step and the reason; `None` if the
+/// run goes on. If both lie at one place, the event counts, since it names the condition that ends there.
 pub(crate) fn end_inside<S, I, R>(
     step: &I,
-    suspects: bool,
     rhs: &mut R,
     watch: &mut Watch<'_, '_>,
-    guard: &mut Guard<S>,
+    suspicious: Option<&mut Guard<S>>,
 ) -> Result<Option<(f64, Stop)>, Stop>
 where
     S: Real,
     I: Interpolant<Real = S>,
     R: RightHandSide<S>,
 {
-    let zero = if suspects { guard.zero(rhs, step) } else { None };
+    let zero = suspicious.and_then(|guard| guard.zero(rhs, step));
     match (watch.look(step), zero) {
         (Ok(Some((theta, stop))), zero) if zero.is_none_or(|zero| theta <= zero.theta + ONE_PLACE) => {
             Ok(Some((theta, stop)))

@@ -75,10 +75,10 @@ impl Course {
                 [Some(low), None] => (low, 1.0),
                 [None, Some(high)] => (high, -1.0),
                 [None, None] => {
-                    let rising = energy.orientation * v > 0.0;
+                    let rising = energy.rises(v);
                     let forward = if rising { 1.0 } else { -1.0 };
                     if let Some(length) = energy.repeats {
-                        match Self::rotation(energy, n, length, rising, scratch)? {
+                        match Self::rotation(energy, n, length, v, scratch)? {
                             Ok(course) => return Ok(course),
                             Err(obstacle) => {
                                 note(energy, turns, obstacle, PANELS_OF_SWING)?;
@@ -120,15 +120,16 @@ impl Course {
         Ok(Self::Swing { halves })
     }
 
-    /// Course of a motion that goes round: everything repeats after `length` of the coordinate. An inner error is a
-    /// barrier that stops it.
+    /// Course of a motion that goes round with the motion variable `v` at the start: everything repeats after `length`
+    /// of the coordinate. An inner error is a barrier that stops it.
     fn rotation(
         energy: &Energy<'_>,
         n: usize,
         length: f64,
-        rising: bool,
+        v: f64,
         scratch: &mut Scratch<'_>,
     ) -> Result<Result<Self, Obstacle>, NoQuadrature> {
+        let rising = energy.rises(v);
         let side = if rising { 1.0 } else { -1.0 };
         let Crest { at, kinetic, width } = match energy.crest(length, side)? {
             Ok(crest) => crest,
@@ -149,7 +150,7 @@ impl Course {
 
     /// Time τ of the start of the motion, s.
     pub(super) fn lead(&mut self, energy: &Energy<'_>, v: f64, scratch: &mut Scratch<'_>) -> Result<f64, Obstacle> {
-        let rising = energy.orientation * v > 0.0;
+        let rising = energy.rises(v);
         match self {
             Self::Rest | Self::Pass { .. } => Ok(0.0),
             Self::Swing { halves } => {

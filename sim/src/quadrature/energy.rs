@@ -49,6 +49,11 @@ impl std::fmt::Debug for Equations<'_> {
 }
 
 impl<'a> Energy<'a> {
+    /// True if the coordinate rises at this value of the motion variable.
+    pub(super) fn rises(&self, v: f64) -> bool {
+        self.orientation * v > 0.0
+    }
+
     /// Creates the energy integral of the motion from (q, v). An error if the kinetic energy or the rate is not
     /// regular.
     pub(super) fn new(system: &'a dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<Self, NoQuadrature> {

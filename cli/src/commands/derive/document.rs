@@ -4,7 +4,7 @@
 //! Invariant: nothing here depends on a language of documents. Formulas are trees, left sides are data, and words are
 //! those of the model.
 
-use crate::words::NAMED;
+use crate::phrases::NAMED;
 use tripos_derive::Model;
 use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::steps::Definition;

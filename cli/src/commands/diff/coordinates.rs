@@ -1,8 +1,8 @@
 //! `tripos diff --find-coordinates`: the coordinates that a publication means.
 
-use super::{Comparison, verdicts};
+use super::{Comparison, CoordinateReport, verdicts};
 use crate::failure::Failure;
-use crate::judged::Judged;
+use crate::judgement::Judged;
 use crate::workspace::model_file;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -25,12 +25,12 @@ pub fn in_found_coordinates(model: &Mechanism, other: &Path) -> Result<Compariso
         let help = "state the coordinates of the publication in [coordinates]";
         Failure::request(format!("the coordinates cannot be searched for: {why}"), help)
     })?;
-    let about = (words(&search), value(&search));
+    let report = CoordinateReport { text: words(&search), json: value(&search) };
     let judged = match search.best.as_slice() {
         [table] => Judged::new_in(model, &source, table)?,
         _ => Judged::new(model, &source)?,
     };
-    Ok(verdicts(judged, Some(about)))
+    Ok(verdicts(judged, Some(report)))
 }
 
 fn words(search: &CoordinateSearch) -> String {

@@ -6,7 +6,7 @@
 use super::Comparison;
 use crate::failure::Failure;
 use crate::glossary::{names_json, names_text};
-use crate::words::{entries, shortened};
+use crate::phrases::{entries, shortened};
 use crate::workspace::short_name;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -30,7 +30,7 @@ const SHOWN: usize = 16;
 
 /// Compares two models, their declarations and scenes. They differ if anything does on which a number depends.
 pub fn diff(old: &Model, new: &Model) -> Result<Comparison, Failure> {
-    let (difference, arena) = compared(old, new, true)?;
+    let (difference, arena) = compared(old, new, Scope::EquationsAndIntegrals)?;
     let scenes = scenes(&old.source.path, &new.source.path)?;
     Ok(Comparison {
         is_clean: difference.is_empty() && scenes.is_empty(),
@@ -39,9 +39,18 @@ pub fn diff(old: &Model, new: &Model) -> Result<Comparison, Failure> {
     })
 }
 
-/// Derives both models and compares them; the arena holds the terms of the difference. First integrals cost a proof and
-/// are compared only if `with_integrals`.
-fn compared(old: &Model, new: &Model, with_integrals: bool) -> Result<(ModelDifference, Arena), Diagnostics> {
+/// Properties of two models that are compared.
+#[derive(Clone, Copy, PartialEq)]
+enum Scope {
+    /// Declarations and equations of motion.
+    Equations,
+    /// Also first integrals, which cost a proof.
+    EquationsAndIntegrals,
+}
+
+/// Derives both models and compares them; the arena holds the terms of the difference.
+fn compared(old: &Model, new: &Model, scope: Scope) -> Result<(ModelDifference, Arena), Diagnostics> {
+    let with_integrals = scope == Scope::EquationsAndIntegrals;
     let mut before = derive_all(old).map_err(|error| old.diagnose(&error))?;
     let mut after = derive_all(new).map_err(|error| new.diagnose(&error))?;
     let old_proof = with_integrals.then(|| prove(old, &mut before));
@@ -59,7 +68,7 @@ fn compared(old: &Model, new: &Model, with_integrals: bool) -> Result<(ModelDiff
 /// # Errors
 /// [`Diagnostics`] if a model cannot be derived.
 pub fn changed_equations(old: &Model, new: &Model) -> Result<Option<String>, Diagnostics> {
-    let (difference, arena) = compared(old, new, false)?;
+    let (difference, arena) = compared(old, new, Scope::Equations)?;
     let mut out = String::new();
     equations(&mut out, &arena, &difference);
     Ok((!difference.has_same_equations()).then(|| out + &names_text(&arena, &shown(&difference))))

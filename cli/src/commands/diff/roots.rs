@@ -1,6 +1,6 @@
 //! Root mistakes of a publication, as text and as JSON.
 
-use crate::words::{entries, shortened};
+use crate::phrases::{entries, shortened};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos_derive::diff::{Difference, Finding, Follower, Link, Root};

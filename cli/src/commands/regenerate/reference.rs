@@ -2,7 +2,7 @@
 
 use super::python::{find, run};
 use crate::failure::{Failure, Output, print, status, warn};
-use crate::words::start_of;
+use crate::phrases::start_of;
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;

@@ -4,7 +4,7 @@
 //! scene, by Kane's equations and by the printed ones as they stand.
 
 use crate::failure::Failure;
-use crate::judged::Judged;
+use crate::judgement::Judged;
 use serde_json::{Value, json};
 use std::path::Path;
 use tripos::{EquationsName, Overrides, Scene};

@@ -313,7 +313,8 @@ pub fn lines(lines: &[(Side, Side)]) -> String {
     format!("<table class=\"lines\">\n<tbody>\n{}</tbody>\n</table>\n", each(lines, line))
 }
 
-fn line((left, right): &(Side, Side)) -> String {
+fn line(sides: &(Side, Side)) -> String {
+    let (left, right) = sides;
     // A wide left side would push all equals signs to the right.
     if left.breaks() {
         return format!("<tr><td class=\"wide\" colspan=\"2\">{}</td></tr>\n", wrapped([left, right]));

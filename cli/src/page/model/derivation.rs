@@ -7,7 +7,7 @@ use crate::page::markup::math::{
     Side, formula, in_sentence, inline, is_short, length, line_name, lines, matrix, row_name, stage_title, unread,
     wrapped,
 };
-use crate::words::NAMED;
+use crate::phrases::NAMED;
 use std::fmt::Write;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::text::definitions::glossary;

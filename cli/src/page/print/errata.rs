@@ -8,7 +8,7 @@ use crate::page::markup::typeset::typeset;
 use crate::page::model::derivation::named_terms;
 use crate::page::model::proof::witness;
 use crate::page::print::motion;
-use crate::words::entries;
+use crate::phrases::entries;
 use std::fmt::Write;
 use tripos::studies::study::Published;
 use tripos_derive::algebra::Arena;

@@ -1,6 +1,6 @@
 //! Recommended equations, solve and method for a scene, from measurements: one paragraph and a table.
 
-use crate::chart::words::seconds;
+use crate::chart::sentences::seconds;
 use crate::page::content::Advice;
 use crate::page::markup::html::{escape, number, rounded, table};
 

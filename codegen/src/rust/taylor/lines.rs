@@ -1,6 +1,7 @@
 //! Statements of a generated function `taylor`: order 0, order 1, and the loop over the higher orders.
 
 use super::Text;
+use crate::plan::Explanation;
 use crate::rust::text::comment;
 use crate::taylor::{Operand, Rule};
 use proc_macro2::{Literal, TokenStream};
@@ -342,7 +343,7 @@ impl Text<'_> {
                 if one { quote!(#x_k * #over) } else { quote!((#x_k - #sum * over_k) * #over) }
             }
         };
-        let explained = !one && self.plan.explained;
+        let explained = !one && self.plan.explanation == Explanation::Formulas;
         let equation = if explained { comment(&self.plan.equation(at)) } else { TokenStream::new() };
         quote!(#equation let #z = #value;)
     }

@@ -4,7 +4,7 @@ mod lines;
 
 use super::expression::{expression, ident};
 use super::function::{Parameters, section, signature, statements, unpack};
-use crate::plan::TaylorPlan;
+use crate::plan::{Explanation, TaylorPlan};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use rustc_hash::FxHashMap;
@@ -44,8 +44,8 @@ pub fn function(plan: &TaylorPlan<'_>, parameters: &Parameters) -> TokenStream {
     let (p, unpack_p) = (signature(&plan.parameters, parameters), unpack(&plan.parameters, parameters));
     let first = (0..list.states.len()).map(|place| ident(plan.start(place).as_deref().unwrap_or("_")));
     let read = plan.constants.names_read(0..usize::MAX);
-    let shared = statements(&plan.constants.lines, &|name| read.contains(name), plan.explained);
-    let constants = section("Constant in time.", &plan.constants.outputs, true);
+    let shared = statements(&plan.constants.lines, &|name| read.contains(name), plan.explanation);
+    let constants = section("Constant in time.", &plan.constants.outputs, Explanation::Formulas);
     let [start, orders] = [text.start(), text.orders()];
     let [states, width] = [list.states.len(), plan.width()].map(Literal::usize_unsuffixed);
     let work = ident(if list.convolutions() > 0 { "history" } else { "_history" });

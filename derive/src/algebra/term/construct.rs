@@ -216,4 +216,9 @@ impl Arena {
     pub fn square(&mut self, e: Expr) -> Expr {
         self.mul(e, e)
     }
+
+    /// Plain node f(argument), to which no rule is applied.
+    pub(super) fn intern_apply(&mut self, f: Function, argument: Expr) -> Expr {
+        self.intern(Node::Apply(f, argument))
+    }
 }

@@ -14,11 +14,6 @@ impl Arena {
         canonical(self, f, argument)
     }
 
-    /// Plain node f(argument), to which no rule is applied.
-    fn intern_apply(&mut self, f: Function, argument: Expr) -> Expr {
-        self.intern(Node::Apply(f, argument))
-    }
-
     /// The sine of e, an angle in radians.
     pub fn sin(&mut self, e: Expr) -> Expr {
         self.apply(Function::Sin, e)

@@ -66,9 +66,14 @@ impl Range {
         Self::new(Some(value.clone()), Some(value.clone()))
     }
 
-    fn or_nonzero(mut self, nonzero: bool) -> Self {
-        self.nonzero |= nonzero;
-        self
+    /// The range without 0.
+    fn without_zero(self) -> Self {
+        Self { nonzero: true, ..self }
+    }
+
+    /// The range, without 0 if the other range is without 0.
+    fn without_zero_like(self, other: &Self) -> Self {
+        if other.nonzero { self.without_zero() } else { self }
     }
 
     fn is_nonnegative(&self) -> bool {
@@ -90,11 +95,11 @@ impl Range {
         // Where nothing can cancel, one part that is not zero is enough.
         let one_sign = |parts: &[Self]| parts.iter().all(Self::is_nonnegative) && parts.iter().any(|part| part.nonzero);
         let opposite: Vec<Self> = parts.iter().map(Self::neg).collect();
-        Self::new(total(|part| &part.low), total(|part| &part.high)).or_nonzero(one_sign(parts) || one_sign(&opposite))
+        let sum = Self::new(total(|part| &part.low), total(|part| &part.high));
+        if one_sign(parts) || one_sign(&opposite) { sum.without_zero() } else { sum }
     }
 
     fn times(&self, other: &Self) -> Self {
-        let nonzero = self.nonzero && other.nonzero;
         let bounds = match (&self.low, &self.high, &other.low, &other.high) {
             (Some(a), Some(b), Some(c), Some(d)) => {
                 let mut corners = [a.mul(c), a.mul(d), b.mul(c), b.mul(d)];
@@ -109,7 +114,7 @@ impl Range {
             _ if self.neg().is_nonnegative() && other.neg().is_nonnegative() => return self.neg().times(&other.neg()),
             _ => Self::default(),
         };
-        bounds.or_nonzero(nonzero)
+        if self.nonzero && other.nonzero { bounds.without_zero() } else { bounds }
     }
 
     fn pow(&self, n: i32) -> Self {
@@ -118,16 +123,16 @@ impl Range {
         }
         let to = |bound: &Option<Rational>| bound.as_ref().and_then(|bound| bound.pow(n));
         if n % 2 == 1 {
-            return Self::new(to(&self.low), to(&self.high)).or_nonzero(self.nonzero);
+            return Self::new(to(&self.low), to(&self.high)).without_zero_like(self);
         }
         if self.neg().is_nonnegative() {
             return self.neg().pow(n);
         }
         if self.is_nonnegative() {
-            return Self::new(to(&self.low), to(&self.high)).or_nonzero(self.nonzero);
+            return Self::new(to(&self.low), to(&self.high)).without_zero_like(self);
         }
         let high = to(&self.low).zip(to(&self.high)).map(|(a, b)| a.max(b));
-        Self::new(Some(Rational::ZERO), high).or_nonzero(self.nonzero)
+        Self::new(Some(Rational::ZERO), high).without_zero_like(self)
     }
 
     /// The range of 1/x over the values other than 0: a reciprocal is never 0.
@@ -139,7 +144,7 @@ impl Range {
             return Self { nonzero: true, ..Self::default() };
         }
         let low = self.high.as_ref().and_then(Rational::recip).unwrap_or(Rational::ZERO);
-        Self::new(Some(low), self.low.as_ref().and_then(Rational::recip)).or_nonzero(true)
+        Self::new(Some(low), self.low.as_ref().and_then(Rational::recip)).without_zero()
     }
 }
 
@@ -147,11 +152,11 @@ fn of_function(f: Function, argument: &Range) -> Range {
     let bounds = |low: i64, high: Option<i64>| Range::new(Some(Rational::integer(low)), high.map(Rational::integer));
     match f {
         Function::Sin | Function::Cos => bounds(-1, Some(1)),
-        Function::Sqrt | Function::Abs => bounds(0, None).or_nonzero(argument.nonzero),
-        Function::Exp => bounds(0, None).or_nonzero(true),
+        Function::Sqrt | Function::Abs => bounds(0, None).without_zero_like(argument),
+        Function::Exp => bounds(0, None).without_zero(),
         Function::Cosh => bounds(1, None),
-        Function::Tanh | Function::Sign => bounds(-1, Some(1)).or_nonzero(argument.nonzero),
-        Function::Asin | Function::Atan | Function::Sinh => Range::default().or_nonzero(argument.nonzero),
+        Function::Tanh | Function::Sign => bounds(-1, Some(1)).without_zero_like(argument),
+        Function::Asin | Function::Atan | Function::Sinh => Range::default().without_zero_like(argument),
         Function::Log | Function::Acos => Range::default(),
     }
 }

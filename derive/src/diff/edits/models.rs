@@ -1,7 +1,7 @@
 //! Comparison of two models: changes of the equations of motion, entry by entry, and of the declarations.
 
-use super::declared::{Declaration, declarations};
-use super::derived::Derived;
+use super::declarations::{Declaration, declarations};
+use super::derived_model::Derived;
 use super::variables::{VariableChange, changed_variables};
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Comparer, Verdict};
@@ -85,8 +85,8 @@ pub fn diff_models(old: &mut Derived<'_>, new: &mut Derived<'_>) -> ModelDiffere
     let formulations_lost = lost.into_iter().map(|formulation| (formulation, why(formulation))).collect();
     let mut comparer = Comparer::default();
     let changes = changes(old.derivations, &before, new.derivations, &after, &mut comparer);
-    let from = (old.model, &old.derivations.kinematics.arena);
-    let declarations = declarations(from, (new.model, &mut new.derivations.kinematics.arena), &mut comparer);
+    let arena = &mut new.derivations.kinematics.arena;
+    let declarations = declarations(old.model, &old.derivations.kinematics.arena, new.model, arena, &mut comparer);
     let gone = before.iter().filter(|(name, _)| !after.iter().any(|(n, _)| n == name)).count();
     let compared = after.len() + gone;
     let (known, found) = (integrals(old), integrals(new));

@@ -5,7 +5,7 @@
 //! T, V is the new V up to a constant, the old constraints hold, and the accelerations of the new model satisfy every
 //! old row of Kane's equations. Models with loops are left out: their coordinates are tied by equations.
 
-use super::derived::Derived;
+use super::derived_model::Derived;
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::term::transfer::Transfer;

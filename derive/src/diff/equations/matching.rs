@@ -45,7 +45,8 @@ pub fn best_match(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
     parameters: &[Expr],
-    (printed, derived): (&[Expr], &[Vec<Expr>]),
+    printed: &[Expr],
+    derived: &[Vec<Expr>],
     index: usize,
 ) -> Found {
     let own = index.min(derived.len() - 1);

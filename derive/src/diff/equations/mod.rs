@@ -1,7 +1,7 @@
 //! Comparison of rows of linear systems, independent of the factors and multipliers that an author chose.
 
 pub(super) mod claim;
+pub(super) mod derived_system;
 pub(super) mod matching;
 pub(super) mod multipliers;
-pub(super) mod ordered;
 pub mod rows;

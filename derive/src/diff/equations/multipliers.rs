@@ -3,8 +3,8 @@
 //! Aᵀλ = Aᵀ B μ for λ = B μ. Equations of motion with μ are equivalent to those with λ for every regular B. Rows that
 //! agree with the derived rows up to their multipliers determine B. B is used if it explains more rows than λ = μ does.
 
+use super::derived_system::Ordered;
 use super::matching::explained;
-use super::ordered::Ordered;
 use super::rows::{Row, Terms, seen};
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::{determinant, solve};

@@ -90,7 +90,7 @@ pub fn judge(terms: &mut Terms<'_>, parameters: &[Expr], printed: &Row, derived:
     // The search runs in permitted states, where equal entries are equal by plain algebra.
     let seen_printed = seen(arena, comparer, printed);
     let seen_derived: Vec<Row> = derived.iter().map(|row| seen(arena, comparer, row)).collect();
-    let found = best_match(arena, simplifier, parameters, (&seen_printed, &seen_derived), index);
+    let found = best_match(arena, simplifier, parameters, &seen_printed, &seen_derived, index);
     let by = match found {
         // Equal entries may be written in different terms, and then the ratio does not simplify to 1.
         Found::Row { at, column: Some(column) }

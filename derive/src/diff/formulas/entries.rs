@@ -1,7 +1,7 @@
 //! Judgement of printed values of named quantities.
 
 use super::constant::is_constant;
-use super::finding::{Finding, Judgement, Mistake, ROUNDED};
+use super::finding::{Finding, Judgement, Mistake, ROUNDED, TracedFinding};
 use super::near::Near;
 use super::ratio::constant_ratio;
 use super::rounding::agrees_as_rounded;
@@ -85,7 +85,7 @@ pub struct Judge<'a, 'b> {
 
 impl Judge<'_, '_> {
     /// Judges `quantity = printed`, and returns the claim of the entry.
-    pub fn equation(&mut self, finding: Finding, quantity: &Quantity, printed: Expr) -> (Finding, Claim) {
+    pub fn equation(&mut self, finding: Finding, quantity: &Quantity, printed: Expr) -> TracedFinding {
         let (raw, in_rates) = (printed, self.quantities.mentions_rates(printed));
         // An acceleration in the formula for an acceleration stands for its derived value.
         let is_solved = matches!(quantity.kind(), QuantityKind::SpeedRate(_) | QuantityKind::SecondRate(_));
@@ -96,7 +96,7 @@ impl Judge<'_, '_> {
         });
         let (printed, derived) = match both {
             Ok(both) => both,
-            Err(why) => return (Finding { judgement: Judgement::Undecided(why), ..finding }, Claim::Other),
+            Err(why) => return Finding { judgement: Judgement::Undecided(why), ..finding }.with_claim(Claim::Other),
         };
         // The definition of a speed contains rates, in whatever variables the entry is printed.
         let in_rates = in_rates || self.quantities.mentions_rates(derived);
@@ -105,25 +105,20 @@ impl Judge<'_, '_> {
         let (printed, derived) = (rewrite(printed), rewrite(derived));
         let derived = self.simplify(derived);
         let printed = Printed { raw, value: printed, reading: Reading { in_rates, is_solved } };
-        let (finding, claim) = self.value(finding, quantity.kind(), printed, derived);
-        match quantity.kind() {
+        let TracedFinding { finding, claim } = self.value(finding, quantity.kind(), printed, derived);
+        let finding = match quantity.kind() {
             QuantityKind::Energy(Energy::Lagrangian) => {
                 let finding = self.up_to_its_zero(finding);
-                (self.up_to_a_rate(finding), claim)
+                self.up_to_a_rate(finding)
             }
-            QuantityKind::Energy(energy) if energy.has_a_zero() => (self.up_to_its_zero(finding), claim),
-            _ => (finding, claim),
-        }
+            QuantityKind::Energy(energy) if energy.has_a_zero() => self.up_to_its_zero(finding),
+            _ => finding,
+        };
+        finding.with_claim(claim)
     }
 
     /// Judges a printed value of a quantity against the derived value; both are in the same variables.
-    pub fn value(
-        &mut self,
-        finding: Finding,
-        kind: &QuantityKind,
-        printed: Printed,
-        derived: Expr,
-    ) -> (Finding, Claim) {
+    pub fn value(&mut self, finding: Finding, kind: &QuantityKind, printed: Printed, derived: Expr) -> TracedFinding {
         if let Some(near) = &mut self.near {
             // A difference beyond the order of an approximation is not traced to other entries.
             let both = near
@@ -133,10 +128,10 @@ impl Judge<'_, '_> {
                 Ok((value, derived)) => self.compare(finding, Printed { value, ..printed }, derived),
                 Err(why) => Finding { judgement: Judgement::Undecided(why), ..finding },
             };
-            return (finding, Claim::Other);
+            return finding.with_claim(Claim::Other);
         }
         let finding = self.compare(finding, printed, derived);
-        (finding, Claim::Value { kind: kind.clone(), printed: printed.value, derived, by: None })
+        finding.with_claim(Claim::Value { kind: kind.clone(), printed: printed.value, derived, by: None })
     }
 
     /// Accepts a potential energy that differs by a constant: it is the same potential with another zero.
@@ -192,10 +187,10 @@ impl Judge<'_, '_> {
     /// factor; else the mistake.
     pub fn compare(&mut self, finding: Finding, printed: Printed, derived: Expr) -> Finding {
         let arena = &mut self.quantities.derivations.kinematics.arena;
-        let verdict = self.comparer.compare_where(arena, printed.value, derived);
-        let is_everywhere = verdict.0.is_equal() && verdict.1 == Holds::EVERYWHERE;
+        let (verdict, holds) = self.comparer.compare_where(arena, printed.value, derived);
+        let is_everywhere = verdict.is_equal() && holds == Holds::EVERYWHERE;
         let derived = if is_everywhere { derived } else { self.shortened(derived) };
-        let mut finding = finding.judged(verdict, derived);
+        let mut finding = finding.judged(verdict, holds, derived);
         if finding.judgement == Judgement::Different {
             if has_decimals(&finding.printed)
                 && agrees_as_rounded(self.quantities, self.comparer, self.numbers, printed.value, derived)

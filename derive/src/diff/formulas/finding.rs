@@ -3,6 +3,7 @@
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Verdict, Witness};
 use crate::algebra::meaning::permitted::Holds;
+use crate::diff::equations::claim::Claim;
 use crate::diff::repairs::Slip;
 
 /// Remark on an entry that is equal to the digits printed only.
@@ -117,7 +118,18 @@ pub struct Finding {
     pub remarks: Vec<String>,
 }
 
+/// A finding with the claim of its entry, by which wrong entries are traced to others.
+pub(in crate::diff) struct TracedFinding {
+    pub(in crate::diff) finding: Finding,
+    pub(in crate::diff) claim: Claim,
+}
+
 impl Finding {
+    /// The finding with the claim of its entry.
+    pub(in crate::diff) fn with_claim(self, claim: Claim) -> TracedFinding {
+        TracedFinding { finding: self, claim }
+    }
+
     /// Finding of an entry with this judgement and no further data.
     pub(in crate::diff) fn new(id: &str, section: &str, judgement: Judgement, printed: &str) -> Self {
         Self {
@@ -155,7 +167,7 @@ impl Finding {
     }
 
     /// Adds the verdict of a comparison with the derived value.
-    pub(in crate::diff) fn judged(mut self, (verdict, holds): (Verdict, Holds), derived: Expr) -> Self {
+    pub(in crate::diff) fn judged(mut self, verdict: Verdict, holds: Holds, derived: Expr) -> Self {
         self.derived = Some(derived);
         self.holds = holds;
         match verdict {

@@ -3,7 +3,7 @@
 //! Numbers of one set count as rounded to as many decimals as its longest decimal has: ± half a unit of the last
 //! decimal. Formulas without decimals are exact. Two numbers contradict each other only beyond this rounding.
 
-use super::finding::{Finding, Judgement};
+use super::finding::{Finding, Judgement, TracedFinding};
 use crate::diff::equations::claim::Claim;
 
 use crate::algebra::Expr;
@@ -25,7 +25,7 @@ struct Other {
 }
 
 /// Judges one number, and returns the claim with the entries that it contradicts.
-pub fn judge(model: &Model, publication: &Publication, entry: &Entry) -> (Finding, Claim) {
+pub fn judge(model: &Model, publication: &Publication, entry: &Entry) -> TracedFinding {
     let EntryKind::Initial(initial) = &entry.kind else { unreachable!("asked for numbers only") };
     let mut finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, &initial.text);
     let own = number(model, initial.value);
@@ -56,7 +56,7 @@ pub fn judge(model: &Model, publication: &Publication, entry: &Entry) -> (Findin
     } else if !others.is_empty() {
         finding.judgement = Judgement::Equal;
     }
-    (finding, Claim::Number { against })
+    finding.with_claim(Claim::Number { against })
 }
 
 /// Text of a number with six significant digits, because printed numbers have no more.

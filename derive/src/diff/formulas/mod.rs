@@ -7,5 +7,5 @@ pub(super) mod initial;
 pub(super) mod near;
 pub(super) mod ratio;
 pub(super) mod rounding;
-pub(super) mod swapped;
+pub(super) mod swapped_lists;
 pub(super) mod terms;

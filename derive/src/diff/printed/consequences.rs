@@ -1,7 +1,7 @@
 //! Consequences of printed systems for the motion: determinants, rates of first integrals, agreement of accelerations.
 
 use super::motion::{Motion, Solved};
-use super::systems::Matched;
+use super::systems::MatchedMotion;
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Comparer, Verdict};
 use crate::algebra::solve::linear::determinant;
@@ -63,7 +63,7 @@ pub fn draw(
     derivations: &mut Derivations,
     comparer: &mut Comparer,
     proof: &Proof,
-    motions: &[(Motion, Matched)],
+    motions: &[MatchedMotion],
 ) -> (Vec<Consequences>, Vec<Agreement>) {
     let truth = derivations.get(Formulation::Kane).cloned();
     let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
@@ -79,9 +79,10 @@ pub fn draw(
     });
     let mut list = Vec::new();
     let mut solutions: Vec<(String, Solved)> = Vec::new();
-    for (motion, matched) in motions {
+    for matched in motions {
+        let motion = &matched.motion;
         let derivations = &mut *derivations;
-        let determinant = judged_determinant(derivations, comparer, motion, matched);
+        let determinant = judged_determinant(derivations, comparer, matched);
         let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
         let small = motion.matrix.len() <= MOST_UNKNOWNS;
         let solved = if small { motion.solve(model, arena, simplifier) } else { None };
@@ -131,9 +132,9 @@ fn same_motion(derivations: &mut Derivations, comparer: &mut Comparer, a: &Solve
 fn judged_determinant(
     derivations: &mut Derivations,
     comparer: &mut Comparer,
-    motion: &Motion,
-    matched: &Matched,
+    matched: &MatchedMotion,
 ) -> Option<(Expr, Expr, Verdict)> {
+    let motion = &matched.motion;
     if matched.matrix.len() != motion.matrix.len() || motion.matrix.len() > MOST_UNKNOWNS {
         return None;
     }

@@ -1,6 +1,6 @@
 //! Findings on rows and entries of printed systems: the verdict, the wrong entries, and the mistake in each.
 
-use crate::diff::equations::ordered::Ordered;
+use crate::diff::equations::derived_system::Ordered;
 use crate::diff::equations::rows::{Match, Row, RowJudgement, Terms, judge};
 use crate::diff::formulas::entries::{Judge, Printed};
 use crate::diff::formulas::finding::{Finding, Judgement, Mistake, ROUNDED};
@@ -11,14 +11,16 @@ use crate::algebra::meaning::compare::{Engine, Verdict};
 use crate::algebra::meaning::permitted::Holds;
 use crate::algebra::text::print::text;
 use crate::mechanics::Kinematics;
-use crate::publication::Entry;
+use crate::publication::{Entry, System};
 
 impl Judge<'_, '_> {
-    /// Judges a row. Its decimals, if it has some, may stand for parameters.
-    pub(super) fn row(&mut self, row: &Row, order: &Ordered, index: usize, has_decimals: bool) -> RowJudgement {
-        if has_decimals && let Some(judged) = self.rounded(row, order, index) {
-            return judged;
-        }
+    /// Judges a row that is printed with decimals, which may stand for parameters.
+    pub(super) fn row_with_decimals(&mut self, row: &Row, order: &Ordered, index: usize) -> RowJudgement {
+        self.rounded(row, order, index).unwrap_or_else(|| self.row(row, order, index))
+    }
+
+    /// Judges a row without decimals.
+    pub(super) fn row(&mut self, row: &Row, order: &Ordered, index: usize) -> RowJudgement {
         let parameters = self.quantities.model.p();
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
         let mut terms = Terms { arena, simplifier, comparer: self.comparer };
@@ -61,7 +63,7 @@ impl Judge<'_, '_> {
         order: &Ordered,
         judged: &RowJudgement,
         index: usize,
-        is_equation: bool,
+        system: &System,
     ) -> Finding {
         finding.judgement = Judgement::Equal;
         finding.holds = judged.holds();
@@ -70,7 +72,7 @@ impl Judge<'_, '_> {
         match &judged.by {
             Match::Row { at, factor } => {
                 // The sides of an equation may be the other way round.
-                let is_turned = is_equation && *factor == Expr::MINUS_ONE;
+                let is_turned = system.row_texts.is_some() && *factor == Expr::MINUS_ONE;
                 if *factor != Expr::ONE && !is_turned {
                     finding.factor = Some(*factor);
                     finding.judgement = Judgement::Scaled;
@@ -182,8 +184,7 @@ impl Judge<'_, '_> {
         judged: &RowJudgement,
         at: usize,
     ) -> Finding {
-        let verdict = (judged.entries[at].clone(), judged.holds[at]);
-        let mut finding = finding.judged(verdict, judged.expected[at]);
+        let mut finding = finding.judged(judged.entries[at].clone(), judged.holds[at], judged.expected[at]);
         match &judged.by {
             Match::Row { factor, .. } if *factor != Expr::ONE => {
                 finding.factor = Some(*factor);

@@ -4,7 +4,7 @@ use super::systems::printed;
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Verdict;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
-use crate::diff::equations::ordered::Ordered;
+use crate::diff::equations::derived_system::Ordered;
 use crate::diff::equations::rows::{Row, RowJudgement};
 use crate::diff::formulas::entries::Judge;
 use crate::diff::formulas::finding::{Finding, Judgement};
@@ -31,10 +31,10 @@ impl Judge<'_, '_> {
         }
         let arena = &self.quantities.derivations.kinematics.arena;
         let is_empty = row.iter().all(|e| zero_test(arena, *e) == ZeroTest::Zero);
-        if !is_empty && self.row(row, order, index, false).is_right() {
+        if !is_empty && self.row(row, order, index).is_right() {
             return None;
         }
-        Some(self.row(total, order, index, false)).filter(RowJudgement::is_right)
+        Some(self.row(total, order, index)).filter(RowJudgement::is_right)
     }
 
     /// Finding of such a row, with the row that it should be.

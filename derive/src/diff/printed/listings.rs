@@ -2,12 +2,12 @@
 
 use super::findings::stated;
 use super::motion::Motion;
-use super::systems::{Judged, Matched};
+use super::systems::{Judged, MatchedMotion};
 use crate::diff::equations::claim::Claim;
-use crate::diff::equations::ordered::{Ordered, derived};
+use crate::diff::equations::derived_system::{Ordered, derived};
 use crate::diff::equations::rows::Row;
 use crate::diff::formulas::entries::{Judge, Printed, Reading};
-use crate::diff::formulas::finding::{Finding, Judgement};
+use crate::diff::formulas::finding::{Finding, Judgement, TracedFinding};
 
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::solve;
@@ -65,7 +65,7 @@ impl Judge<'_, '_> {
     pub fn listing(&mut self, entry: &Entry, listing: &Listing) -> Judged {
         let undecided = |why: String| {
             let finding = Finding { judgement: Judgement::Undecided(why), ..stated(&entry.id, entry, "") };
-            Judged { findings: vec![(finding, Claim::Other)], table: None, motion: None }
+            Judged { findings: vec![finding.with_claim(Claim::Other)], table: None, motion: None }
         };
         let (motion, whole) = match listing_motion(self.quantities, self.names, entry, listing) {
             Ok(found) => found,
@@ -92,8 +92,8 @@ impl Judge<'_, '_> {
         let (mut rows, mut matches) = (Vec::new(), Vec::new());
         let Some(texts) = &listing.matrix_texts else {
             findings.extend(self.accelerations(entry, listing, &motion, &order));
-            let matched = Matched { matrix: Vec::new(), rows: Vec::new() };
-            return self.kept(Judged { findings, table: None, motion: whole.then_some((motion, matched)) });
+            let motion = whole.then_some(MatchedMotion { motion, matrix: Vec::new(), rows: Vec::new() });
+            return self.kept(Judged { findings, table: None, motion });
         };
         let stated_rows =
             motion.matrix.iter().zip(&motion.right).map(|(row, right)| [row.as_slice(), &[*right]].concat());
@@ -105,7 +105,7 @@ impl Judge<'_, '_> {
             let at_right = listing.moving[i];
             let right = &listing.derivative_texts[at_right];
             let has_decimals = texts.iter().chain([right]).any(|text| has_decimals(text));
-            let judged = self.row(&row, &order, i, has_decimals);
+            let judged = if has_decimals { self.row_with_decimals(&row, &order, i) } else { self.row(&row, &order, i) };
             for (j, at) in variables.iter().enumerate() {
                 let Some(column) = at.map(|at| column_of(listing, at)) else { continue };
                 let text = &texts[column];
@@ -115,21 +115,23 @@ impl Judge<'_, '_> {
                     let claim = Claim::Entry { table: self.earlier.len(), row: i, column: j };
                     let raw = listing.matrix.as_ref().map_or(row[j], |matrix| matrix[i][column]);
                     let own = Printed { raw, value: row[j], reading };
-                    findings.push((self.entry_finding(stated(&id, entry, text), own, &judged, j), claim));
+                    let finding = self.entry_finding(stated(&id, entry, text), own, &judged, j);
+                    findings.push(finding.with_claim(claim));
                 }
             }
             let id = listing.derivative_id(&entry.id, at_right);
             let column = row.len() - 1;
             let claim = Claim::Entry { table: self.earlier.len(), row: i, column };
             let own = Printed { raw: listing.derivative[at_right], value: row[column], reading };
-            findings.push((self.entry_finding(stated(&id, entry, right), own, &judged, column), claim));
+            let finding = self.entry_finding(stated(&id, entry, right), own, &judged, column);
+            findings.push(finding.with_claim(claim));
             rows.push(row);
             matches.push(judged.by);
         }
         let matrix = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
-        let matched = Matched { matrix, rows: matches.clone() };
+        let motion = whole.then(|| MatchedMotion { motion, matrix, rows: matches.clone() });
         let table = Some(order.beside(alike, rows, matches));
-        self.kept(Judged { findings, table, motion: whole.then_some((motion, matched)) })
+        self.kept(Judged { findings, table, motion })
     }
 
     /// Judges accelerations that a program states directly, by those that the derived system gives.
@@ -139,7 +141,7 @@ impl Judge<'_, '_> {
         listing: &Listing,
         motion: &Motion,
         order: &Ordered,
-    ) -> Vec<(Finding, Claim)> {
+    ) -> Vec<TracedFinding> {
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
         let a: Vec<Row> = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
         let b: Vec<Row> = order.rows.iter().map(|row| vec![row[row.len() - 1]]).collect();
@@ -158,15 +160,15 @@ impl Judge<'_, '_> {
                 Ok((values, _)) => {
                     let reading = Reading::of(listing.formulation);
                     let own = Printed { raw: listing.derivative[at], value: motion.right[i], reading };
-                    let (finding, mut claim) = self.value(finding, &kind(i), own, values[i][0]);
-                    if let Claim::Value { by, .. } = &mut claim {
+                    let mut found = self.value(finding, &kind(i), own, values[i][0]);
+                    if let Claim::Value { by, .. } = &mut found.claim {
                         *by = Some(listing.formulation);
                     }
-                    (finding, claim)
+                    found
                 }
                 Err(_) => {
                     let why = "the derived system is singular everywhere".to_owned();
-                    (Finding { judgement: Judgement::Undecided(why), ..finding }, Claim::Other)
+                    Finding { judgement: Judgement::Undecided(why), ..finding }.with_claim(Claim::Other)
                 }
             };
             findings.push((i, found));

@@ -1,9 +1,9 @@
 //! Printed systems and listings of programs, judged and solved for their motion.
 
 pub(super) mod consequences;
-pub(super) mod emitted;
 mod findings;
 mod held_time;
 pub(super) mod listings;
 pub mod motion;
+pub(super) mod printed_equations;
 pub(super) mod systems;

@@ -3,10 +3,10 @@
 use super::findings::stated;
 use super::motion::Motion;
 use crate::diff::equations::claim::{Claim, Table};
-use crate::diff::equations::ordered::{Ordered, derived};
+use crate::diff::equations::derived_system::{Ordered, derived};
 use crate::diff::equations::rows::{Match, Row, Terms};
 use crate::diff::formulas::entries::{Judge, Printed, Reading};
-use crate::diff::formulas::finding::{Finding, Judgement};
+use crate::diff::formulas::finding::{Finding, Judgement, TracedFinding};
 
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
@@ -14,9 +14,11 @@ use crate::algebra::value::rank::rank;
 use crate::mechanics::{Formulation, Kinematics, Quantities};
 use crate::publication::{Entry, Names, System, has_decimals, row_text};
 
-/// Derived matrix with which a printed system is compared, and the matches of the printed rows.
+/// Printed system as equations of motion, with the derived matrix with which it is compared.
 #[derive(Clone, Debug)]
-pub struct Matched {
+pub struct MatchedMotion {
+    /// Printed equations of motion.
+    pub motion: Motion,
     /// Matrix of the derived system.
     pub matrix: Vec<Vec<Expr>>,
     /// Match of each printed row.
@@ -25,12 +27,12 @@ pub struct Matched {
 
 /// Judgement of one printed system or listing.
 pub struct Judged {
-    /// Findings for rows and entries, each with its claim.
-    pub findings: Vec<(Finding, Claim)>,
+    /// Findings for rows and entries.
+    pub findings: Vec<TracedFinding>,
     /// Printed system beside the derived rows; `None` if the listing states accelerations directly.
     pub table: Option<Table>,
-    /// Printed system as equations of motion, with its matches; `None` if it is incomplete.
-    pub motion: Option<(Motion, Matched)>,
+    /// Printed system as equations of motion; `None` if it is incomplete.
+    pub motion: Option<MatchedMotion>,
 }
 
 /// Rows of a system as printed, in the order of the derived unknowns. Unknowns that are not printed have the
@@ -101,21 +103,21 @@ impl Judge<'_, '_> {
             Ok(both) => both,
             Err(why) => {
                 let finding = Finding::new(&entry.id, &entry.section, Judgement::Undecided(why), "");
-                return Judged { findings: vec![(finding, Claim::Other)], table: None, motion: None };
+                return Judged { findings: vec![finding.with_claim(Claim::Other)], table: None, motion: None };
             }
         };
         let raw = rows_as_printed(system, &order.unknowns);
         let reading = Reading::of(system.formulation);
-        let is_equation = system.row_texts.is_some();
+
         let multipliers = self.own_multipliers(&mut order, &rows);
         let total = self.with_total_rates(system, &raw, &order);
-        let mut findings: Vec<(Finding, Claim)> = Vec::new();
+        let mut findings: Vec<TracedFinding> = Vec::new();
         let mut matches = Vec::new();
         for (i, row) in rows.iter().enumerate() {
             let texts = system.matrix_texts[i].iter().chain([&system.right_texts[i]]);
             let has_decimals =
                 texts.chain(system.row_texts.iter().map(|texts| &texts[i])).any(|text| has_decimals(text));
-            let judged = self.row(row, &order, i, has_decimals);
+            let judged = if has_decimals { self.row_with_decimals(row, &order, i) } else { self.row(row, &order, i) };
             let id = system.row_id(&entry.id, i);
             let (entries, right) = (&system.matrix_texts[i], &system.right_texts[i]);
             let shown = match &system.row_texts {
@@ -124,7 +126,7 @@ impl Judge<'_, '_> {
             };
             let finding = stated(&id, entry, &shown);
             if let Some(right) = total.as_ref().and_then(|total| self.right_with(&total[i], row, &order, i)) {
-                findings.push((self.held_time(finding, row, &right, &order), Claim::HeldTime));
+                findings.push(self.held_time(finding, row, &right, &order).with_claim(Claim::HeldTime));
                 matches.push(judged.by);
                 continue;
             }
@@ -134,30 +136,34 @@ impl Judge<'_, '_> {
             };
             let row_printed: Vec<Printed> =
                 raw[i].iter().zip(row).map(|(raw, value)| Printed { raw: *raw, value: *value, reading }).collect();
-            findings.push((self.row_finding(finding, &row_printed, &order, &judged, i, is_equation), claim));
+            let finding = self.row_finding(finding, &row_printed, &order, &judged, i, system);
+            findings.push(finding.with_claim(claim));
             for (j, unknown) in system.unknowns.iter().enumerate() {
                 let Some(id) = system.matrix_id(i, j) else { break };
                 let Some(at) = order.unknowns.iter().position(|u| u == unknown) else { continue };
                 let text = &system.matrix_texts[i][j];
                 let claim = Claim::Entry { table: self.earlier.len(), row: i, column: at };
-                findings.push((self.entry_finding(stated(&id, entry, text), row_printed[at], &judged, at), claim));
+                let finding = self.entry_finding(stated(&id, entry, text), row_printed[at], &judged, at);
+                findings.push(finding.with_claim(claim));
             }
             if let Some(id) = system.right_id(i) {
                 let at = row.len() - 1;
                 let claim = Claim::Entry { table: self.earlier.len(), row: i, column: at };
-                let finding = stated(&id, entry, &system.right_texts[i]);
-                findings.push((self.entry_finding(finding, row_printed[at], &judged, at), claim));
+                let text = &system.right_texts[i];
+                let finding = self.entry_finding(stated(&id, entry, text), row_printed[at], &judged, at);
+                findings.push(finding.with_claim(claim));
             }
             matches.push(judged.by);
         }
-        if let Some((first, _)) = findings.first_mut() {
-            first.remarks.extend(multipliers);
+        if let Some(first) = findings.first_mut() {
+            first.finding.remarks.extend(multipliers);
         }
         self.completeness(&mut findings, entry, system, &rows, order.unknowns.len());
         let whole = order.unknowns.iter().all(|u| system.unknowns.contains(u)) && rows.len() == order.unknowns.len();
         let motion = whole.then(|| {
             let matrix = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
-            (motion(self.quantities, &entry.id, system.formulation, &rows), Matched { matrix, rows: matches.clone() })
+            let motion = motion(self.quantities, &entry.id, system.formulation, &rows);
+            MatchedMotion { motion, matrix, rows: matches.clone() }
         });
         let table = order.beside(system.formulation, rows, matches);
         self.kept(Judged { findings, table: Some(table), motion })
@@ -226,30 +232,32 @@ impl Judge<'_, '_> {
             return judged;
         }
         let traced = |claim: Claim| if matches!(claim, Claim::Expansion { .. }) { claim } else { Claim::Other };
-        let findings = judged.findings.into_iter().map(|(finding, claim)| (finding, traced(claim))).collect();
+        let findings = judged.findings.into_iter().map(|found| found.finding.with_claim(traced(found.claim))).collect();
         Judged { findings, table: None, motion: None }
     }
 
     /// Marks a right row as different if it depends on the rows above it: then an equation of motion is missing.
     fn completeness(
         &self,
-        findings: &mut [(Finding, Claim)],
+        findings: &mut [TracedFinding],
         entry: &Entry,
         system: &System,
         rows: &[Row],
         unknowns: usize,
     ) {
         let arena = &self.quantities.derivations.kinematics.arena;
-        let Some((first, _)) = findings.first_mut() else { return };
+        let Some(first) = findings.first_mut() else { return };
         if rows.len() < unknowns {
-            first.remarks.push(format!(
+            first.finding.remarks.push(format!(
                 "the system has {} of {unknowns} equations: it does not determine the motion",
                 rows.len()
             ));
         }
         let Some(row) = rank(arena, rows).and_then(|found| found.dependent) else { return };
         let id = system.row_id(&entry.id, row);
-        let Some((finding, _)) = findings.iter_mut().find(|(f, _)| f.id == id) else { return };
+        let Some(TracedFinding { finding, .. }) = findings.iter_mut().find(|found| found.finding.id == id) else {
+            return;
+        };
         if rows.len() <= unknowns && matches!(finding.judgement, Judgement::Equal | Judgement::Scaled) {
             finding.judgement = Judgement::Different;
             finding.remarks.push("it follows from the rows above: an equation of motion is missing".to_owned());

@@ -83,22 +83,31 @@ pub fn repair(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr) -
         return None;
     }
     let close = close_changes(tools, formula, &places, derived)?;
-    for (place, change, whole) in close.into_iter().take(MOST_PROOFS) {
-        if let Some(found) = proved(tools, formula, (place, change, whole), derived) {
+    for candidate in close.into_iter().take(MOST_PROOFS) {
+        if let Some(found) = proved(tools, formula, candidate, derived) {
             return Some(found);
         }
     }
     solved_spot(tools, formula, derived)
 }
 
-/// Changes that numbers do not reject, the likeliest first, each with its place and the whole changed formula. `None`
-/// if there are no numbers.
+/// A change that numbers do not reject.
+#[derive(Clone, Copy)]
+struct Candidate {
+    /// Formula or abbreviation that is changed.
+    place: Place,
+    change: Change,
+    /// The changed formula, in which symbols stand for the other abbreviations.
+    whole: Expr,
+}
+
+/// Changes that numbers do not reject, the likeliest first. `None` if there are no numbers.
 fn close_changes(
     tools: &mut Tools<'_, '_>,
     formula: &mut Formula,
     places: &[Place],
     derived: Expr,
-) -> Option<Vec<(Place, Change, Expr)>> {
+) -> Option<Vec<Candidate>> {
     // Changes are built in an arena of their own: they must not change the order of terms in the main one.
     let mut arena = std::mem::take(&mut formula.arena);
     let pools = pools(tools, &mut arena, places, derived);
@@ -106,18 +115,18 @@ fn close_changes(
         formula.arena = arena;
         return None;
     };
-    let mut close: Vec<(Place, Change, Expr)> = Vec::new();
+    let mut close: Vec<Candidate> = Vec::new();
     for (place, pool) in places.iter().zip(&pools) {
         changes(&mut arena, pool, place.formula, tools.left, &mut |arena, change| {
             let whole = formula.whole(arena, *place, change.whole);
             if let Some(whole) = whole.filter(|whole| points.agree(arena, *whole)) {
-                close.push((*place, change, whole));
+                close.push(Candidate { place: *place, change, whole });
             }
         });
     }
     formula.arena = arena;
-    close.sort_by_key(|(_, change, _)| change.slip);
-    close.dedup_by_key(|(.., whole)| *whole);
+    close.sort_by_key(|candidate| candidate.change.slip);
+    close.dedup_by_key(|candidate| candidate.whole);
     Some(close)
 }
 
@@ -146,12 +155,8 @@ fn states(
 }
 
 /// Repair by a change of which numbers are right, if it is proved and its words are short.
-fn proved(
-    tools: &mut Tools<'_, '_>,
-    formula: &mut Formula,
-    (place, change, whole): (Place, Change, Expr),
-    derived: Expr,
-) -> Option<Repair> {
+fn proved(tools: &mut Tools<'_, '_>, formula: &mut Formula, candidate: Candidate, derived: Expr) -> Option<Repair> {
+    let Candidate { place, change, whole } = candidate;
     let [before, after] = [change.before, change.after].map(|e| text(&formula.arena, e));
     if before.len() > LONGEST || after.len() > LONGEST {
         return None;

@@ -56,8 +56,8 @@ pub fn pair(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: crate::al
         let (own, mut rest) = (first_repair(formula, *place, change), formula.with(*place, change.whole));
         let (Some(own), places) = (own, rest.places()) else { continue };
         let close = close_changes(tools, &mut rest, &places, derived)?;
-        for (place, change, whole) in close.into_iter().take(MOST_PROOFS) {
-            if let Some(second) = proved(tools, &mut rest, (place, change, whole), derived) {
+        for candidate in close.into_iter().take(MOST_PROOFS) {
+            if let Some(second) = proved(tools, &mut rest, candidate, derived) {
                 return Some([own, second]);
             }
         }

@@ -52,7 +52,7 @@ impl Points {
         let mut generator = Generator(1 + free.len() as u64);
         let (mut columns, mut found) = (vec![[0.0; POINTS]; conditions], 0);
         for _ in 0..DRAWN {
-            let inputs: Vec<f64> = free.iter().map(|s| drawn(&mut generator, main.is_positive(*s))).collect();
+            let inputs: Vec<f64> = free.iter().map(|s| drawn(&mut generator, main, *s)).collect();
             let results = tape.evaluate(&inputs);
             let is_permitted = results[conditions..].iter().all(|x| *x > 0.0);
             if results[..conditions].iter().all(|x| x.is_finite()) && is_permitted {
@@ -153,7 +153,7 @@ fn applied(f: Function, x: f64) -> f64 {
 }
 
 /// Random number whose size is 0.3 to 1.7.
-fn drawn(generator: &mut Generator, is_positive: bool) -> f64 {
+fn drawn(generator: &mut Generator, arena: &Arena, symbol: Expr) -> f64 {
     let size = 0.3 + (generator.next() % 1_400_000) as f64 * 1e-6;
-    if is_positive || generator.next().is_multiple_of(2) { size } else { -size }
+    if arena.is_positive(symbol) || generator.next().is_multiple_of(2) { size } else { -size }
 }

@@ -39,6 +39,7 @@ enum Kind {
 
 /// A part of the formula at a place, with the formula in which the symbol `place` stands for it.
 struct Spot {
+    place: Place,
     kind: Kind,
     part: Expr,
     changed: Expr,
@@ -62,7 +63,7 @@ pub fn solved_spot(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Ex
             for spot in spots(tools, formula, *place, kind, inner) {
                 let Some(left) = tools.left.checked_sub(COST) else { return best };
                 *tools.left = left;
-                let Some(found) = solved(tools, formula, (*place, &spot), symbol, derived) else { continue };
+                let Some(found) = solved(tools, formula, &spot, symbol, derived) else { continue };
                 if best.as_ref().is_none_or(|best| found.words.len() < best.words.len()) {
                     best = Some(found);
                 }
@@ -84,7 +85,7 @@ fn spots(tools: &Tools<'_, '_>, formula: &mut Formula, place: Place, kind: Kind,
         let mut put = Substitution::new(&[(part, by)]);
         let changed = put.apply(arena, place.formula);
         if put.undefined.is_none() {
-            list.push(Spot { kind, part: shown, changed });
+            list.push(Spot { place, kind, part: shown, changed });
         }
     };
     match kind {
@@ -134,10 +135,11 @@ fn spots(tools: &Tools<'_, '_>, formula: &mut Formula, place: Place, kind: Kind,
 fn solved(
     tools: &mut Tools<'_, '_>,
     formula: &mut Formula,
-    (place, spot): (Place, &Spot),
+    spot: &Spot,
     symbol: Expr,
     derived: Expr,
 ) -> Option<Repair> {
+    let place = spot.place;
     let mut arena = std::mem::take(&mut formula.arena);
     let whole = formula.whole(&mut arena, place, spot.changed);
     formula.arena = arena;
@@ -146,7 +148,7 @@ fn solved(
     let main = &mut tools.quantities.derivations.kinematics.arena;
     let mut transfer = Transfer::new(&formula.arena);
     let (whole, part) = (transfer.term(main, whole), transfer.term(main, part));
-    let added = added(tools, (whole, part), symbol, derived)?;
+    let added = added(tools, whole, part, symbol, derived)?;
     let main = &mut tools.quantities.derivations.kinematics.arena;
     let sum = main.add(part, added);
     let right = tools.quantities.derivations.kinematics.simplifier.simplify(main, sum);
@@ -196,7 +198,7 @@ fn solved(
 
 /// Term that makes a formula right where it is added to `part`, for which the symbol stands in `whole`. `None` if
 /// neither the formula nor its reciprocal is linear in the symbol.
-fn added(tools: &mut Tools<'_, '_>, (whole, part): (Expr, Expr), symbol: Expr, derived: Expr) -> Option<Expr> {
+fn added(tools: &mut Tools<'_, '_>, whole: Expr, part: Expr, symbol: Expr, derived: Expr) -> Option<Expr> {
     let arena = &mut tools.quantities.derivations.kinematics.arena;
     let inverse = arena.div(Expr::ONE, whole);
     let inverse_derived = arena.div(Expr::ONE, derived);

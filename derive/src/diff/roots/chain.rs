@@ -11,7 +11,8 @@
 mod sums;
 mod vectors;
 
-use super::derived::{arena_of, component, derived, turned};
+use super::derived_values::{arena_of, component, derived, turned};
+use super::exact::Value;
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Differential;
 use crate::geometry::Components;
@@ -21,7 +22,7 @@ use rustc_hash::FxHashMap;
 
 /// Printed values, and the values of quantities that depend on them.
 pub struct Chain {
-    put: Vec<(QuantityKind, Expr)>,
+    put: Vec<Value>,
     /// Time derivative d/dt, along printed rates of coordinates if there are any.
     d_dt: Differential,
     moves_otherwise: bool,
@@ -31,12 +32,12 @@ pub struct Chain {
 
 impl Chain {
     /// Chain of the given printed values, which are in q, u and u̇.
-    pub fn new(model: &Model, put: Vec<(QuantityKind, Expr)>) -> Self {
+    pub fn new(model: &Model, put: Vec<Value>) -> Self {
         let mut d_dt = motion_rates(model);
         let mut moves_otherwise = false;
-        for (kind, value) in &put {
-            if let QuantityKind::Rate(at) = kind {
-                d_dt.set_rate(model.coordinates[*at].symbol, *value);
+        for value in &put {
+            if let QuantityKind::Rate(at) = value.kind {
+                d_dt.set_rate(model.coordinates[at].symbol, value.printed);
                 moves_otherwise = true;
             }
         }
@@ -45,7 +46,7 @@ impl Chain {
 
     /// Printed value of the quantity itself; `None` if it is not printed.
     pub fn printed(&self, kind: &QuantityKind) -> Option<Expr> {
-        self.put.iter().find(|(k, _)| k == kind).map(|(_, value)| *value)
+        self.put.iter().find(|value| value.kind == *kind).map(|value| value.printed)
     }
 
     /// Value of a quantity with the printed values put in; `None` if it depends on no printed value.
@@ -74,7 +75,7 @@ impl Chain {
                 self.vector(quantities, vector, of, frame).map(|v| v[axis])
             }
             QuantityKind::Partial { vector, of, frame, axis, speed } => {
-                self.partial(quantities, (vector, of, frame), speed).map(|v| v[axis])
+                self.partial(quantities, vector, of, frame, speed).map(|v| v[axis])
             }
             QuantityKind::Row(Row::InertiaForce, at) => self.inertia_force(quantities, at),
             QuantityKind::Row(Row::ActiveForce, at) => self.active_force(quantities, at),
@@ -110,7 +111,7 @@ impl Chain {
     /// Frame in which components of a vector are printed: `frame` if possible, else the first. `None` if none are
     /// printed.
     fn stated_frame(&self, name: VectorName, of: usize, frame: usize) -> Option<usize> {
-        let frames = self.put.iter().filter_map(|(kind, _)| match *kind {
+        let frames = self.put.iter().filter_map(|value| match value.kind {
             QuantityKind::Component { vector, of: owner, frame, .. } if (vector, owner) == (name, of) => Some(frame),
             _ => None,
         });

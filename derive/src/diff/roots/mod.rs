@@ -1,27 +1,27 @@
 //! Root mistakes: the search, by proof, for wrong entries that repeat others or follow from them.
 //!
 //! An entry is traced to earlier ones in three cases. First, it has an equal wrong value. Second, exactly the printed
-//! value follows when printed values replace the derived ones in its formula ([`chain`], [`rows`], [`solved`]). Third,
-//! an equal mistake is in another component of one vector ([`shared`]). Every such claim is an identity of terms. An
-//! entry without a proof within a counted budget is a root of its own. Invariant: every entry that is different is in
-//! exactly one group, that of its first source. Entries are not linked because their differences are equal: two slips
-//! may give equal differences, and nothing would prove that they are one.
+//! value follows when printed values replace the derived ones in its formula ([`chain`], [`rows`], [`solutions`]).
+//! Third, an equal mistake is in another component of one vector ([`shared_mistake`]). Every such claim is an identity
+//! of terms. An entry without a proof within a counted budget is a root of its own. Invariant: every entry that is
+//! different is in exactly one group, that of its first source. Entries are not linked because their differences are
+//! equal: two slips may give equal differences, and nothing would prove that they are one.
 
 mod chain;
-mod derived;
+mod derived_values;
 mod exact;
 mod numbers;
 mod root;
 mod rows;
 mod search;
-mod shared;
-mod solved;
+mod shared_mistake;
+mod solutions;
 
 pub use root::{Follower, Link, Root};
 
 use super::equations::claim::{Claim, Table};
 use super::formulas::finding::{Finding, Judgement};
-use super::formulas::swapped::Swapped;
+use super::formulas::swapped_lists::Swapped;
 use crate::algebra::Arena;
 use crate::algebra::meaning::permitted::Permitted;
 use crate::algebra::text::print::text;

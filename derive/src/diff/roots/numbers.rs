@@ -4,7 +4,7 @@
 use super::root::Link;
 use super::search::Reason;
 use crate::diff::equations::claim::Claim;
-use crate::diff::formulas::swapped::Swapped;
+use crate::diff::formulas::swapped_lists::Swapped;
 
 /// Links every wrong number to the first number that it contradicts, directly, through others or through swapped lists.
 /// Returns the descriptions of the swapped lists, each with the index of the first number that they make wrong.

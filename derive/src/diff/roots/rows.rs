@@ -1,7 +1,7 @@
 //! Rows of equations of motion with printed values in place of derived ones.
 
 use super::chain::Chain;
-use super::derived::component;
+use super::derived_values::component;
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::{Differential, Gradient};

@@ -7,8 +7,8 @@ use super::chain::Chain;
 use super::exact::{Exact, Value};
 use super::root::Link;
 use super::rows::row_with;
-use super::shared::common;
-use super::solved::Solutions;
+use super::shared_mistake::common;
+use super::solutions::Solutions;
 use crate::algebra::Expr;
 use crate::algebra::meaning::permitted::Permitted;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
@@ -38,6 +38,13 @@ impl Reason {
     pub fn new(link: Link, from: Vec<usize>) -> Self {
         Self { link, hangs_on: from.clone(), from }
     }
+}
+
+/// Place of a printed row: index of its table, and of the row in it.
+#[derive(Clone, Copy)]
+struct RowPlace {
+    table: usize,
+    row: usize,
 }
 
 /// Search for the reasons of the wrong entries of a publication.
@@ -73,7 +80,7 @@ impl<'a, 'b> Search<'a, 'b> {
             values.push(Some(Value { kind: kind.clone(), printed, derived }));
         }
         let model = quantities.model;
-        let chain = |v: &Option<Value>| v.as_ref().map(|v| Chain::new(model, vec![(v.kind.clone(), v.printed)]));
+        let chain = |v: &Option<Value>| v.as_ref().map(|v| Chain::new(model, vec![v.clone()]));
         Self {
             chains: values.iter().map(chain).collect(),
             shared: vec![None; values.len()],
@@ -130,14 +137,14 @@ impl<'a, 'b> Search<'a, 'b> {
             let (kinds_agree, a, b) = (a.kind == b.kind, a.printed, b.printed);
             return kinds_agree && self.exact.same(a, b);
         }
-        let (Some((a, i)), Some((b, j))) = (self.row_of(source), self.row_of(at)) else { return false };
-        let tables = self.tables;
-        let (Some((row, factor)), Some((own, _))) = (tables[a].matched(i), tables[b].matched(j)) else { return false };
-        if tables[a].formulation != tables[b].formulation || tables[a].names[row] != tables[b].names[own] {
+        let (Some(a), Some(b)) = (self.row_of(source), self.row_of(at)) else { return false };
+        let (from, to) = (&self.tables[a.table], &self.tables[b.table]);
+        let (Some((row, factor)), Some((own, _))) = (from.matched(a.row), to.matched(b.row)) else { return false };
+        if from.formulation != to.formulation || from.names[row] != to.names[own] {
             return false;
         }
         let arena = &mut self.exact.quantities.derivations.kinematics.arena;
-        let Some(with) = tables[a].printed[i].iter().map(|e| arena.div(*e, factor)).collect::<Option<Row>>() else {
+        let Some(with) = from.printed[a.row].iter().map(|e| arena.div(*e, factor)).collect::<Option<Row>>() else {
             return false;
         };
         // A single wrong entry determines no other entry of its row.
@@ -146,27 +153,28 @@ impl<'a, 'b> Search<'a, 'b> {
         {
             return false;
         }
-        self.fits(at, (b, j), &with)
+        self.fits(at, b, &with)
     }
 
-    fn row_of(&self, at: usize) -> Option<(usize, usize)> {
-        match self.stated[at] {
-            Claim::Row { table, row } | Claim::Entry { table, row, .. } => Some((*table, *row)),
+    fn row_of(&self, at: usize) -> Option<RowPlace> {
+        match *self.stated[at] {
+            Claim::Row { table, row } | Claim::Entry { table, row, .. } => Some(RowPlace { table, row }),
             _ => None,
         }
     }
 
     /// True if the printed entry agrees with the derived row replaced by `with`. A row must agree as a whole; for a
     /// single entry, agreement in its own column is enough.
-    fn fits(&mut self, at: usize, (table, row): (usize, usize), with: &Row) -> bool {
-        let table = &self.tables[table];
-        if let (Claim::Entry { column, .. }, Some((_, factor))) = (self.stated[at], table.matched(row)) {
+    fn fits(&mut self, at: usize, place: RowPlace, with: &Row) -> bool {
+        let table = &self.tables[place.table];
+        let printed = &table.printed[place.row];
+        if let (Claim::Entry { column, .. }, Some((_, factor))) = (self.stated[at], table.matched(place.row)) {
             let scaled = self.exact.quantities.derivations.kinematics.arena.mul(factor, with[*column]);
-            if self.exact.same(scaled, table.printed[row][*column]) {
+            if self.exact.same(scaled, printed[*column]) {
                 return true;
             }
         }
-        self.is_multiple(&table.printed[row], with)
+        self.is_multiple(printed, with)
     }
 
     /// True if one row is a multiple of another.
@@ -184,7 +192,7 @@ impl<'a, 'b> Search<'a, 'b> {
     /// True if exactly the printed entry follows when the source's printed value is put in.
     fn follows(&mut self, source: usize, at: usize) -> bool {
         let Some(mut chain) = self.chains[source].take() else { return false };
-        let key = self.row_of(at).and_then(|(table, row)| Some((source, table, self.tables[table].matched(row)?.0)));
+        let key = self.row_of(at).and_then(|at| Some((source, at.table, self.tables[at.table].matched(at.row)?.0)));
         if let Some(key) = key {
             let table = &self.tables[key.1];
             let quantities = &mut *self.exact.quantities;
@@ -235,7 +243,7 @@ impl<'a, 'b> Search<'a, 'b> {
                 }
             }
             for (row, first) in rows {
-                if let Some(sources) = self.solves_alone(at, (table, row, column), &value) {
+                if let Some(sources) = self.solves_alone(at, table, row, column, &value) {
                     return Some(sources.into_iter().chain([first]).collect());
                 }
             }
@@ -248,7 +256,9 @@ impl<'a, 'b> Search<'a, 'b> {
     fn solves_alone(
         &mut self,
         at: usize,
-        (table, row, column): (&Table, usize, usize),
+        table: &Table,
+        row: usize,
+        column: usize,
         value: &Value,
     ) -> Option<Vec<usize>> {
         let own = table.printed[row].clone();
@@ -286,7 +296,7 @@ impl<'a, 'b> Search<'a, 'b> {
     fn wrong_rows(&self, table: usize, before: usize) -> Vec<(usize, usize)> {
         let mut rows: Vec<(usize, usize)> = Vec::new();
         for at in 0..before {
-            let Some((_, row)) = self.row_of(at).filter(|(of, _)| *of == table) else { continue };
+            let Some(RowPlace { row, .. }) = self.row_of(at).filter(|place| place.table == table) else { continue };
             if !rows.iter().any(|(known, _)| *known == row) {
                 rows.push((row, at));
             }
@@ -359,9 +369,9 @@ impl<'a, 'b> Search<'a, 'b> {
 
     /// True if a printed value of the source changes the expected value of the entry.
     fn reaches(&mut self, source: usize, at: usize) -> bool {
-        if let Some((table, row)) = self.row_of(at) {
-            let Some((derived, _)) = self.tables[table].matched(row) else { return false };
-            return self.rows.get(&(source, table, derived)).is_some_and(Option::is_some);
+        if let Some(place) = self.row_of(at) {
+            let Some((derived, _)) = self.tables[place.table].matched(place.row) else { return false };
+            return self.rows.get(&(source, place.table, derived)).is_some_and(Option::is_some);
         }
         let Some(kind) = self.values[at].as_ref().map(|v| v.kind.clone()) else { return false };
         let Some(chain) = &mut self.chains[source] else { return false };
@@ -381,16 +391,15 @@ impl<'a, 'b> Search<'a, 'b> {
 
     /// True if exactly the printed entry follows when the values of all these sources are put in together.
     fn comes_of(&mut self, sources: &[usize], at: usize) -> bool {
-        let put: Vec<_> =
-            sources.iter().filter_map(|s| self.values[*s].as_ref()).map(|v| (v.kind.clone(), v.printed)).collect();
-        let twice = put.iter().enumerate().any(|(i, (kind, _))| put[..i].iter().any(|(other, _)| other == kind));
+        let put: Vec<Value> = sources.iter().filter_map(|s| self.values[*s].clone()).collect();
+        let twice = put.iter().enumerate().any(|(i, value)| put[..i].iter().any(|other| other.kind == value.kind));
         if twice || self.exact.is_spent() {
             return false;
         }
         let mut chain = Chain::new(self.exact.quantities.model, put);
-        let row = self.row_of(at).and_then(|(table, row)| {
-            let table = &self.tables[table];
-            row_with(self.exact.quantities, &mut chain, table, table.matched(row)?.0)
+        let row = self.row_of(at).and_then(|place| {
+            let table = &self.tables[place.table];
+            row_with(self.exact.quantities, &mut chain, table, table.matched(place.row)?.0)
         });
         self.comes_out(&mut chain, row, at)
     }

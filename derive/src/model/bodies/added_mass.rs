@@ -24,12 +24,13 @@ const FORM: &str =
 type Matrix = [[Expr; SIZE]; SIZE];
 
 impl Elements {
-    /// Reads the added mass of a body, if it is stated, and keeps it about the mass centre.
+    /// Reads the added mass of a body, if it is stated, and keeps it about the mass centre. `frame` is the body's.
     pub(super) fn read_added_mass<'a>(
         &mut self,
         loading: &mut Loading<'a>,
         entry: &'a DeTable<'a>,
-        (body, frame, centre): (usize, usize, usize),
+        body: usize,
+        frame: usize,
     ) {
         let Some(value) = loading.reader.get(entry, "added_mass") else { return };
         let what = "an added mass";
@@ -52,7 +53,7 @@ impl Elements {
             Some(at) => {
                 let point = self.point(loading, table, "about_point", what, &value.span());
                 point.and_then(|point| {
-                    let arm = self.arm(&mut loading.arena, centre, point, frame);
+                    let arm = self.arm(&mut loading.arena, self.bodies[body].centre, point, frame);
                     let fixed = arm.filter(|arm| is_fixed(loading, arm));
                     if fixed.is_none() {
                         let help = "the mass centre must be placed from that point, or that point from it, in the \

@@ -235,7 +235,7 @@ impl Elements {
             let inertia = inertia.and_then(|v| self.inertia(loading, v, frame, centre, mass));
             if let (Some(frame), Some(centre), Some(mass), Some(inertia)) = (frame, centre, mass, inertia) {
                 self.bodies.push(Body { name: name.text, centre, mass, rigid: Some((frame, inertia)) });
-                self.read_added_mass(loading, entry, (self.bodies.len() - 1, frame, centre));
+                self.read_added_mass(loading, entry, self.bodies.len() - 1, frame);
             }
         }
     }

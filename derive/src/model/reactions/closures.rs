@@ -7,7 +7,7 @@
 //! were found between two bodies at a pair of points. The bodies must neither rest on one another nor be connected by a
 //! joint of the model file. A single force, as that of a tooth or a slot, holds nothing else.
 
-use super::relative_motion::{Holder, Relative};
+use super::relative_motion::{BodyPair, Relative};
 use crate::algebra::Expr;
 use crate::model::{MotionConstraintKind, Place, Reaction, ReactionKind};
 
@@ -21,8 +21,8 @@ struct Closing {
 
 impl Relative<'_> {
     /// Forces and torques that may act where equations keep points together.
-    pub fn closings(&self, holders: &[(usize, Holder)]) -> Vec<Reaction> {
-        let found: Vec<Closing> = self.model.reactions.iter().filter_map(|r| self.closing(r, holders)).collect();
+    pub fn closings(&self, resting: &[BodyPair]) -> Vec<Reaction> {
+        let found: Vec<Closing> = self.model.reactions.iter().filter_map(|r| self.closing(r, resting)).collect();
         let mut list = Vec::new();
         for (at, closing) in found.iter().enumerate() {
             let is_first = !found[..at].contains(closing);
@@ -35,7 +35,7 @@ impl Relative<'_> {
 
     /// Pair of points that a reaction keeps together; `None` unless the reaction was found and closes a loop of
     /// equations.
-    fn closing(&self, reaction: &Reaction, holders: &[(usize, Holder)]) -> Option<Closing> {
+    fn closing(&self, reaction: &Reaction, resting: &[BodyPair]) -> Option<Closing> {
         let ReactionKind::Force { on, against } = reaction.kind else { return None };
         let by = against.map(|place| place.body);
         let pairs = [(Some(on.body), by), (by, Some(on.body))];
@@ -43,7 +43,7 @@ impl Relative<'_> {
             MotionConstraintKind::Rolling(rolled) => pairs.contains(&(Some(rolled.body), rolled.against)),
             _ => false,
         });
-        let hangs = holders.iter().any(|(body, holder)| pairs.contains(&(Some(*body), *holder)));
+        let hangs = resting.iter().any(|pair| pair.joins(Some(on.body), by));
         // A reaction of a joint of the model file has a declared name.
         let is_named = reaction.is_stated || self.model.declared.contains_key(&reaction.name);
         let is_axis = reaction.direction.iter().all(|e| [Expr::ZERO, Expr::ONE].contains(e));

@@ -1,13 +1,14 @@
 //! Reactions that nobody named: forces and torques that hold bodies to each other and to the ground, for the
 //! Newton–Euler equations.
 //!
-//! The connections of the model file are visited in order, those first that the file states most plainly ([`held`]):
-//! reactions that it names, contacts without slip, joints and placement on other bodies, contacts, and the ground last.
-//! Each connection carries forces along axes of frames and torques about them, if these do no work in the motions that
-//! the connection itself permits. It carries only directions that the connections before it leave open, whether bodies
-//! feel them or not. If that is not enough, as when equations tie coordinates, forces and torques are sought wherever
-//! they do no work ([`elsewhere`]). In closed loops, the joints of the tree hold the directions that they would hold in
-//! open loops. A pin takes no torque about its axis, even if a loop prevents it from turning.
+//! The connections of the model file are visited in order, those first that the file states most plainly
+//! ([`stated_connections`]): reactions that it names, contacts without slip, joints and placement on other bodies,
+//! contacts, and the ground last. Each connection carries forces along axes of frames and torques about them, if these
+//! do no work in the motions that the connection itself permits. It carries only directions that the connections before
+//! it leave open, whether bodies feel them or not. If that is not enough, as when equations tie coordinates, forces and
+//! torques are sought wherever they do no work ([`elsewhere`]). In closed loops, the joints of the tree hold the
+//! directions that they would hold in open loops. A pin takes no torque about its axis, even if a loop prevents it from
+//! turning.
 //!
 //! A contact, or the ground, that carries none of these reactions is left out ([`crate::model::Contacts::idle`]): no
 //! load is handed on to it.
@@ -20,8 +21,8 @@
 //! reactions do no work.
 
 mod elsewhere;
-mod held;
 mod search;
+mod stated_connections;
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::{Expr, Function};

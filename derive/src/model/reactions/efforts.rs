@@ -9,7 +9,7 @@
 //! axes; reactions do.
 
 use super::random_pose::{DrawnModel, Triple};
-use super::relative_motion::{Holder, Relative};
+use super::relative_motion::{BodyPair, Holder, Relative};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::solve::linear::solve;
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
@@ -147,7 +147,7 @@ impl Relative<'_> {
     /// axes.
     fn axes(&self, count: usize, listed: impl Fn(&dyn Fn(usize) -> Triple) -> Vec<Triple>) -> Option<Vec<Axis>> {
         let mut candidates: Vec<(usize, Vec<u64>, Axis)> = Vec::new();
-        for (body, holder) in self.holders() {
+        for BodyPair { body, against: holder } in self.resting() {
             for (kind, velocities) in self.pushes(body, holder, &listed) {
                 for frame in self.frames(body, holder) {
                     for axis in 0..3 {

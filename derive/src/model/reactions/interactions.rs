@@ -5,7 +5,7 @@
 //! so that only the reading of files knows of the name.
 
 use super::connections::{MOST_EQUATIONS, found_prefix};
-use super::relative_motion::{Holder, sides};
+use super::relative_motion::{BodyPair, Holder, sides};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::text::parse::InteractionName;
@@ -95,8 +95,8 @@ struct Acting {
 impl Interaction {
     /// A reaction as a part of this force or torque; `None` if it is no part.
     fn part(&self, reaction: &Reaction) -> Option<Acting> {
-        let (on, against) = sides(reaction.kind);
-        let sense = match (Some(on), against) {
+        let BodyPair { body, against } = sides(reaction.kind);
+        let sense = match (Some(body), against) {
             pair if pair == (self.on, self.by) => Sense::Along,
             pair if pair == (self.by, self.on) => Sense::Against,
             _ => return None,
@@ -250,8 +250,8 @@ impl Model {
 
     fn nothing_acts(&self, stated: &StatedInteraction) -> Diagnostic {
         let mut pairs: Vec<String> = Vec::new();
-        for (on, against) in self.reactions.iter().map(|r| sides(r.kind)) {
-            let pair = format!("{} on {}", self.holder_name(against), self.bodies[on].name);
+        for BodyPair { body, against } in self.reactions.iter().map(|r| sides(r.kind)) {
+            let pair = format!("{} on {}", self.holder_name(against), self.bodies[body].name);
             if !pairs.contains(&pair) {
                 pairs.push(pair);
             }

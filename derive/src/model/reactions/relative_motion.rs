@@ -9,11 +9,31 @@ use crate::model::{Model, MotionConstraint, MotionConstraintKind, ReactionKind};
 /// Index of a body on which another body rests; `None` is the ground.
 pub type Holder = Option<usize>;
 
+/// A body, and the body or ground on which it rests, against which it moves, or from which a reaction acts on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BodyPair {
+    /// Index of the body.
+    pub body: usize,
+    pub against: Holder,
+}
+
+impl BodyPair {
+    /// True if these are the two of the pair, in any order.
+    pub fn joins(self, one: Holder, other: Holder) -> bool {
+        [(one, other), (other, one)].contains(&(Some(self.body), self.against))
+    }
+
+    /// Same pair with the other body first; `None` for a pair with the ground.
+    pub fn reversed(self) -> Option<Self> {
+        self.against.map(|body| Self { body, against: Some(self.body) })
+    }
+}
+
 /// Body on which a reaction acts, and body or ground on which the opposite acts.
-pub fn sides(kind: ReactionKind) -> (usize, Holder) {
+pub fn sides(kind: ReactionKind) -> BodyPair {
     match kind {
-        ReactionKind::Force { on, against } => (on.body, against.map(|place| place.body)),
-        ReactionKind::Torque { on, against } => (on, against),
+        ReactionKind::Force { on, against } => BodyPair { body: on.body, against: against.map(|place| place.body) },
+        ReactionKind::Torque { on, against } => BodyPair { body: on, against },
     }
 }
 
@@ -184,10 +204,11 @@ impl Relative<'_> {
     }
 
     /// Pairs of each body with the ground, then with each later body, between which reactions are sought.
-    pub fn pairs(&self) -> Vec<(usize, Holder)> {
+    pub fn pairs(&self) -> Vec<BodyPair> {
         let count = self.model.bodies.len();
-        let on_ground = (0..count).map(|body| (body, None));
-        on_ground.chain((0..count).flat_map(|a| (a + 1..count).map(move |b| (a, Some(b))))).collect()
+        let on_ground = (0..count).map(|body| BodyPair { body, against: None });
+        let on_bodies = (0..count).flat_map(|body| (body + 1..count).map(move |b| BodyPair { body, against: Some(b) }));
+        on_ground.chain(on_bodies).collect()
     }
 
     /// True if a body has the same material at a point at all times.

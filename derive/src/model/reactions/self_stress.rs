@@ -11,7 +11,7 @@
 
 use super::interactions::Interaction;
 use super::random_pose::DrawnModel;
-use super::relative_motion::{Holder, Relative, sides};
+use super::relative_motion::{BodyPair, Relative, sides};
 use crate::algebra::term::calculus::{Differential, Gradient};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Frames, Motion, Vector};
@@ -27,8 +27,18 @@ const NOTHING: f64 = 1e-7;
 /// Largest number of poses that are drawn until all required values exist.
 const MOST_POSES: usize = 20;
 
-/// A force, N, and its moment about the origin, N m.
-type Wrench = (Vector3<f64>, Vector3<f64>);
+/// Forces and torques on a body, summed.
+#[derive(Clone, Copy)]
+struct Wrench {
+    /// Force, N.
+    force: Vector3<f64>,
+    /// Moment about the origin, N m.
+    moment: Vector3<f64>,
+}
+
+impl Wrench {
+    const ZERO: Self = Self { force: Vector3::new(0.0, 0.0, 0.0), moment: Vector3::new(0.0, 0.0, 0.0) };
+}
 
 /// Frames, points and reactions in one pose.
 struct Pose {
@@ -39,9 +49,10 @@ struct Pose {
     acting: Vec<(Vector3<f64>, DVector<f64>)>,
 }
 
-/// Forces and torques between pairs (on, by) of bodies that are in equilibrium without loads.
+/// Forces and torques between pairs of bodies that are in equilibrium without loads.
 struct SelfStress {
-    between: Vec<((usize, Holder), Wrench)>,
+    /// Wrench on the body of each pair; the opposite acts on the other.
+    between: Vec<(BodyPair, Wrench)>,
     /// Largest force, and largest moment, of the self-stress.
     size: (f64, f64),
     reach: f64,
@@ -76,13 +87,13 @@ impl Model {
         }
         let drawn = DrawnModel::new(self, &mut self.arena.clone());
         let relative = drawn.map(|drawn| Relative { model: self, drawn, ways_if_open: None });
-        let holders = relative.as_ref().map(Relative::holders);
-        let repeated = self.held_again(holders.as_deref().unwrap_or_default());
+        let resting = relative.as_ref().map(Relative::resting);
+        let repeated = self.held_again(resting.as_deref().unwrap_or_default());
         if repeated.is_empty() {
-            return self.undetermined_by_equations(&relative?, &holders?, sought, text);
+            return self.undetermined_by_equations(&relative?, &resting?, sought, text);
         }
         let reactions: Vec<Reaction> = repeated.iter().map(|held| held.reaction.clone()).collect();
-        let (Some(pose), Some(holders)) = (self.closed_pose(&reactions), holders) else {
+        let (Some(pose), Some(resting)) = (self.closed_pose(&reactions), resting) else {
             let held = repeated.iter().filter(|held| !held.reaction.is_stated);
             let names: Vec<String> = held.map(|held| format!("`{}`", held.name)).collect();
             if names.is_empty() {
@@ -100,11 +111,11 @@ impl Model {
         };
         let first = self.reactions.len();
         let twice = repeated.iter().enumerate().find_map(|(at, held)| {
-            let stress = self.self_stress(&pose, first + at, &held.reaction, &holders)?;
+            let stress = self.self_stress(&pose, first + at, &held.reaction, &resting)?;
             let share = stress.share(&pose, sought)?;
             Some(self.words(text, sought, held, share, &stress))
         });
-        twice.or_else(|| self.undetermined_by_equations(&relative?, &holders, sought, text))
+        twice.or_else(|| self.undetermined_by_equations(&relative?, &resting, sought, text))
     }
 
     /// Message and advice if equations that keep two points together leave the wanted component undetermined; `None` if
@@ -112,11 +123,11 @@ impl Model {
     fn undetermined_by_equations(
         &self,
         relative: &Relative<'_>,
-        holders: &[(usize, Holder)],
+        resting: &[BodyPair],
         sought: &Interaction,
         text: &str,
     ) -> Option<(String, String)> {
-        let closings = relative.closings(holders);
+        let closings = relative.closings(resting);
         if closings.is_empty() {
             return None;
         }
@@ -124,15 +135,15 @@ impl Model {
         let pose = self.closed_pose(&closings).or_else(|| self.any_pose(&closings))?;
         let first = self.reactions.len();
         closings.iter().enumerate().find_map(|(at, reaction)| {
-            let stress = self.self_stress(&pose, first + at, reaction, holders)?;
+            let stress = self.self_stress(&pose, first + at, reaction, resting)?;
             let share = stress.share(&pose, sought)?;
             let unit = |is_torque: bool| if is_torque { "N m" } else { "N" };
-            let (on, by) = sides(reaction.kind);
+            let BodyPair { body, against } = sides(reaction.kind);
             let message = format!(
                 "equilibrium does not determine `{text}`: equations keep `{}` together with `{}`, and do not say what else holds there; each {} of a \
                  {} adds {} {} to it, whatever moves",
-                self.bodies[on].name,
-                self.holder_name(by),
+                self.bodies[body].name,
+                self.holder_name(against),
                 unit(matches!(reaction.kind, ReactionKind::Torque { .. })),
                 reaction.name,
                 rounded(share),
@@ -147,12 +158,10 @@ impl Model {
     /// and reactions that the file names. Examples are the ground that presses on one of two wheels, and a gear that
     /// presses on another along the line of their pinned centres. If a body's own holder holds a direction twice, both
     /// count as one force of the holder.
-    fn held_again(&self, holders: &[(usize, Holder)]) -> Vec<HeldAgain> {
+    fn held_again(&self, resting: &[BodyPair]) -> Vec<HeldAgain> {
         let contacts = self.repeated.iter().filter_map(|r| Some((r.name.clone(), r.rolled?)));
-        let contacts = contacts.filter(|(_, rolled)| {
-            let ways = [(Some(rolled.body), rolled.against), (rolled.against, Some(rolled.body))];
-            !holders.iter().any(|(body, holder)| ways.contains(&(Some(*body), *holder)))
-        });
+        let contacts =
+            contacts.filter(|(_, rolled)| !resting.iter().any(|pair| pair.joins(Some(rolled.body), rolled.against)));
         let contacts = contacts.map(|(name, Rolled { contact, body, against, point, frame, axis, .. })| {
             let (on, against) = (Place { body, point }, against.map(|body| Place { body, point }));
             let kind = ReactionKind::Force { on, against };
@@ -164,9 +173,8 @@ impl Model {
         });
         // A reaction that the file names between bodies that do not rest on one another may be held by their holders.
         let named = self.stated_reactions().iter().filter(|reaction| {
-            let (on, by) = sides(reaction.kind);
-            let ways = [(Some(on), by), (by, Some(on))];
-            !holders.iter().any(|(body, holder)| ways.contains(&(Some(*body), *holder)))
+            let BodyPair { body, against } = sides(reaction.kind);
+            !resting.iter().any(|pair| pair.joins(Some(body), against))
         });
         let named = named.map(|reaction| HeldAgain {
             name: reaction.name.clone(),
@@ -201,7 +209,7 @@ impl Model {
             .between
             .iter()
             .filter(|(_, wrench)| !stress.is_nothing(wrench))
-            .map(|((on, by), _)| format!("{}–{}", self.holder_name(*by), self.bodies[*on].name))
+            .map(|(pair, _)| format!("{}–{}", self.holder_name(pair.against), self.bodies[pair.body].name))
             .collect();
         let message = format!(
             "equilibrium does not determine `{text}`: {what} `{name}` more than once, so that each {} of `{}` adds {} {} to it, \
@@ -308,14 +316,14 @@ impl Model {
 
     /// Work of a reaction of size 1 along q̇, then the forces and moments that it hands on to idle contacts, which must
     /// be zero.
-    fn effect(&self, pose: &Pose, at: usize, reaction: &Reaction, holders: &[(usize, Holder)]) -> DVector<f64> {
+    fn effect(&self, pose: &Pose, at: usize, reaction: &Reaction, resting: &[BodyPair]) -> DVector<f64> {
         let (direction, work) = &pose.acting[at];
-        let mut on_bodies = vec![(Vector3::zeros(), Vector3::zeros()); self.bodies.len()];
+        let mut on_bodies = vec![Wrench::ZERO; self.bodies.len()];
         put_on(&mut on_bodies, reaction, wrench_of(pose, reaction, *direction));
         let mut all: Vec<f64> = work.iter().copied().collect();
-        for ((body, _), (force, moment)) in handed_on(&mut on_bodies, holders) {
-            if self.contacts.idle.contains(&body) {
-                all.extend(force.iter().chain(moment.iter()));
+        for (pair, wrench) in handed_on(&mut on_bodies, resting) {
+            if self.contacts.idle.contains(&pair.body) {
+                all.extend(wrench.force.iter().chain(wrench.moment.iter()));
             }
         }
         DVector::from_vec(all)
@@ -327,10 +335,10 @@ impl Model {
         pose: &Pose,
         redundant: usize,
         its_reaction: &Reaction,
-        holders: &[(usize, Holder)],
+        resting: &[BodyPair],
     ) -> Option<SelfStress> {
         let all = self.reactions.len();
-        let effect = |at: usize, reaction: &Reaction| self.effect(pose, at, reaction, holders);
+        let effect = |at: usize, reaction: &Reaction| self.effect(pose, at, reaction, resting);
         let work = &effect(redundant, its_reaction);
         let columns: Vec<DVector<f64>> = self.reactions.iter().enumerate().map(|(at, r)| effect(at, r)).collect();
         let matrix = DMatrix::from_fn(work.len(), all, |row, column| columns[column][row]);
@@ -347,8 +355,8 @@ impl Model {
             DVector::zeros(all)
         };
         sizes = sizes.push(1.0);
-        let mut between: Vec<((usize, Holder), Wrench)> = Vec::new();
-        let mut on_bodies = vec![(Vector3::zeros(), Vector3::zeros()); self.bodies.len()];
+        let mut between: Vec<(BodyPair, Wrench)> = Vec::new();
+        let mut on_bodies = vec![Wrench::ZERO; self.bodies.len()];
         let reactions = self.reactions.iter().chain([its_reaction]);
         let places = (0..all).chain([redundant]);
         for ((reaction, place), size) in reactions.zip(places).zip(sizes.iter()) {
@@ -356,36 +364,36 @@ impl Model {
             put_on(&mut on_bodies, reaction, wrench);
             add_between(&mut between, sides(reaction.kind), wrench);
         }
-        for ((body, holder), (force, moment)) in handed_on(&mut on_bodies, holders) {
-            add_between(&mut between, (body, holder), (-force, -moment));
+        for (pair, Wrench { force, moment }) in handed_on(&mut on_bodies, resting) {
+            add_between(&mut between, pair, Wrench { force: -force, moment: -moment });
         }
         let reach = pose.points.iter().map(Vector3::norm).fold(0.0, f64::max);
         // The redundant reaction has size 1, even if the balancing reactions cancel it between two bodies.
         let own = if let ReactionKind::Force { .. } = its_reaction.kind { (1.0, 0.0) } else { (0.0, 1.0) };
         let size = between
             .iter()
-            .fold(own, |(f, m): (f64, f64), (_, wrench)| (f.max(wrench.0.norm()), m.max(wrench.1.norm())));
+            .fold(own, |(f, m): (f64, f64), (_, wrench)| (f.max(wrench.force.norm()), m.max(wrench.moment.norm())));
         Some(SelfStress { between, size, reach: if reach > 0.0 { reach } else { 1.0 } })
     }
 }
 
 impl SelfStress {
-    fn is_nothing(&self, (force, moment): &Wrench) -> bool {
-        force.norm() <= NOTHING * (self.size.0 + self.size.1 / self.reach)
-            && moment.norm() <= NOTHING * (self.size.0 * self.reach + self.size.1)
+    fn is_nothing(&self, wrench: &Wrench) -> bool {
+        wrench.force.norm() <= NOTHING * (self.size.0 + self.size.1 / self.reach)
+            && wrench.moment.norm() <= NOTHING * (self.size.0 * self.reach + self.size.1)
     }
 
     /// Change of the wanted reaction per unit of self-stress; `None` if zero.
     fn share(&self, pose: &Pose, sought: &Interaction) -> Option<f64> {
         let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
-        for ((on, by), wrench) in &self.between {
-            let sign = match (Some(*on), *by) {
+        for (BodyPair { body, against }, wrench) in &self.between {
+            let sign = match (Some(*body), *against) {
                 pair if pair == (sought.on, sought.by) => 1.0,
                 pair if pair == (sought.by, sought.on) => -1.0,
                 _ => continue,
             };
-            force += wrench.0 * sign;
-            moment += wrench.1 * sign;
+            force += wrench.force * sign;
+            moment += wrench.moment * sign;
         }
         let axis = pose.axes[sought.frame][sought.axis];
         let about = sought.about.map_or_else(Vector3::zeros, |at| pose.points[at]);
@@ -400,45 +408,44 @@ impl SelfStress {
 
 /// Adds the wrench of a reaction to the bodies between which it acts.
 fn put_on(on_bodies: &mut [Wrench], reaction: &Reaction, wrench: Wrench) {
-    let (on, by) = sides(reaction.kind);
-    add(&mut on_bodies[on], wrench, 1.0);
-    if let Some(by) = by {
-        add(&mut on_bodies[by], wrench, -1.0);
+    let BodyPair { body, against } = sides(reaction.kind);
+    add(&mut on_bodies[body], wrench, 1.0);
+    if let Some(other) = against {
+        add(&mut on_bodies[other], wrench, -1.0);
     }
 }
 
 /// Force and moment that each body hands on to its holder, outermost bodies first, given those that act on the bodies.
-fn handed_on(on_bodies: &mut [Wrench], holders: &[(usize, Holder)]) -> Vec<((usize, Holder), Wrench)> {
-    let mut list = Vec::with_capacity(holders.len());
-    for (body, holder) in holders {
-        let wrench = on_bodies[*body];
-        if let Some(holder) = holder {
-            add(&mut on_bodies[*holder], wrench, 1.0);
+fn handed_on(on_bodies: &mut [Wrench], resting: &[BodyPair]) -> Vec<(BodyPair, Wrench)> {
+    let mut list = Vec::with_capacity(resting.len());
+    for pair in resting {
+        let wrench = on_bodies[pair.body];
+        if let Some(holder) = pair.against {
+            add(&mut on_bodies[holder], wrench, 1.0);
         }
-        list.push(((*body, *holder), wrench));
+        list.push((*pair, wrench));
     }
     list
 }
 
 /// Adds the wrench between two bodies to the sum for their pair.
-fn add_between(list: &mut Vec<((usize, Holder), Wrench)>, pair: (usize, Holder), wrench: Wrench) {
-    let other = pair.1.map(|by| (by, Some(pair.0)));
-    match list.iter_mut().find(|(known, _)| *known == pair || Some(*known) == other) {
+fn add_between(list: &mut Vec<(BodyPair, Wrench)>, pair: BodyPair, wrench: Wrench) {
+    match list.iter_mut().find(|(known, _)| *known == pair || Some(*known) == pair.reversed()) {
         Some((known, sum)) => add(sum, wrench, if *known == pair { 1.0 } else { -1.0 }),
         None => list.push((pair, wrench)),
     }
 }
 
 fn add(sum: &mut Wrench, wrench: Wrench, sign: f64) {
-    sum.0 += wrench.0 * sign;
-    sum.1 += wrench.1 * sign;
+    sum.force += wrench.force * sign;
+    sum.moment += wrench.moment * sign;
 }
 
 /// Wrench of a reaction with this vector: a force at its place, or a torque.
 fn wrench_of(pose: &Pose, reaction: &Reaction, vector: Vector3<f64>) -> Wrench {
     match reaction.kind {
-        ReactionKind::Force { on, .. } => (vector, pose.points[on.point].cross(&vector)),
-        ReactionKind::Torque { .. } => (Vector3::zeros(), vector),
+        ReactionKind::Force { on, .. } => Wrench { force: vector, moment: pose.points[on.point].cross(&vector) },
+        ReactionKind::Torque { .. } => Wrench { force: Vector3::zeros(), moment: vector },
     }
 }
 

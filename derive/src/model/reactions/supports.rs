@@ -9,7 +9,7 @@
 //! ground rests on the other; the distance is counted in such equations.
 //! An equation that ties two bodies and compares none, such as a rope over a pulley, does not make them touch.
 
-use super::relative_motion::{Holder, Relative};
+use super::relative_motion::{BodyPair, Holder, Relative, sides};
 use crate::algebra::text::parse::VelocityOf;
 use crate::model::{Compared, MotionConstraintKind, Placement, Rolled};
 use std::cmp::{Ordering, Reverse};
@@ -37,6 +37,12 @@ pub struct Support {
     pub reason: Reason,
 }
 
+impl Support {
+    pub fn pair(&self) -> BodyPair {
+        BodyPair { body: self.body, against: self.holder }
+    }
+}
+
 impl Relative<'_> {
     /// Each body with its holder, outermost bodies first: bodies that rest on a body come before that body.
     pub fn supports(&self) -> Vec<Support> {
@@ -61,18 +67,19 @@ impl Relative<'_> {
     }
 
     /// Each body with its holder, in the order of [`Self::supports`].
-    pub fn holders(&self) -> Vec<(usize, Holder)> {
-        self.supports().into_iter().map(|support| (support.body, support.holder)).collect()
+    pub fn resting(&self) -> Vec<BodyPair> {
+        self.supports().iter().map(Support::pair).collect()
     }
 
     /// Finds the body, or the ground, on which a body rests. `found` are the bodies whose holder is known.
-    fn support(&self, body: usize, free: &[usize], touches: &[(usize, Holder)], found: &[Support]) -> Support {
+    fn support(&self, body: usize, free: &[usize], touches: &[BodyPair], found: &[Support]) -> Support {
         if let Some(carried) = self.model.carried.iter().find(|carried| carried.body == body) {
             return Support { body, holder: carried.on, reason: Reason::Joint };
         }
         let reason = |holder: Holder| {
-            let is_stated = touches.contains(&(body, holder));
-            let is_behind = |other: usize| free[other] < free[body] && touches.contains(&(other, Some(body)));
+            let touch = |body: usize, against: Holder| touches.contains(&BodyPair { body, against });
+            let is_stated = touch(body, holder);
+            let is_behind = |other: usize| free[other] < free[body] && touch(other, Some(body));
             match holder {
                 _ if is_stated => Reason::Touch,
                 Some(other) if is_behind(other) => Reason::Touch,
@@ -105,24 +112,25 @@ impl Relative<'_> {
 
     /// Pairs that the model file states to touch: a body, and the body or ground that it rests on or is held against.
     /// `free` are [`Self::freedoms`].
-    pub fn touches(&self, free: &[usize]) -> Vec<(usize, Holder)> {
+    pub fn touches(&self, free: &[usize]) -> Vec<BodyPair> {
         let model = self.model;
         let rolled = model.motion_constraints.iter().filter_map(|constraint| match constraint.kind {
             MotionConstraintKind::Rolling(rolled) => Some(rolled),
             _ => None,
         });
         let rolled = rolled.chain(model.repeated.iter().filter_map(|repeated| repeated.rolled));
-        let mut list: Vec<(usize, Holder)> = rolled.map(|Rolled { body, against, .. }| (body, against)).collect();
-        list.extend(model.stated_reactions().iter().map(|reaction| super::relative_motion::sides(reaction.kind)));
+        let mut list: Vec<BodyPair> = rolled.map(|Rolled { body, against, .. }| BodyPair { body, against }).collect();
+        list.extend(model.stated_reactions().iter().map(|reaction| sides(reaction.kind)));
         // Friction against the ground may be air resistance, which is no contact.
-        list.extend(model.contacts.rubbing.iter().filter(|(_, against)| against.is_some()));
+        let rubbing = model.contacts.rubbing.iter().filter(|(_, against)| against.is_some());
+        list.extend(rubbing.map(|(body, against)| BodyPair { body: *body, against: *against }));
         list.extend(self.compared(free, &list));
         list
     }
 
     /// Pairs of bodies that one constraint compares, the resting body first. `stated` are the pairs that touch
     /// otherwise.
-    fn compared(&self, free: &[usize], stated: &[(usize, Holder)]) -> Vec<(usize, Holder)> {
+    fn compared(&self, free: &[usize], stated: &[BodyPair]) -> Vec<BodyPair> {
         let constraints = &self.model.contacts.compared;
         let tied: Vec<(Vec<usize>, bool)> =
             constraints.iter().map(|compared| (self.bodies_of(compared), compared.is_difference)).collect();
@@ -134,12 +142,12 @@ impl Relative<'_> {
             |body: usize| (0..free.len()).all(|other| !is_pair(body, other) || !self.is_placed_on(body, other));
         let alone = tied.iter().filter_map(|(bodies, _)| <[usize; 1]>::try_from(bodies.as_slice()).ok()).flatten();
         let mut held: Vec<usize> = alone.filter(|body| is_apart(*body)).collect();
-        let touches = stated.iter().filter(|(body, other)| !other.is_some_and(|other| is_pair(*body, other)));
-        held.extend(touches.map(|(body, _)| *body));
+        let touches = stated.iter().filter(|pair| !pair.against.is_some_and(|other| is_pair(pair.body, other)));
+        held.extend(touches.map(|pair| pair.body));
         let steps = self.steps(free, &pairs, &held);
         let supports = |[one, other]: [usize; 2]| match (free[one], steps[one]).cmp(&(free[other], steps[other])) {
-            Ordering::Greater => Some((one, Some(other))),
-            Ordering::Less => Some((other, Some(one))),
+            Ordering::Greater => Some(BodyPair { body: one, against: Some(other) }),
+            Ordering::Less => Some(BodyPair { body: other, against: Some(one) }),
             Ordering::Equal => None,
         };
         pairs.into_iter().filter_map(supports).collect()

@@ -1,7 +1,7 @@
 //! Equations of a LaTeX file by their labels.
 
 use super::macros::{Macros, group_end, near, without_comments};
-use super::traced::{Problem, Traced};
+use super::traced_text::{Problem, Traced};
 use crate::diagnostic::nearest;
 use std::ops::Range;
 
@@ -117,10 +117,10 @@ fn displays(text: &str) -> Vec<Display> {
     while let Some(found) = text[at..].find(['\\', '$']) {
         at += found;
         let rest = &text[at..];
-        let (end_mark, start, has_lines) = if rest.starts_with("$$") {
-            ("$$".to_owned(), at + 2, false)
+        let (end_mark, start, layout) = if rest.starts_with("$$") {
+            ("$$".to_owned(), at + 2, Layout::Single)
         } else if rest.starts_with("\\[") {
-            ("\\]".to_owned(), at + 2, false)
+            ("\\]".to_owned(), at + 2, Layout::Single)
         } else if let Some((name, end)) = environment(text, at, "\\begin{") {
             let plain = name.trim_end_matches('*');
             if !LINES.contains(&plain) && !SINGLE.contains(&plain) {
@@ -130,7 +130,8 @@ fn displays(text: &str) -> Vec<Display> {
             // The number of columns of an alignat is no part of it.
             let columns = plain.ends_with("alignat") && text[end..].starts_with('{');
             let start = if columns { group_end(text, end).unwrap_or(end) } else { end };
-            (format!("\\end{{{name}}}"), start, LINES.contains(&plain))
+            let layout = if LINES.contains(&plain) { Layout::Lines } else { Layout::Single };
+            (format!("\\end{{{name}}}"), start, layout)
         } else {
             let escaped = rest.starts_with('\\').then(|| rest[1..].chars().next().map_or(0, char::len_utf8));
             at += 1 + escaped.unwrap_or(0);
@@ -139,18 +140,30 @@ fn displays(text: &str) -> Vec<Display> {
         let Some(length) = text[start..].find(&end_mark) else { break };
         let body = start..start + length;
         at = body.end + end_mark.len();
-        list.push(display(text, body, has_lines));
+        list.push(display(text, body, layout));
     }
     list
 }
 
+/// Layout of a displayed formula in LaTeX.
+#[derive(Clone, Copy, PartialEq)]
+enum Layout {
+    /// Lines, each of which may have a number and labels of its own.
+    Lines,
+    /// One formula with one number. An environment inside may part it into lines.
+    Single,
+}
+
 /// Parts a displayed formula into its equations.
-fn display(text: &str, body: Range<usize>, has_lines: bool) -> Display {
-    let inner = if has_lines { None } else { inside(text, &body) };
-    let rows = match &inner {
-        Some(inner) => rows(text, inner.clone()),
-        None if has_lines => rows(text, body.clone()),
-        None => vec![body.clone()],
+fn display(text: &str, body: Range<usize>, layout: Layout) -> Display {
+    let inner = match layout {
+        Layout::Lines => None,
+        Layout::Single => inside(text, &body),
+    };
+    let rows = match (&inner, layout) {
+        (Some(inner), _) => rows(text, inner.clone()),
+        (None, Layout::Lines) => rows(text, body.clone()),
+        (None, Layout::Single) => vec![body.clone()],
     };
     let mut equations: Vec<Lines> = Vec::new();
     let mut left: Vec<Range<usize>> = Vec::new();
@@ -171,7 +184,8 @@ fn display(text: &str, body: Range<usize>, has_lines: bool) -> Display {
             // A number ends an equation, and a line without a number may begin the next one.
             let numbered = above.is_some_and(|above| !is_without_number(above));
             let followed = at + 1 < rows.len();
-            if has_lines && last.has_relation && numbered && followed && is_without_number(&text[row.clone()]) {
+            let is_unclear = layout == Layout::Lines && last.has_relation && numbered && followed;
+            if is_unclear && is_without_number(&text[row.clone()]) {
                 last.unclear = Some(row.start);
             }
             if let Some(before) = before {
@@ -190,7 +204,7 @@ fn display(text: &str, body: Range<usize>, has_lines: bool) -> Display {
         let left = if is_chain { left.clone() } else { Vec::new() };
         equations.push(Lines { left, pieces: vec![row.clone()], labels: own, has_relation, unclear: None });
     }
-    if !has_lines {
+    if layout == Layout::Single {
         let shared = labels(&text[body]);
         for lines in &mut equations {
             lines.labels.clone_from(&shared);

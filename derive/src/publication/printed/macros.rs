@@ -1,6 +1,6 @@
 //! Macros of a paper: definitions in LaTeX, and texts with the macros replaced. All work is bounded.
 
-use super::traced::{Problem, Traced};
+use super::traced_text::{Problem, Traced};
 use crate::diagnostic::shown;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;

@@ -5,9 +5,9 @@
 mod displays;
 mod macros;
 mod program;
-mod traced;
+mod traced_text;
 
 pub use displays::{Choice, Paper};
 pub use macros::{Macros, without_comments};
 pub use program::{Statement, is_access, is_number, statements};
-pub use traced::{Problem, Traced};
+pub use traced_text::{Problem, Traced};

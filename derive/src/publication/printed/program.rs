@@ -1,6 +1,6 @@
 //! Assignments of a program: those of a function, of numbered lines, or between two marks.
 
-use super::traced::Traced;
+use super::traced_text::Traced;
 use crate::algebra::text::notation::Notation;
 use std::ops::Range;
 
@@ -67,7 +67,9 @@ pub fn statements(text: &str, notation: Notation, part: Option<&str>) -> Option<
     let clear = cleared(text, notation);
     let mut list = Vec::new();
     for (range, is_nested) in parted(&clear, range, notation) {
-        read(&clear, range, is_nested, notation, &mut list);
+        let first = list.len();
+        read(&clear, range, notation, &mut list);
+        list[first..].iter_mut().for_each(|statement| statement.is_nested = is_nested);
         if list.len() > MAX_STATEMENTS {
             return None;
         }
@@ -317,8 +319,8 @@ fn parts(text: &str) -> Vec<Range<usize>> {
     list
 }
 
-/// Reads the assignments of one statement.
-fn read(text: &str, range: Range<usize>, is_nested: bool, notation: Notation, list: &mut Vec<Statement>) {
+/// Reads the assignments of one statement, as if it were not nested.
+fn read(text: &str, range: Range<usize>, notation: Notation, list: &mut Vec<Statement>) {
     let own = &text[range.clone()];
     let traced = |part: Range<usize>| {
         let part = Traced::at(&text[range.start + part.start..range.start + part.end], range.start + part.start);
@@ -334,7 +336,7 @@ fn read(text: &str, range: Range<usize>, is_nested: bool, notation: Notation, li
     if let Some(rest) = own.strip_prefix("return ") {
         let right = traced(own.len() - rest.len()..own.len());
         let targets = vec!["return".to_owned()];
-        list.push(Statement { targets, operator: None, right, is_nested, place: range });
+        list.push(Statement { targets, operator: None, right, is_nested: false, place: range });
         return;
     }
     let bytes = own.as_bytes();
@@ -350,7 +352,7 @@ fn read(text: &str, range: Range<usize>, is_nested: bool, notation: Notation, li
     let declares = own[..first].trim().contains(' ') && notation == Notation::C;
     if declares && marks(own, ',').iter().any(|comma| *comma > first) {
         for part in parts(own) {
-            read(text, range.start + part.start..range.start + part.end, is_nested, notation, list);
+            read(text, range.start + part.start..range.start + part.end, notation, list);
         }
         return;
     }
@@ -369,12 +371,18 @@ fn read(text: &str, range: Range<usize>, is_nested: bool, notation: Notation, li
         if values.len() == names.len() && notation == Notation::Python {
             for (name, value) in names.into_iter().zip(values) {
                 let right = traced(right.start + value.start..right.start + value.end);
-                list.push(Statement { targets: vec![name], operator: None, right, is_nested, place: range.clone() });
+                list.push(Statement {
+                    targets: vec![name],
+                    operator: None,
+                    right,
+                    is_nested: false,
+                    place: range.clone(),
+                });
             }
             return;
         }
         let names = names.into_iter().map(|name| name.trim_end_matches(']').to_owned()).collect();
-        list.push(Statement { targets: names, operator: None, right: traced(right), is_nested, place: range });
+        list.push(Statement { targets: names, operator: None, right: traced(right), is_nested: false, place: range });
         return;
     }
     let mut targets = vec![shown(left)];
@@ -384,7 +392,7 @@ fn read(text: &str, range: Range<usize>, is_nested: bool, notation: Notation, li
     // Each variable of a = b = c has a statement of its own.
     for target in targets {
         let right = traced(right.clone());
-        list.push(Statement { targets: vec![target], operator, right, is_nested, place: range.clone() });
+        list.push(Statement { targets: vec![target], operator, right, is_nested: false, place: range.clone() });
     }
 }
 

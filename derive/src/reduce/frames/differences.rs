@@ -10,6 +10,14 @@ use crate::algebra::term::steps::fresh_symbol;
 use crate::reduce::basis::reduction_basis::{Momentum, ReductionBasis, Relative};
 use crate::reduce::slices::outputs::Wanted;
 
+/// Component of a direction: a number along one coordinate or speed.
+#[derive(Clone, Copy)]
+struct DirectionComponent {
+    /// Index of the coordinate or speed.
+    at: usize,
+    number: Expr,
+}
+
 impl ReductionBasis {
     /// Replaces coordinates and speeds by differences, if a symmetry of these momenta moves them at constant ratios and
     /// no other moves them. Returns the wanted quantities in the differences.
@@ -30,20 +38,21 @@ impl ReductionBasis {
         wanted
     }
 
-    /// Indices and values of the components at which a direction is not zero and all others are zero. `None` unless
-    /// there are at least two such components and all are numbers.
-    fn together(&self, direction: &[Expr], others: &[Vec<Expr>]) -> Option<Vec<(usize, Expr)>> {
+    /// Components at which a direction is not zero and all others are zero. `None` unless there are at least two such
+    /// components and all are numbers.
+    fn together(&self, direction: &[Expr], others: &[Vec<Expr>]) -> Option<Vec<DirectionComponent>> {
         let alone = |at: usize| others.iter().all(|other| other[at] == Expr::ZERO);
-        let moved: Vec<(usize, Expr)> =
-            direction.iter().copied().enumerate().filter(|(at, e)| *e != Expr::ZERO && alone(*at)).collect();
-        let numbers = moved.iter().all(|(_, e)| self.arena.as_number(*e).is_some());
+        let components = direction.iter().enumerate().filter(|(at, e)| **e != Expr::ZERO && alone(*at));
+        let moved: Vec<DirectionComponent> =
+            components.map(|(at, number)| DirectionComponent { at, number: *number }).collect();
+        let numbers = moved.iter().all(|component| self.arena.as_number(component.number).is_some());
         (numbers && moved.len() > 1).then_some(moved)
     }
 
-    fn put_coordinates(&mut self, moved: &[(usize, Expr)], wanted: &Wanted) -> Wanted {
-        let (pivot, of_pivot) = moved[0];
+    fn put_coordinates(&mut self, moved: &[DirectionComponent], wanted: &Wanted) -> Wanted {
+        let DirectionComponent { at: pivot, number: of_pivot } = moved[0];
         let mut pairs = Vec::new();
-        for &(at, number) in &moved[1..] {
+        for &DirectionComponent { at, number } in &moved[1..] {
             let (ratio, symbol) = self.difference(self.q[at], self.q[pivot], number, of_pivot);
             pairs.push((self.q[at], self.carried(symbol, ratio, self.q[pivot])));
             let back = self.arena.neg(ratio);
@@ -62,10 +71,10 @@ impl ReductionBasis {
         self.rewrite(&pairs, wanted)
     }
 
-    fn put_speeds(&mut self, moved: &[(usize, Expr)], wanted: &Wanted) -> Wanted {
-        let (pivot, of_pivot) = moved[0];
+    fn put_speeds(&mut self, moved: &[DirectionComponent], wanted: &Wanted) -> Wanted {
+        let DirectionComponent { at: pivot, number: of_pivot } = moved[0];
         let mut pairs = Vec::new();
-        for &(at, number) in &moved[1..] {
+        for &DirectionComponent { at, number } in &moved[1..] {
             let (u, of_u) = (self.kane.variables[at], self.kane.variables[pivot]);
             let (ratio, symbol) = self.difference(u, of_u, number, of_pivot);
             let name = self.arena.symbol_name(symbol).unwrap_or_default().to_owned();

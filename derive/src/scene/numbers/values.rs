@@ -69,13 +69,6 @@ fn degree(arena: &mut Arena) -> Expr {
     arena.scale(pi, &Rational::fraction(1, 180).expect("not zero"))
 }
 
-/// Named expressions of a model that contain no other symbols than these.
-fn expressions_in(model: &Model, symbols: &[Expr]) -> Vec<(String, Expr)> {
-    let is_known = |e: &Expr| model.arena.symbol_name(*e).is_none() || symbols.contains(e);
-    let list = model.expressions.iter().filter(|(_, e)| model.arena.reachable(&[*e]).iter().all(is_known));
-    list.cloned().collect()
-}
-
 /// Parsed formulas of a file, which stay the same in every reading.
 #[derive(Default)]
 pub struct Terms {
@@ -299,7 +292,7 @@ impl<'a> ValueReader<'a, '_> {
         let own = self.names.iter().map(|named| (named.name.clone(), named.symbol));
         let known: Vec<(String, Expr)> = known.into_iter().chain(own).collect();
         let symbols: Vec<Expr> = known.iter().map(|(_, e)| *e).collect();
-        let of_parameters = expressions_in(model, &symbols);
+        let of_parameters = model.expressions_in(&symbols);
         let stated = StatedUnit::of(&formula.text);
         let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number(formula));
         let result = parse(&mut model.arena, &number.text, &mut |arena, name| {

@@ -125,14 +125,12 @@ fn away_from_viewer(at: SheetPoint) -> Vec<Mark> {
     marks
 }
 
-/// Puts an arrow of gravity on a free place of the sheet. Returns true if there is gravity.
-pub fn gravity(subject: &Subject<'_>, sheet: &mut Sheet) -> bool {
-    let Some(gravity) = &subject.mechanism.gravity else { return false };
-    let down = subject.view.up.map(|x| 0.0 - x);
-    let is_stated = gravity.acceleration.iter().any(|e| *e != tripos_derive::algebra::Expr::ZERO);
-    if !is_stated {
-        return false;
+/// Puts an arrow of gravity on a free place of the sheet, if there is gravity.
+pub fn gravity(subject: &Subject<'_>, sheet: &mut Sheet) {
+    if !subject.has_gravity() {
+        return;
     }
+    let down = subject.view.up.map(|x| 0.0 - x);
     let seen = subject.camera.seen(down);
     let share = seen[0].hypot(seen[1]);
     let long = if share < HEAD_ON { 0.0 } else { FALL.0 };
@@ -147,7 +145,6 @@ pub fn gravity(subject: &Subject<'_>, sheet: &mut Sheet) -> bool {
         sheet.add(Mark::arrow(Role::Gravity, Path::line(&ends), 10.0));
     }
     sheet.name(Role::Gravity, vec![Word::Name("g".to_owned())], middle, Some([1.0, 0.0]), 5.0);
-    true
 }
 
 /// Finds the middle of a free box with the given half size, px: in a corner of the drawing, otherwise beside it.

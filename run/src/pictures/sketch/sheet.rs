@@ -7,6 +7,7 @@ use super::terms::Terms;
 use crate::mechanism::Mechanism;
 use crate::pictures::view::space::{about, length, minus, product, rotated};
 use crate::pictures::view::{Pose, Poses, Rotation, Triple, View};
+use tripos_derive::algebra::Expr;
 
 /// Mechanism in one pose, with the camera of its sketch.
 pub struct Subject<'a> {
@@ -42,6 +43,12 @@ pub struct Sheet {
 }
 
 impl Subject<'_> {
+    /// True if the mechanism has gravity whose acceleration is not zero.
+    pub fn has_gravity(&self) -> bool {
+        let gravity = self.mechanism.gravity.as_ref();
+        gravity.is_some_and(|gravity| gravity.acceleration.iter().any(|e| *e != Expr::ZERO))
+    }
+
     /// Spot of a point of the model on the sheet.
     pub fn spot(&self, point: usize) -> SheetPoint {
         self.camera.spot(self.pose.points[point])

@@ -4,8 +4,8 @@
 
 use super::contact_change::ContactChange;
 use super::contacts::Contacts;
-use super::held::Held;
 use super::held_contacts::HeldContacts;
+use super::held_motion::Held;
 use super::meeting::After;
 use tripos_sim::{RightHandSide, SimError};
 

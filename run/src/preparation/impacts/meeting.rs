@@ -1,10 +1,10 @@
 //! Impacts of contacts that are closed together, and the contacts that are held afterwards.
 
-use super::checked::NEARLY;
 use super::contact_change::ContactChange;
 use super::contacts::Response;
-use super::held::{Held, ROUNDED};
 use super::held_contacts::{HeldContacts, NONE};
+use super::held_motion::{Held, ROUNDED};
+use super::missed_changes::NEARLY;
 use super::{Bouncing, NOTHING};
 use nalgebra::DVector;
 use tripos_sim::{Failure, ImpactRecord, Mode, SimError};

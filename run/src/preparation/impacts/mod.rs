@@ -3,8 +3,8 @@
 //! A run consists of parts. Each part ends at the root of a gap that closes, or of a force that no longer pushes. The
 //! next part begins at that instant with the velocities that the law of impact leaves: no step crosses a jump. The
 //! effect of an impact follows from all contacts that are closed at its instant together ([`tripos_sim::Closed`]).
-//! Closed contacts that would be pushed together are held ([`held`]). A contact with friction is held along its gap,
-//! and along its slip while it sticks ([`slipping`]). Another part begins where it begins or ceases to slip.
+//! Closed contacts that would be pushed together are held ([`held_motion`]). A contact with friction is held along its
+//! gap, and along its slip while it sticks ([`friction_modes`]). Another part begins where it begins or ceases to slip.
 //!
 //! Bounces that become ever shorter have no end in numbers. So the contact is held if its next flight would be shorter
 //! than [`LEAST`] of the time scale, or no higher than the rounding of its gap.
@@ -13,33 +13,33 @@
 
 mod carrier;
 mod changes;
-mod checked;
 mod contact_change;
+mod contact_events;
 mod contacts;
-mod held;
+mod friction_modes;
 mod held_contacts;
+mod held_motion;
 mod meeting;
+mod missed_changes;
 mod short_bounces;
-mod slipping;
-mod watching;
 
 pub use carrier::{Approach, Carrier, Crossing, Doubles, Equations};
 pub use contact_change::ContactChange;
 pub use contacts::{Contacts, Operators, Response};
-pub use held::Held;
 pub use held_contacts::{HeldContacts, NONE};
+pub use held_motion::Held;
 pub use meeting::After;
 pub use short_bounces::notes_on_short_bounces;
 
 use super::initial::InitialState;
 use super::passage::{joined, rest};
+use contact_events::passed_on;
 use meeting::Meeting;
 use tripos_sim::{
     Accompanied, Event, EventRecord, Failure, ImpactRecord, Kind, Lent, Options, RightHandSide, SimError, Solution,
     Stop, integrate,
 };
 use tripos_traits::{Method, Real};
-use watching::passed_on;
 
 /// Function that gives the power at an instant and a state, W.
 type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;

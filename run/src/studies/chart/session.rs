@@ -59,7 +59,7 @@ pub fn chart(
         cases.retain(|case| case.reduction.is_none());
     }
     let mut cut = None;
-    if let Some(t) = leaves(model, &scene, &cases[0].by)? {
+    if let Some(t) = end_in_domain(model, &scene, &cases[0].by)? {
         let (from, to) = scene.span;
         if t - from == 0.0 {
             let help = "choose another start: `tripos simulate` says which condition does not hold".to_owned();
@@ -88,7 +88,7 @@ pub fn chart(
 
 /// Finds the instant, s, at which the motion leaves the domain of its equations or meets a terminal event. `None` if
 /// neither happens before the end of the span.
-fn leaves(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) -> Result<Option<f64>, Error> {
+fn end_in_domain(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) -> Result<Option<f64>, Error> {
     let code = code(model, by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(model, scene, by, &code, None)?;
     let balance = Balance::new(model, model, scene, by)?;

@@ -1,9 +1,9 @@
 //! Runs with contacts in numbers that carry slopes, their derivatives by parameters and numbers of the start.
 
 use super::contacts::{Direction, Wide};
-use super::crossing::Crossed;
-use super::held::{ContactTapes, HeldTangents, slopes, values};
+use super::held_contacts::{ContactTapes, HeldTangents, slopes, values};
 use super::history::{ContactHistory, Instant, end};
+use super::jumps::Crossed;
 use super::start::Seed;
 use crate::preparation::impacts::{Approach, Carrier, Contacts, Crossing, Held, HeldContacts};
 use crate::preparation::problem::Problem;

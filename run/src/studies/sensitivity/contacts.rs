@@ -125,8 +125,7 @@ impl<'a> Wide<'a> {
         };
         let x = [p, acting.y, extra].concat();
         let d = [direction.parameters, direction.state, by].concat();
-        let accelerates = matches!(without, Without::Accelerate { .. });
-        let all = along(&x, &d, |x| self.residuals(x, &a, acting, accelerates));
+        let all = along(&x, &d, |x| self.residuals(x, &a, acting, without));
         let (first, rest) = all.split_at(speeds);
         let (second, third) = rest.split_at(rows.len());
         // M a′ = Wᵀ Λ′ − r₁ and W a′ = −r₂
@@ -140,8 +139,10 @@ impl<'a> Wide<'a> {
         let moved = moved + inertia.solve(&(of_u.transpose() * &following));
         let impulses = given + following;
         let slopes = self.contacts.rates(acting.y).slopes;
-        let carried = if accelerates { by } else { direction.state };
-        let own = if accelerates { extra } else { acting.y };
+        let (carried, own) = match without {
+            Without::Accelerate { .. } => (by, extra),
+            Without::Move { .. } => (direction.state, acting.y),
+        };
         // |W a| ≤ √G √(aᵀ M a) along each row.
         let measure = inertia.l().transpose();
         let energy = (&measure * &moved).norm() + (&measure * &first).norm();
@@ -171,7 +172,7 @@ impl<'a> Wide<'a> {
         x: &[DoubleDouble],
         a: &DVector<f64>,
         acting: &Acting<'_>,
-        accelerates: bool,
+        without: &Without<'_>,
     ) -> Vec<DoubleDouble> {
         let Lengths { parameters, coordinates: n, variables, speeds, .. } = self.system.lengths();
         let (state, count) = (n + variables, self.contacts.count);
@@ -197,10 +198,9 @@ impl<'a> Wide<'a> {
         }
         for row in &acting.grip.rows {
             let of_a = (0..speeds).fold(wide(0.0), |sum, at| sum + of_u(*row, at) * wide(a[at]));
-            let without = if accelerates {
-                dot(&slopes[row * state..(row + 1) * state], extra)
-            } else {
-                extra[*row] * velocities[*row]
+            let without = match without {
+                Without::Accelerate { .. } => dot(&slopes[row * state..(row + 1) * state], extra),
+                Without::Move { .. } => extra[*row] * velocities[*row],
             };
             out.push(of_a + without);
         }

@@ -195,18 +195,28 @@ fn solved(arena: &mut Arena, branch: Branch) -> Solved {
     }
 }
 
+/// Conditions that a motion satisfies, and the branches of their solutions on which it lies.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BranchesAt {
+    /// Index of the conditions in [`ClosedForm::list`].
+    pub conditions: usize,
+    /// Indices of the branches; empty if the motion lies on none.
+    pub branches: Vec<usize>,
+}
+
 impl ClosedForm {
-    /// Index of the conditions that a motion satisfies, and indices of the branches on which it lies, judged by its
-    /// numbers. This proves nothing. `None` if no conditions apply.
+    /// Conditions that a motion satisfies, with the branches on which it lies, judged by its numbers. This proves
+    /// nothing. `None` if no conditions apply.
     #[must_use]
-    pub fn branches_at(&self, parameters: &[DoubleDouble], steady: &Steady) -> Option<(usize, Vec<usize>)> {
+    pub fn branches_at(&self, parameters: &[DoubleDouble], steady: &Steady) -> Option<BranchesAt> {
         let at = self.list.iter().position(|conditions| conditions.rest == steady.is_rest())?;
         let conditions = &self.list[at];
         let q = &steady.x[..self.is_angle.len()];
         let along = if conditions.rest { Vec::new() } else { steady.velocities() };
         let values = [parameters, q, &along].concat();
         let holds = |branch: &usize| self.holds(conditions, &conditions.branches[*branch].branch, &values);
-        Some((at, (0..conditions.branches.len()).filter(holds).collect()))
+        let branches = (0..conditions.branches.len()).filter(holds).collect();
+        Some(BranchesAt { conditions: at, branches })
     }
 
     /// True if the numbers of a motion satisfy a branch of solutions.

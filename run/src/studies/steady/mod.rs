@@ -29,7 +29,7 @@ mod verdict;
 
 pub use about::{About, Wanted, linearise};
 pub use along::{Course, Crossing, CrossingKind, Point, follow};
-pub use conditions::{ClosedForm, Conditions, Formula, NamedFormula, Solved, Velocity, conditions};
+pub use conditions::{BranchesAt, ClosedForm, Conditions, Formula, NamedFormula, Solved, Velocity, conditions};
 pub use control::{Transfer, reached};
 pub use dense::Wide;
 pub use eigen::modes;

@@ -80,7 +80,7 @@ impl Schur {
             if steps > MOST_STEPS {
                 return None;
             }
-            let shift = form.shift(last, steps % UNUSUAL == 0);
+            let shift = if steps % UNUSUAL == 0 { form.unusual_shift(last) } else { form.shift(last) };
             form.step(first, last, shift);
         }
         Some(form)
@@ -123,18 +123,20 @@ impl Schur {
     }
 
     /// Shift of a step of the QR iteration: the eigenvalue of the last two rows that is nearest to their last entry.
-    fn shift(&self, last: usize, is_unusual: bool) -> Complex {
+    fn shift(&self, last: usize) -> Complex {
         let t = &self.t;
         let (a, b, c, d) = (t[last - 1][last - 1], t[last - 1][last], t[last][last - 1], t[last][last]);
-        if is_unusual {
-            return d + Complex::from_f64(c.norm());
-        }
         let half = DoubleDouble::from_f64(0.5);
         let difference = (a - d).scaled(half);
         let root = (difference * difference + b * c).sqrt();
         let [plus, minus] = [difference + root, difference - root];
         let larger = if plus.norm() >= minus.norm() { plus } else { minus };
         if larger.norm() > 0.0 { d - b * c / larger } else { d }
+    }
+
+    /// Shift that is no eigenvalue of the last two rows, for an iteration that goes round in a circle.
+    fn unusual_shift(&self, last: usize) -> Complex {
+        self.t[last][last] + Complex::from_f64(self.t[last][last - 1].norm())
     }
 
     /// Makes a step of the QR iteration on the rows from `first` to `last`.

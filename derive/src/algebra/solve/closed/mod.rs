@@ -13,9 +13,9 @@ mod branches;
 mod ends;
 mod factors;
 mod isolate;
-mod put;
 mod relation;
 mod roots;
+mod substitution;
 mod waves;
 mod work;
 

@@ -3,14 +3,24 @@
 use super::Chain;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::{Expr, Rational};
-use crate::diff::roots::derived::{arena_of, components, derived, dot};
+use crate::diff::roots::derived_values::{arena_of, components, derived, dot};
 use crate::geometry::Components;
 use crate::mechanics::{Energy, Quantities, QuantityKind, Row, VectorName};
+
+/// A load on a body and the velocity along which it has power.
+struct Power {
+    velocity: VectorName,
+    /// Index of the point or frame that has the velocity.
+    of: usize,
+    load: VectorName,
+    /// Index of the loaded body.
+    body: usize,
+}
 
 impl Chain {
     /// Frame in which sums over bodies are formed: the frame of the first printed component, or the inertial frame.
     fn frame(&self) -> usize {
-        let frame = self.put.iter().find_map(|(kind, _)| match *kind {
+        let frame = self.put.iter().find_map(|value| match value.kind {
             QuantityKind::Component { frame, .. }
             | QuantityKind::Partial { frame, .. }
             | QuantityKind::Inertia { frame, .. } => Some(frame),
@@ -24,25 +34,23 @@ impl Chain {
     pub(super) fn inertia_force(&mut self, quantities: &mut Quantities<'_>, speed: usize) -> Option<Expr> {
         let mut changes = Vec::new();
         for (at, body) in quantities.model.bodies.iter().enumerate() {
-            let by_force = (VectorName::Velocity, body.centre, VectorName::InertiaForce);
-            let by_torque = body.rigid.as_ref().map(|r| (VectorName::AngularVelocity, r.0, VectorName::InertiaTorque));
-            for (velocity, of, load) in [Some(by_force), by_torque].into_iter().flatten() {
-                changes.extend(self.power_change(quantities, (velocity, of), speed, (load, at)));
+            let (velocity, load) = (VectorName::Velocity, VectorName::InertiaForce);
+            let power = Power { velocity, of: body.centre, load, body: at };
+            changes.extend(self.power_change(quantities, &power, speed));
+            if let Some((frame, _)) = &body.rigid {
+                let (velocity, load) = (VectorName::AngularVelocity, VectorName::InertiaTorque);
+                let power = Power { velocity, of: *frame, load, body: at };
+                changes.extend(self.power_change(quantities, &power, speed));
             }
         }
         changed(quantities, &QuantityKind::Row(Row::InertiaForce, speed), &changes)
     }
 
     /// Change of the power ∂v/∂u_r · load by printed values; `None` if both factors depend on no printed value.
-    fn power_change(
-        &mut self,
-        quantities: &mut Quantities<'_>,
-        (velocity, of): (VectorName, usize),
-        speed: usize,
-        (load, body): (VectorName, usize),
-    ) -> Option<Expr> {
+    fn power_change(&mut self, quantities: &mut Quantities<'_>, power: &Power, speed: usize) -> Option<Expr> {
+        let &Power { velocity, of, load, body } = power;
         let frame = self.frame();
-        let partial = self.partial(quantities, (velocity, of, frame), speed);
+        let partial = self.partial(quantities, velocity, of, frame, speed);
         let force = self.vector(quantities, load, body, frame);
         if partial.is_none() && force.is_none() {
             return None;
@@ -64,10 +72,12 @@ impl Chain {
         for (at, body) in quantities.model.bodies.iter().enumerate() {
             let resultant = self.vector(quantities, VectorName::Force, at, self.frame()).is_some();
             let load = if resultant { VectorName::Force } else { VectorName::Weight };
-            changes.extend(self.power_change(quantities, (VectorName::Velocity, body.centre), speed, (load, at)));
+            let power = Power { velocity: VectorName::Velocity, of: body.centre, load, body: at };
+            changes.extend(self.power_change(quantities, &power, speed));
             if let (Some((frame, _)), true) = (&body.rigid, self.stated_frame(VectorName::Moment, at, 0).is_some()) {
-                let turning = (VectorName::AngularVelocity, *frame);
-                changes.extend(self.power_change(quantities, turning, speed, (VectorName::Moment, at)));
+                let (velocity, load) = (VectorName::AngularVelocity, VectorName::Moment);
+                let power = Power { velocity, of: *frame, load, body: at };
+                changes.extend(self.power_change(quantities, &power, speed));
             }
         }
         changed(quantities, &QuantityKind::Row(Row::ActiveForce, speed), &changes)

@@ -3,7 +3,7 @@
 use super::Chain;
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Differential;
-use crate::diff::roots::derived::{arena_of, components, derived, difference, sum, turned};
+use crate::diff::roots::derived_values::{arena_of, components, derived, difference, sum, turned};
 use crate::geometry::{Components, apply_tensor, cross_components};
 use crate::mechanics::{Quantities, QuantityKind, VectorName};
 
@@ -156,10 +156,12 @@ impl Chain {
     pub(super) fn partial(
         &mut self,
         quantities: &mut Quantities<'_>,
-        (vector, of, frame): (VectorName, usize, usize),
+        vector: VectorName,
+        of: usize,
+        frame: usize,
         speed: usize,
     ) -> Option<Components> {
-        let stated = self.put.iter().find_map(|(kind, _)| match *kind {
+        let stated = self.put.iter().find_map(|value| match value.kind {
             QuantityKind::Partial { vector: v, of: o, frame, speed: s, .. } if (v, o, s) == (vector, of, speed) => {
                 Some(frame)
             }

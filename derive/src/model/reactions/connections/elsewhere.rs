@@ -5,10 +5,10 @@
 //! it does no work, is felt, and is independent of those kept before. The search ends when there are as many reactions
 //! as the equations of all bodies need.
 
-use super::held::works_alone;
 use super::search::{FoundReaction, ReactionDirection, Search};
+use super::stated_connections::works_alone;
 use crate::model::reactions::random_pose::{DrawnModel, Triple};
-use crate::model::reactions::relative_motion::Holder;
+use crate::model::reactions::relative_motion::{BodyPair, Holder};
 use crate::model::{Place, ReactionKind};
 
 /// Slip of the points at which forces are sought.
@@ -61,7 +61,7 @@ impl Search<'_> {
     /// distance.
     fn lines(&mut self) {
         let count = self.relative.model.points.len();
-        for (body, holder) in self.relative.pairs() {
+        for BodyPair { body, against: holder } in self.relative.pairs() {
             if self.missing == 0 {
                 return;
             }
@@ -111,7 +111,7 @@ impl Search<'_> {
 
     /// Chooses forces where bodies touch at a point.
     fn contacts(&mut self, slip: Slip) {
-        for (body, holder) in self.relative.pairs() {
+        for BodyPair { body, against: holder } in self.relative.pairs() {
             for point in 0..self.relative.model.points.len() {
                 let is_there =
                     |b: usize| self.relative.is_rigid(Some(b)) || self.relative.model.bodies[b].centre == point;
@@ -124,7 +124,7 @@ impl Search<'_> {
 
     /// Chooses torques that keep bodies from turning against the ground, then against one another.
     fn spins(&mut self) {
-        for (body, holder) in self.relative.pairs() {
+        for BodyPair { body, against: holder } in self.relative.pairs() {
             if self.missing > 0 && self.relative.is_rigid(Some(body)) && self.relative.is_rigid(holder) {
                 let turns = self.relative.turns(body, holder);
                 self.along_wanted_axes(ReactionKind::Torque { on: body, against: holder }, &turns, body, holder);
@@ -134,7 +134,7 @@ impl Search<'_> {
 
     /// Chooses forces between points of two bodies that loops hold together.
     fn loops(&mut self, slip: Slip) {
-        for (body, holder) in self.relative.pairs() {
+        for BodyPair { body, against: holder } in self.relative.pairs() {
             let Some(other) = holder else { continue };
             for point in 0..self.relative.model.points.len() {
                 for opposite in 0..self.relative.model.points.len() {

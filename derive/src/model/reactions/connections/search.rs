@@ -183,7 +183,7 @@ impl<'m> Search<'m> {
         let mut found: Vec<(usize, FoundReaction)> = self.chosen.iter().filter_map(|chosen| chosen.found).collect();
         found.sort_by_key(|(place, _)| *place);
         let found: Vec<FoundReaction> = found.into_iter().map(|(_, found)| found).collect();
-        let carries = |support: &Support| found.iter().any(|found| sides(found.kind) == (support.body, support.holder));
+        let carries = |support: &Support| found.iter().any(|found| sides(found.kind) == support.pair());
         let is_open =
             |support: &&Support| matches!(support.reason, Reason::Ground | Reason::Touch) && !carries(support);
         let idle = self.supports.iter().filter(is_open).map(|support| support.body).collect();

@@ -1,14 +1,14 @@
 //! Impacts and changes of contacts in the backward sweep that computes a gradient.
 
-use super::stepped::Part;
+use super::recorded_steps::Part;
 use crate::preparation::impacts::{Contacts, Crossing, HeldContacts};
 use crate::preparation::problem::Problem;
 use crate::studies::sensitivity::bounce::{meets_no_corner, rates_along};
 use crate::studies::sensitivity::contacts::{Direction, Wide};
-use crate::studies::sensitivity::crossing::Crossed;
 use crate::studies::sensitivity::equations::Equations;
 use crate::studies::sensitivity::forces::Varied;
 use crate::studies::sensitivity::history::Ending;
+use crate::studies::sensitivity::jumps::Crossed;
 use tripos_sim::{Corner, Pulled};
 
 /// Contacts of a problem, and the data for derivatives across their changes.

@@ -13,15 +13,15 @@
 //! Implicit methods and Taylor's are left out on purpose. DOP853 replaces them.
 
 mod crossings;
-mod held;
+mod held_contacts;
 mod numbers;
 mod products;
-mod stepped;
+mod recorded_steps;
 mod sweep;
 
 use super::apart::{Apart, WORDS};
 use super::equations::{Equations, SeededStart};
-use super::shown::Quantities;
+use super::shown_quantities::Quantities;
 use super::start::Seed;
 use super::{check_equations, jumps};
 use crate::code::{Ready, by_or_first, code};
@@ -38,7 +38,7 @@ use crate::trust::digits::other_side;
 use crate::trust::events::{Balance, events};
 use numbers::{Number, names, numbers};
 use products::Tapes;
-use stepped::Stepped;
+use recorded_steps::Stepped;
 use sweep::{Swept, Target, Through, sweep};
 use tripos_derive::model::{TIME, Unit};
 use tripos_derive::scene::{Scene, Solve};

@@ -1,17 +1,17 @@
 //! Backward sweep through the steps of a run, and across the changes of contacts between its parts.
 
 use super::crossings::Crossings;
-use super::held::{HeldOf, Motion};
+use super::held_contacts::{HeldOf, Motion};
 use super::numbers::{Number, moved};
 use super::products::Tapes;
-use super::stepped::{Part, Stepped};
+use super::recorded_steps::{Part, Stepped};
 use crate::error::Error;
 use crate::preparation::problem::Problem;
 use crate::studies::sensitivity::contacts::Wide;
 use crate::studies::sensitivity::equations::Equations;
 use crate::studies::sensitivity::graze::near;
 use crate::studies::sensitivity::history::Ending;
-use crate::studies::sensitivity::shown::Quantities;
+use crate::studies::sensitivity::shown_quantities::Quantities;
 use tripos_sim::adjoint::{Adjoint, Course, Unswept, segments};
 use tripos_sim::{Options, RightHandSide};
 

@@ -144,12 +144,15 @@ impl Element {
 }
 
 /// Lists every declaration that differs, in the order of the new model's file, then those that only the old model has.
+/// The terms of the new model are in `arena`.
 pub fn declarations(
-    (old, before): (&Model, &Arena),
-    (new, arena): (&Model, &mut Arena),
+    old: &Model,
+    old_arena: &Arena,
+    new: &Model,
+    arena: &mut Arena,
     comparer: &mut Comparer,
 ) -> Vec<Declaration> {
-    let mut transfer = Transfer::of_other_model(before, "_old");
+    let mut transfer = Transfer::of_other_model(old_arena, "_old");
     let (old, new) = (elements(old), elements(new));
     let mut list = Vec::new();
     let same = |a: &Element, b: &Element| a.section == b.section && a.name == b.name;
@@ -170,7 +173,7 @@ pub fn declarations(
             && terms.len() == element.terms.len()
             && terms.iter().zip(&element.terms).all(|(a, b)| comparer.compare(arena, *a, *b).is_equal());
         if !is_same {
-            let (old, new) = (former.definition(before), element.definition(arena));
+            let (old, new) = (former.definition(old_arena), element.definition(arena));
             list.push(declaration(element, Edit::Changed { property: Property::Definition, old, new }));
         }
     }

@@ -6,8 +6,8 @@
 //! constant distance.
 
 use super::View;
+use super::body_forms::{STRAIGHT, homogeneous_form, rods};
 use super::inertia::{Homogeneous, homogeneous, principal};
-use super::made::{STRAIGHT, homogeneous_form, rods};
 use super::pose::{Configuration, Pose, Poses};
 use super::solid::{Form, Place, Solid};
 use super::space::{Rotation, Triple, along, dot, length, minus, plus, product, quaternion, rotated_back, transposed};

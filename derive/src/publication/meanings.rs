@@ -1,5 +1,6 @@
 //! Meanings of the names in formulas of a publication.
 
+use super::clock::Clock;
 use super::locals::{Local, Locals, Unread, local_number};
 use super::shorthand::Shorthand;
 use super::spelling::{Speller, Spellings, Stated};
@@ -57,7 +58,8 @@ pub struct Words {
     spellings: Spellings,
     /// Number of terms that abbreviations have added to formulas so far.
     expansion: usize,
-    clock: Clock,
+    /// Time derivatives of the symbols.
+    pub clock: Clock,
     /// Variables of the program that the formulas of an entry are about.
     pub locals: Arc<Locals>,
     /// Names of coordinates and speeds of the model that have another meaning in the publication.
@@ -66,35 +68,6 @@ pub struct Words {
     coordinates: Vec<String>,
     /// Abbreviations as symbols, and the formulas that use them.
     pub shorthand: Shorthand,
-}
-
-/// Time derivatives of the symbols of a model.
-struct Clock {
-    d_dt: Differential,
-    /// Symbols that have no time derivative here: accelerations, reactions and the symbols of derived quantities.
-    still: Vec<Expr>,
-}
-
-impl Clock {
-    fn new(model: &Model) -> Self {
-        let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
-        rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
-        rates.extend(model.speeds.iter().map(|s| (s.symbol, s.rate)));
-        let accelerations = model.coordinates.iter().map(|c| c.second_rate).chain(model.speeds.iter().map(|s| s.rate));
-        let still = accelerations.chain(model.reactions.iter().map(|r| r.symbol)).collect();
-        Self { d_dt: Differential::along(&rates), still }
-    }
-
-    /// Time derivative of a term; the error is the reason why there is none, and advice.
-    fn rate(&mut self, arena: &mut Arena, e: Expr) -> Result<Expr, (String, Option<String>)> {
-        let parts = arena.reachable(&[e]);
-        if let Some(still) = self.still.iter().find(|symbol| parts.binary_search(symbol).is_ok()) {
-            let name = arena.symbol_name(*still).unwrap_or_default();
-            let help = "a time derivative here is of coordinates, their rates and speeds";
-            return Err((format!("no time derivative of `{name}` is known"), Some(help.to_owned())));
-        }
-        Ok(self.d_dt.apply(arena, e))
-    }
 }
 
 impl Words {
@@ -135,11 +108,6 @@ impl Words {
         }
         words.constrained(model);
         words
-    }
-
-    /// Notes a symbol that has no time derivative, such as that of a derived quantity.
-    pub fn keep_still(&mut self, symbol: Expr) {
-        self.clock.still.push(symbol);
     }
 
     /// Declares a coordinate or speed of the publication, with its time derivatives as far as they are known, under its

@@ -3,7 +3,7 @@
 use super::Bouncing;
 use super::NOTHING;
 use super::contact_change::ContactChange;
-use super::held::{Free, Held};
+use super::held_motion::{Free, Held};
 use super::meeting::SettledMeeting;
 use nalgebra::DVector;
 use tripos_sim::{ContactSolution, Failure, Mode, Undecided};

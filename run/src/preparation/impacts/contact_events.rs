@@ -3,8 +3,8 @@
 
 use super::Bouncing;
 use super::contact_change::ContactChange;
-use super::held::Held;
 use super::held_contacts::HeldContacts;
+use super::held_motion::Held;
 use tripos_sim::{Direction, Effect, Event, InRanges, Mode, SimError};
 use tripos_traits::{Enclosure, Scalar};
 

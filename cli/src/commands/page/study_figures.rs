@@ -2,13 +2,13 @@
 //!
 //! Invariant: every point of these figures is in a table beside the page, in the folder of the scene.
 
-use super::drawn::after;
-use crate::chart::words::{TARGETS, caption, fastest, lead};
+use super::run_figures::after;
+use crate::chart::sentences::{TARGETS, caption, fastest, lead};
 use crate::chart::{figure, files};
 use crate::failure::Failure;
 use crate::output::folder as make;
 use crate::page::{Advice, Choice, Figure};
-use crate::stability::{tables, words};
+use crate::stability::{sentences, tables};
 use std::path::{Path, PathBuf};
 use tripos::Mechanism;
 use tripos::studies::case::Printed;
@@ -94,14 +94,14 @@ impl<'a> Measured<'a> {
     fn passages(&mut self) -> Result<Option<Figure>, Failure> {
         let Some(svg) = self.study(FigureKind::Passages, ladder::study)? else { return Ok(None) };
         let data = self.tables(&["passages.csv", "stability.csv"])?;
-        let remark = words::coordinate(self.model, &self.findings.passages);
-        Ok(Some(Figure { caption: words::passages(self.model, &self.findings), svg, remark, data }))
+        let remark = sentences::coordinate(self.model, &self.findings.passages);
+        Ok(Some(Figure { caption: sentences::passages(self.model, &self.findings), svg, remark, data }))
     }
 
     fn conditioning(&mut self) -> Result<Option<Figure>, Failure> {
         let Some(svg) = self.study(FigureKind::Conditioning, conditioning::study)? else { return Ok(None) };
         let data = self.tables(&["stability.csv"])?;
-        Ok(Some(Figure { caption: words::conditioning(self.model, &self.findings), svg, remark: None, data }))
+        Ok(Some(Figure { caption: sentences::conditioning(self.model, &self.findings), svg, remark: None, data }))
     }
 
     /// Writes the findings so far. They are written again after each study: the tables have the numbers of all studies.

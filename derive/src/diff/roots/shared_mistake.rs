@@ -3,7 +3,7 @@
 //! Invariant: one description explains the whole difference from the derived value in both components, by identity. It
 //! is an equal factor, an equal factor of one part of the vector's formula, or the angular velocity of a wrong frame.
 
-use super::derived::{arena_of, components, difference};
+use super::derived_values::{arena_of, components, difference};
 use super::exact::{Exact, Value};
 use crate::algebra::Expr;
 use crate::algebra::text::print::text;
@@ -62,12 +62,14 @@ pub fn common(exact: &mut Exact<'_, '_>, a: &Value, b: &Value) -> Option<Shared>
     if let Some(factor) = same_ratio(exact, (a.printed, a.derived), (b.printed, b.derived)) {
         return Some(Shared::Factor(factor));
     }
-    let (QuantityKind::Component { axis: i, .. }, QuantityKind::Component { axis: j, .. }) = (&a.kind, &b.kind) else {
+    let (QuantityKind::Component { axis: one, .. }, QuantityKind::Component { axis: other, .. }) = (&a.kind, &b.kind)
+    else {
         return None;
     };
     let rate = rate(exact.quantities, &a.kind)?;
     let off = [a, b].map(|v| arena_of(exact.quantities).sub(v.printed, v.derived));
-    parts(exact, &rate, &a.kind, (*i, *j), off).or_else(|| turned(exact, &rate, (*i, *j), off))
+    let axes = [*one, *other];
+    parts(exact, &rate, &a.kind, axes, off).or_else(|| turned(exact, &rate, axes, off))
 }
 
 /// Key of the vector or matrix to which a component belongs; `None` for other quantities.
@@ -115,12 +117,13 @@ fn rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Rate> {
     Some(Rate { of: components(quantities, changing, owner, frame)?, changing, times, frame, carrier })
 }
 
-/// Finds a part of the formula with an equal factor in both components: the vector's ω × part, or the remainder.
+/// Finds a part of the formula with an equal factor in both components: the vector's ω × part, or the remainder. `off`
+/// are the differences from the derived components along the two `axes`.
 fn parts(
     exact: &mut Exact<'_, '_>,
     rate: &Rate,
     kind: &QuantityKind,
-    (i, j): (usize, usize),
+    axes: [usize; 2],
     off: [Expr; 2],
 ) -> Option<Shared> {
     let QuantityKind::Component { vector, of, frame, .. } = *kind else { return None };
@@ -135,7 +138,7 @@ fn parts(
         let own_words =
             if is_euler { "I·alpha".to_owned() } else { format!("d{}/dt in {turning}", rate.changing.name()) };
         for (part, words) in [(carried, format!("omega({turning}) x {}", rate.changing.name())), (own, own_words)] {
-            if let Some(k) = same_ratio(exact, (off[0], part[i]), (off[1], part[j])) {
+            if let Some(k) = same_ratio(exact, (off[0], part[axes[0]]), (off[1], part[axes[1]])) {
                 let Kinematics { arena, simplifier, .. } = &mut exact.quantities.derivations.kinematics;
                 let factor = arena.add(Expr::ONE, k);
                 return Some(Shared::Part(words, simplifier.simplify(arena, factor)));
@@ -146,7 +149,7 @@ fn parts(
 }
 
 /// Finds a wrong frame whose ω is used in the ω × part.
-fn turned(exact: &mut Exact<'_, '_>, rate: &Rate, (i, j): (usize, usize), off: [Expr; 2]) -> Option<Shared> {
+fn turned(exact: &mut Exact<'_, '_>, rate: &Rate, axes: [usize; 2], off: [Expr; 2]) -> Option<Shared> {
     for right in [rate.carrier, Some(rate.frame)].into_iter().flatten() {
         let own = components(exact.quantities, VectorName::AngularVelocity, right, rate.frame)?;
         for used in (0..exact.quantities.model.frames.len()).filter(|used| *used != right) {
@@ -154,7 +157,7 @@ fn turned(exact: &mut Exact<'_, '_>, rate: &Rate, (i, j): (usize, usize), off: [
             let arena = arena_of(exact.quantities);
             let more = difference(arena, &w, &own);
             let change = cross_components(arena, &more, &rate.of).map(|e| arena.mul(rate.times, e));
-            if exact.same(off[0], change[i]) && exact.same(off[1], change[j]) {
+            if exact.same(off[0], change[axes[0]]) && exact.same(off[1], change[axes[1]]) {
                 return Some(Shared::Turned(used, right, rate.changing.name()));
             }
         }

@@ -2,13 +2,20 @@
 
 use super::angles::Angle;
 use super::axes::along_axis;
+use super::drawn_pose::Changed;
 use super::lengths::Length;
 use super::sheet::Subject;
-use super::shown::Changed;
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::dot;
 use crate::pictures::view::{Form, Solid};
 use tripos_derive::model::{TIME, Unit};
+
+/// Coordinate with the mark that shows it.
+pub struct MarkedCoordinate {
+    /// Index of the coordinate.
+    pub coordinate: usize,
+    pub mark: CoordinateMark,
+}
 
 /// Mark that shows a coordinate.
 pub enum CoordinateMark {
@@ -25,12 +32,12 @@ pub enum CoordinateMark {
 }
 
 /// Sentences that describe the view, the drawn bodies and the coordinates of a sketch.
-pub fn about(subject: &Subject<'_>, shown: &[(usize, CoordinateMark)], has_gravity: bool) -> String {
-    let mut sentences = vec![seen(subject, has_gravity)];
+pub fn about(subject: &Subject<'_>, shown: &[MarkedCoordinate]) -> String {
+    let mut sentences = vec![seen(subject)];
     sentences.extend(bodies(subject));
     sentences.extend(coordinates(subject, shown));
     let is_closed =
-        shown.iter().any(|(_, how)| matches!(how, CoordinateMark::Arc(_, false) | CoordinateMark::Line(_, false)));
+        shown.iter().any(|shown| matches!(shown.mark, CoordinateMark::Arc(_, false) | CoordinateMark::Line(_, false)));
     if is_closed {
         sentences.push("Where one is about 0 its arrow shows the sense in which it grows.".to_owned());
     }
@@ -38,9 +45,9 @@ pub fn about(subject: &Subject<'_>, shown: &[(usize, CoordinateMark)], has_gravi
 }
 
 /// Sentence that states the direction of view and that of gravity.
-fn seen(subject: &Subject<'_>, has_gravity: bool) -> String {
+fn seen(subject: &Subject<'_>) -> String {
     let towards = subject.camera.towards;
-    let gravity = if !has_gravity {
+    let gravity = if !subject.has_gravity() {
         ""
     } else if dot(subject.view.up, towards).abs() > 0.99 {
         ", gravity away from who looks"
@@ -86,12 +93,12 @@ fn bodies(subject: &Subject<'_>) -> Option<String> {
 }
 
 /// Sentence that says how each coordinate is shown; `None` without coordinates.
-fn coordinates(subject: &Subject<'_>, shown: &[(usize, CoordinateMark)]) -> Option<String> {
-    let one = |(coordinate, how): &(usize, CoordinateMark)| {
-        let coordinate = &subject.mechanism.coordinates[*coordinate];
+fn coordinates(subject: &Subject<'_>, shown: &[MarkedCoordinate]) -> Option<String> {
+    let one = |shown: &MarkedCoordinate| {
+        let coordinate = &subject.mechanism.coordinates[shown.coordinate];
         let about = if coordinate.about.is_empty() { String::new() } else { format!(" ({})", coordinate.about) };
         let frame = |at: usize| subject.mechanism.frames[at].name.clone();
-        let what = match how {
+        let what = match &shown.mark {
             CoordinateMark::Arc(angle, _) => {
                 let axis = format!("{}{}", frame(angle.parent).to_lowercase(), angle.axis + 1);
                 format!("turns {} about {axis}", frame(angle.frame))

@@ -1,7 +1,8 @@
 //! Functions of one model that are already written, so that functions with equal text are written once.
 
+use super::text::reexport;
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::quote;
 use rustc_hash::FxHashMap;
 
 /// Module of code that contains each function, by the text of the function.
@@ -48,12 +49,4 @@ impl Sorted {
     pub fn imports(&self) -> impl Iterator<Item = TokenStream> {
         self.others.iter().map(|(module, names)| reexport(&quote!(super), module, names.iter().copied()))
     }
-}
-
-/// Item `pub use` for names of a module, in alphabetical order.
-pub fn reexport<'n>(parent: &TokenStream, module: &str, names: impl IntoIterator<Item = &'n str>) -> TokenStream {
-    let mut names: Vec<&str> = names.into_iter().collect();
-    names.sort_unstable();
-    let (module, names) = (format_ident!("{module}"), names.into_iter().map(|name| format_ident!("{name}")));
-    quote!(pub use #parent::#module::{#(#names),*};)
 }

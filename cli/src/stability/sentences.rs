@@ -14,7 +14,7 @@ const CLEARLY: f64 = 3.0;
 /// Largest least divisor of a passage that shows the effect of a singular surface on rounding.
 const NEAR: f64 = 0.05;
 
-fn divisor(model: &Model) -> String {
+fn first_divisor(model: &Model) -> String {
     let first = model.kinematic_equations.divisors.first();
     first.map(|d| pretty(&text(&model.arena, *d))).unwrap_or_default()
 }
@@ -38,7 +38,7 @@ pub fn passages(model: &Model, findings: &Findings) -> String {
         "Each column is a start that brings |{}| down to the size above it, each row a way to run it; a cell has the largest \
          error at the end, the darker the larger, or where and why the run stopped. Rows that name a variable integrate it \
          instead of the coordinate.",
-        divisor(model)
+        first_divisor(model)
     );
     [Some(seen), solves(&findings.passages)].into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
@@ -119,7 +119,7 @@ pub fn coordinate(model: &Model, list: &[Passed]) -> Option<String> {
         "With eliminated accelerations and dop853 in the coordinate itself, the equations by {lagrange} keep digits that those by \
          {names} lose: at |{}| = {} the errors are {} by {lagrange}, {} by {first}. The equations by {lagrange} integrate q\u{307} \
          itself; the speeds of those by {names} give it only by a division{rate}. In the distance the errors by {first} are {}.",
-        divisor(model),
+        first_divisor(model),
         joined(&places),
         row(lagrange, Variable::Coordinate),
         row(first, Variable::Coordinate),
@@ -140,7 +140,7 @@ fn rate(model: &Model) -> Option<String> {
 
 /// Caption of the figure of errors and condition numbers along a passage.
 pub fn conditioning(model: &Model, findings: &Findings) -> String {
-    let divisor = divisor(model);
+    let divisor = first_divisor(model);
     let mut list = vec![format!(
         "Along the narrowest passage: above, how far accelerations computed in doubles are from those computed with 32 digits at \
          the same state, by |{divisor}|, eliminated and by a numeric solve; below, the condition numbers of the matrices, as they stand and \

@@ -71,7 +71,7 @@ impl<'w> Watcher<'w> {
     ) -> Option<Ending> {
         let step = LaneStep { method, lane, span, ends: &self.ends };
         let rhs = &mut Lent(self.equations.as_mut());
-        match end_inside(&step, self.suspects, rhs, &mut self.watch, &mut self.guard) {
+        match end_inside(&step, rhs, &mut self.watch, self.suspects.then_some(&mut self.guard)) {
             Ok(None) => None,
             Ok(Some((theta, stop))) => {
                 let t = step.time_at(theta);

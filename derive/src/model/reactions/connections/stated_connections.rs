@@ -51,7 +51,7 @@ impl Search<'_> {
     pub fn held(&mut self) {
         let model = self.relative.model;
         let touches = self.relative.touches(&self.relative.freedoms());
-        let on_body = |body: usize| touches.iter().any(|(one, other)| *one == body && other.is_some());
+        let on_body = |body: usize| touches.iter().any(|pair| pair.body == body && pair.against.is_some());
         let (mut placed, mut ground, mut touching) = (Vec::new(), Vec::new(), Vec::new());
         for support in &self.supports {
             match (support.reason, support.holder) {

@@ -1,7 +1,7 @@
 //! Checks of a finished part of a run for changes of contacts that the events missed.
 
-use super::held::Held;
 use super::held_contacts::HeldContacts;
+use super::held_motion::Held;
 use super::{Bouncing, OVERLAP, values};
 use tripos_sim::{Failure, Mode, Solution, Stop};
 use tripos_traits::Real;

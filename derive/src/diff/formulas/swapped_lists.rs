@@ -37,7 +37,7 @@ fn numbers(publication: &Publication) -> impl Iterator<Item = (&Entry, &Initial)
 }
 
 fn contradictions(model: &Model, publication: &Publication) -> usize {
-    numbers(publication).filter(|(e, _)| judge(model, publication, e).0.judgement == Judgement::Different).count()
+    numbers(publication).filter(|(e, _)| judge(model, publication, e).finding.judgement == Judgement::Different).count()
 }
 
 /// Swapped lists of one set, if the swap removes every contradiction.

@@ -1,0 +1,40 @@
+//! Time derivatives in the formulas of a publication.
+
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::{Arena, Expr};
+use crate::model::Model;
+
+/// Time derivatives of the symbols of a model.
+pub struct Clock {
+    d_dt: Differential,
+    /// Symbols that have no time derivative here: accelerations, reactions and the symbols of derived quantities.
+    still: Vec<Expr>,
+}
+
+impl Clock {
+    /// Time derivatives of the coordinates, rates and speeds of a model.
+    pub fn new(model: &Model) -> Self {
+        let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
+        rates.extend(model.speeds.iter().map(|s| (s.symbol, s.rate)));
+        let accelerations = model.coordinates.iter().map(|c| c.second_rate).chain(model.speeds.iter().map(|s| s.rate));
+        let still = accelerations.chain(model.reactions.iter().map(|r| r.symbol)).collect();
+        Self { d_dt: Differential::along(&rates), still }
+    }
+
+    /// Time derivative of a term; the error is the reason why there is none, and advice.
+    pub fn rate(&mut self, arena: &mut Arena, e: Expr) -> Result<Expr, (String, Option<String>)> {
+        let parts = arena.reachable(&[e]);
+        if let Some(still) = self.still.iter().find(|symbol| parts.binary_search(symbol).is_ok()) {
+            let name = arena.symbol_name(*still).unwrap_or_default();
+            let help = "a time derivative here is of coordinates, their rates and speeds";
+            return Err((format!("no time derivative of `{name}` is known"), Some(help.to_owned())));
+        }
+        Ok(self.d_dt.apply(arena, e))
+    }
+
+    /// Notes a symbol that has no time derivative, such as that of a derived quantity.
+    pub fn keep_still(&mut self, symbol: Expr) {
+        self.still.push(symbol);
+    }
+}

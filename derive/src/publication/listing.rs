@@ -1,0 +1,71 @@
+//! Entries of a publication that are programs, which compute the derivative of a state.
+
+use super::Listing;
+use super::entries::Item;
+use super::linear::{Fit, count};
+use super::read::Loading;
+use crate::algebra::Expr;
+use crate::mechanics::{Formulation, MotionVariables};
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::DeValue;
+
+impl<'a> Loading<'a, '_> {
+    /// Reads an entry `[[listing]]`: a program that computes the derivative of a state.
+    pub fn listing(&mut self, item: &Item<'a>) -> Option<Listing> {
+        let formulation = self.formulation(item);
+        let state = self.required_array(item, "state", "[\"q1\", \"u1\"]");
+        let length = state.as_ref().map(|(array, _)| array.len());
+        let state = state.and_then(|(array, span)| self.state(array, &span, formulation?));
+        let derivative = self.required_array(item, "derivative", "[\"u1\", \"-g*sin(q1)\"]");
+        let derivative = derivative.and_then(|(array, span)| {
+            if let Some(states) = length.filter(|n| *n != array.len()) {
+                let message = format!("`derivative` has {} for a state of {states}", count(array.len(), "entry"));
+                self.reader.error(span, message, "one derivative for each entry of the state, 0 where it is left zero");
+                return None;
+            }
+            self.formulas(array, "an entry of `derivative`", &[], item.notation)
+        });
+        let moving = state.as_ref().map(|(_, _, moving)| moving.len());
+        let matrix = match self.reader.get(item.table, "matrix") {
+            None => Some(None),
+            Some(value) => self.array(value, "`matrix`", "rows, as in [[\"m\", 0], [0, \"I\"]]").and_then(|array| {
+                let (span, help) = (value.span(), "one row and one column for each speed of the state");
+                if let Some(moving) = moving.filter(|moving| *moving != array.len()) {
+                    let message = format!("the matrix has {}, not {moving}", count(array.len(), "row"));
+                    self.reader.error(span, message, help);
+                    return None;
+                }
+                self.matrix(array, &span, Fit { columns: moving, help, unknowns: &[], notation: item.notation })
+                    .map(Some)
+            }),
+        };
+        let ((state, state_names, _), (derivative, derivative_texts)) = (state?, derivative?);
+        let (matrix, matrix_texts) = matrix?.unzip();
+        let formulation = formulation?;
+        let (state, derivative, matrix) = self.own_state(&state_names, (state, derivative, matrix), item)?;
+        let moving = (0..state.len()).filter(|at| formulation.variables(self.model).contains(&state[*at])).collect();
+        Some(Listing { formulation, state, state_names, derivative, derivative_texts, moving, matrix, matrix_texts })
+    }
+
+    /// Reads a state: coordinates and speeds in any order, and the indices of the speeds. For Lagrange, rates of
+    /// coordinates take the place of speeds.
+    fn state(
+        &mut self,
+        array: &'a [Spanned<DeValue<'a>>],
+        span: &Range<usize>,
+        formulation: Formulation,
+    ) -> Option<(Vec<Expr>, Vec<String>, Vec<usize>)> {
+        let model = &self.model;
+        let variables = formulation.variables(model);
+        let named = |symbol: &Expr| (model.arena.symbol_name(*symbol).unwrap_or_default().to_owned(), *symbol);
+        let known: Vec<(String, Expr)> = model.q().iter().chain(&variables).map(named).collect();
+        let what = match formulation.method().variables {
+            MotionVariables::Rates => "a coordinate or its derivative, as a state of Lagrange's equations has",
+            MotionVariables::Speeds => "a coordinate or a speed",
+        };
+        let (state, names) = self.members(array, span, &known, what)?;
+        let moving = (0..state.len()).filter(|at| variables.contains(&state[*at])).collect();
+        Some((state, names, moving))
+    }
+}
