@@ -7,6 +7,7 @@ use crate::trust::digits::Digits;
 use crate::trust::invariants::{Course, Drift, Watch};
 use crate::trust::residuals::Residual;
 use tripos_derive::mechanics::EquationsOrigin;
+use tripos_derive::plain::within;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::{Dynamics, EventRecord, ImpactRecord, Kind, Solution};
 
@@ -129,7 +130,7 @@ impl Run {
         let more = without.count() - 1;
         let more = if more == 0 { String::new() } else { format!(" and at {more} of the samples after it") };
         let near = problem.near_divisors(y)?;
-        self.missing = Some(format!("`{}` has no value at t = {t} s{more}{near}", self.names[which]));
+        self.missing = Some(format!("`{}` has no value at t = {} s{more}{near}", self.names[which], within(*t, None)));
         Ok(())
     }
 

@@ -17,6 +17,7 @@ use crate::trust::power::accounted;
 use std::sync::Mutex;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::{EquationsOrigin, is_reducible};
+use tripos_derive::plain::within;
 use tripos_derive::reduce::ReductionBasis;
 use tripos_derive::scene::{Integrator, Scene, Solve};
 use tripos_sim::{Solution, Stop};
@@ -155,7 +156,7 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
 
 /// Reason why a run must be replaced, as the end of a sentence about its equations; `None` if the run is kept.
 fn left_for(run: &Run) -> Option<String> {
-    let t = run.solution.t_end;
+    let t = within(run.solution.t_end, None);
     match &run.solution.stop {
         Stop::Interrupted => None,
         Stop::Singular { divisor } => Some(format!("divide by {divisor}, which is 0 at t = {t} s")),

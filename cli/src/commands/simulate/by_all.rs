@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos::studies::sensitivity::gradient::Slope;
 use tripos::{EquationsName, Gradient, Mechanism, gradient};
+use tripos_derive::plain::significant;
 use tripos_derive::scene::Scene;
 
 /// Runs a scene and prints its end, with the derivatives of one number there by all parameters and start values.
@@ -72,7 +73,7 @@ fn in_words(of: &Gradient) -> String {
             let _ = writeln!(out, "  by {by:width$}  no value{why}");
             continue;
         }
-        let error = slope.error.map_or_else(String::new, |error| format!(" ± {error:.0e}"));
+        let error = slope.error.map_or_else(String::new, |error| format!(" ± {}", significant(error, 1)));
         let unit = of_unit(slope.unit.as_ref());
         let _ = writeln!(out, "  by {by:width$}  {}{error}{unit}", slope.value);
     }

@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use tripos::Sensitivities;
 use tripos_derive::model::TIME;
+use tripos_derive::plain::significant;
 use tripos_sim::Stop;
 
 /// Indices of the values that are shown: all except the time, whose derivatives are shown apart.
@@ -48,7 +49,8 @@ pub fn in_words(of: &Sensitivities) -> String {
             let _ = writeln!(out, "  d(t)/d({by}) = {}", of.t_end[k]);
         }
         for at in shown(of) {
-            let error = of.errors.as_ref().map_or_else(String::new, |errors| format!(" ± {:.0e}", errors[k][at]));
+            let error =
+                of.errors.as_ref().map_or_else(String::new, |errors| format!(" ± {}", significant(errors[k][at], 1)));
             let unit = of_unit(of.units[k][at].as_ref());
             if !of.end[k][at].is_finite() {
                 let _ = writeln!(out, "  d({})/d({by}) has no value", of.names[at]);

@@ -7,6 +7,7 @@ use crate::algebra::value::evaluate::Tape;
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Model, TIME, Unit};
+use crate::plain::significant;
 use crate::read::Located;
 use crate::scene::numbers::values::{Number, ValueReader, Varied, doubles, extended};
 use std::ops::Range;
@@ -230,8 +231,10 @@ impl<'a> ValueReader<'a, '_> {
             let residual = number.double - value;
             if residual.is_nan() || residual.abs() > RESIDUAL * (1.0 + value.abs()) {
                 let message = format!(
-                    "the constraint `{}` is broken: `{}` is off by {residual:e}",
-                    constraint.name, constraint.fixes
+                    "the constraint `{}` is broken: `{}` is off by {}",
+                    constraint.name,
+                    constraint.fixes,
+                    significant(residual, 4)
                 );
                 let help = format!("leave `{}` out, or state {value}", constraint.fixes);
                 self.reader.error(span.clone(), message, help);
@@ -252,8 +255,11 @@ impl<'a> ValueReader<'a, '_> {
         let place = self.reader.entries(table).first().map_or(0..0, |(key, _)| key.span.clone());
         for (constraint, residual) in model.motion_constraints.iter().zip(values) {
             if residual.is_nan() || residual.abs() > RESIDUAL * size {
-                let message =
-                    format!("the start breaks the motion constraint `{}`: it is {residual:e}, not 0", constraint.name);
+                let message = format!(
+                    "the start breaks the motion constraint `{}`: it is {}, not 0",
+                    constraint.name,
+                    significant(residual, 4)
+                );
                 self.reader.error(
                     place.clone(),
                     message,

@@ -9,6 +9,7 @@ use crate::pictures::view::Triple;
 use crate::pictures::view::space::dot;
 use crate::pictures::view::{Form, Solid};
 use tripos_derive::model::{TIME, Unit};
+use tripos_derive::plain::significant;
 
 /// Mark that shows a coordinate.
 pub enum CoordinateMark {
@@ -142,9 +143,8 @@ fn unit(unit: &Unit) -> String {
 /// Writes a number with three significant digits. Rounding errors of 0 are written as 0.
 fn digits(x: f64) -> String {
     let x = if x.abs() < 1e-9 { 0.0 } else { x };
-    let short: f64 = format!("{x:.2e}").parse().unwrap_or(x);
     // Adding 0 turns -0 into 0.
-    (short + 0.0).to_string()
+    significant(x + 0.0, 3)
 }
 
 /// Vectors along rods and springs, m, which a view should show as long as possible.

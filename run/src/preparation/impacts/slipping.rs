@@ -6,6 +6,7 @@ use super::contact_change::ContactChange;
 use super::held::{Free, Held};
 use super::meeting::SettledMeeting;
 use nalgebra::DVector;
+use tripos_derive::plain::within;
 use tripos_sim::{ContactSolution, Failure, Mode, Undecided};
 
 /// Time ahead, in durations of the shortest flight, at which modes that are all possible at an instant are compared.
@@ -105,6 +106,7 @@ impl Bouncing<'_> {
             let each = contacts.iter().zip(modes).map(|(at, mode)| format!("{} {mode}", name(at)));
             each.collect::<Vec<_>>().join(" and ")
         };
+        let t = within(t, None);
         let (code, message) = match why {
             Undecided::Nothing if contacts.iter().all(|at| self.contacts.friction(*at).is_none()) => {
                 ("impact", format!("{what} at t = {t} s: {names}"))

@@ -4,6 +4,7 @@
 use crate::preparation::impacts::{HeldContacts, NONE};
 use std::cell::RefCell;
 use std::fmt;
+use tripos_derive::plain::within;
 
 /// End of the derivatives by a number, with its reason.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,6 +79,6 @@ pub fn end(history: &RefCell<ContactHistory>, number: usize, t: f64, why: String
 /// Writes "from t = 0.5 s on: the contact …".
 impl fmt::Display for Ending {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "from t = {} s on: {}", self.t, self.why)
+        write!(f, "from t = {} s on: {}", within(self.t, None), self.why)
     }
 }

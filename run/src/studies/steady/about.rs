@@ -10,6 +10,7 @@ use super::quotient::{Quotient, Shifted};
 use super::verdict::Stability;
 use crate::{Error, Mechanism};
 use nalgebra::DMatrix;
+use tripos_derive::plain::significant;
 use tripos_derive::scene::Asked;
 
 /// Linear system near a steady motion, with its modes, stability and transfer functions.
@@ -162,10 +163,15 @@ impl Question {
     /// Error that says why a state is not steady, with the given advice.
     #[must_use]
     pub fn unbalanced(&self, steady: &Steady, help: &str) -> Error {
-        let rates = steady.unbalanced.iter().map(|(at, left)| format!("{}' is left at {left:.6e}", self.names[*at]));
-        let open = steady.open.iter().map(|(at, left)| format!("`{}` is open by {left:.6e}", self.loops[*at]));
+        let rates = steady
+            .unbalanced
+            .iter()
+            .map(|(at, left)| format!("{}' is left at {}", self.names[*at], significant(*left, 4)));
+        let open =
+            steady.open.iter().map(|(at, left)| format!("`{}` is open by {}", self.loops[*at], significant(*left, 4)));
         let forces = steady.forces.iter();
-        let forces = forces.map(|(at, left)| format!("the force along {} is left at {left:.6e}", self.names[*at]));
+        let forces = forces
+            .map(|(at, left)| format!("the force along {} is left at {}", self.names[*at], significant(*left, 4)));
         let list: Vec<String> = open.chain(rates).chain(forces).collect();
         let list = if list.is_empty() { "a rate is not a number there".to_owned() } else { list.join(", ") };
         Error::Request {

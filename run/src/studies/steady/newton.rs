@@ -7,6 +7,7 @@ use crate::{Error, Mechanism};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 use tripos_derive::flow::Rates;
+use tripos_derive::plain::significant;
 use tripos_derive::scene::{Asked, Loops};
 use tripos_traits::{DoubleDouble, Scalar};
 
@@ -175,7 +176,7 @@ impl Question {
         if steady.open.is_empty() {
             return Ok(steady);
         }
-        let open = steady.open.iter().map(|(at, left)| format!("`{}` by {left:.6e}", self.loops[*at]));
+        let open = steady.open.iter().map(|(at, left)| format!("`{}` by {}", self.loops[*at], significant(*left, 4)));
         let what = format!("loops are open at this state: {}", open.collect::<Vec<_>>().join(", "));
         Err(Error::request(what, "state coordinates that close them, or put as many as close them under [guess]"))
     }

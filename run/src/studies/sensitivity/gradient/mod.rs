@@ -41,6 +41,7 @@ use products::Tapes;
 use stepped::Stepped;
 use sweep::{Swept, Target, Through, sweep};
 use tripos_derive::model::{TIME, Unit};
+use tripos_derive::plain::within;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::adjoint::has_adjoint;
 use tripos_sim::{Method, Options, Second, Stop, TaylorSeries, seconds};
@@ -149,7 +150,10 @@ pub fn gradient(
     let is_total = stepped.event().is_some();
     if target == Target::End && !is_total && !stepped.solution.stop.is_failure() {
         let help = "the instant at the end of a span stays; give the scene a terminal event";
-        return Err(Error::request(format!("no event ended the run at t = {} s", stepped.solution.t_end), help));
+        return Err(Error::request(
+            format!("no event ended the run at t = {} s", within(stepped.solution.t_end, None)),
+            help,
+        ));
     }
     let assessed = if stepped.solution.stop.is_failure() { None } else { Some(parts.assess(&problem, &stepped)?) };
     run.notes.splice(..0, notes(mechanism, own, &scene, &numbers));
