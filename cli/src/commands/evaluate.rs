@@ -107,7 +107,7 @@ fn values(model: &Mechanism, by: &EquationsOrigin, derivation: &Derivation, stat
     let gravity = gravity_potential(model, state)?;
     let energies = [system.kinetic_energy(p, q, &v), system.potential_energy(p, q), gravity, system.power(p, q, &v)];
     if energies.iter().any(|e| !e.is_finite()) {
-        return Err(stopped("an energy or its rate has no value that a number can hold".to_owned()));
+        return Err(stopped("an energy or its rate is not a finite number".to_owned()));
     }
     let carries_reactions = derivation.equations.formulation.carries_reactions();
     warn_outside_domain(model, state, if carries_reactions { others } else { &[] })?;

@@ -84,7 +84,7 @@ pub fn inverse(model: &Path, motion: &Path, inputs: &[String], shape: Shape) -> 
     let open = list.iter().fold(0.0, |most: f64, (_, forces)| most.max(forces.open));
     if open > OPEN {
         warn(&format!(
-            "a loop is open by up to {} in this motion: its forces are those of no closed mechanism",
+            "a loop is open by up to {} in this motion: the forces are not those of a closed mechanism",
             significant(open, 2)
         ));
     }

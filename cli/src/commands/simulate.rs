@@ -313,7 +313,7 @@ fn check_csv(path: &Path, existing: Existing, model: &Mechanism, scene: &Scene) 
     }
     let is_table = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
     if path.is_file() && !is_table && existing == Existing::Kept && !path.starts_with("/dev") {
-        let what = format!("`{}` is there already, and its name does not end in `.csv`", path_in_line(path));
+        let what = format!("the file `{}` exists, and its name does not end in `.csv`", path_in_line(path));
         return Err(Failure::request(what, "give another --csv, or --overwrite to replace it".to_owned()));
     }
     Ok(())

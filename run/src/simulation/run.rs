@@ -124,7 +124,7 @@ impl Run {
         let mut without = without.peekable();
         let Some(&((t, y), which)) = without.peek() else {
             let lost = self.energy_drift.is_some_and(f64::is_nan);
-            self.missing = lost.then(|| "the energy has no value that doubles can hold".to_owned());
+            self.missing = lost.then(|| "the energy is not a finite number".to_owned());
             return Ok(());
         };
         let more = without.count() - 1;

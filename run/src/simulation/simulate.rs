@@ -65,15 +65,15 @@ fn without_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Opt
         return None;
     }
     if !scene.impacts.is_empty() {
-        return Some("whole equations are run: impacts change what reduced ones hold constant");
+        return Some("whole equations are run: impacts change values that reduced equations hold constant");
     }
     if mechanism.speeds.is_empty() {
         return Some("the constraints leave no speed: the coordinates follow from them, and forces from the motion");
     }
     (!is_reducible(mechanism)).then_some(if mechanism.loops.is_empty() {
-        "whole equations are run: those of this model are too large to be written out for a scene's own"
+        "whole equations are run: this model is too large for reduced equations"
     } else {
-        "whole equations are run: nothing is left out of a mechanism whose loops are to stay closed"
+        "whole equations are run: a mechanism with closed loops needs all of them"
     })
 }
 

@@ -68,9 +68,10 @@ fn few(digits: &Digits, names: &[String]) -> Option<String> {
             digits.by
         ));
     }
-    let end = digits.end().filter(|left| *left >= FEW).map(|left| format!("; at the end {left:.0} are left again"));
+    let end =
+        digits.end().filter(|left| *left >= FEW).map(|left| format!("; at the end {left:.0} digits are right again"));
     Some(format!(
-        "fewer than three digits are left from t = {} s on, where `{name}` may be off by {}: so far apart are this run and another, {}{}",
+        "fewer than three digits are right from t = {} s on, where `{name}` may be off by {}: this is the difference from another run, {}{}",
         within(t, None),
         significant(error, 2),
         digits.by,

@@ -41,12 +41,12 @@ pub fn simulate(
 fn check(request: &Simulate) -> Result<(), Failure> {
     let refuse = |what: &str, help: &str| Err(Failure::request(what.to_owned(), help.to_owned()));
     if !request.sensitivity.is_empty() {
-        let help = "give one of them: --gradient is by all numbers at once, --sensitivity of all that is shown";
+        let help = "give one of the two: --gradient differentiates one value with respect to all numbers, --sensitivity all shown values with respect to one";
         return refuse("--gradient and --sensitivity are two runs", help);
     }
     if request.csv.is_some() {
         let help = "leave --csv out, or give --sensitivity, whose derivatives are known at each sample";
-        return refuse("a gradient is one of the end of a run: it has no samples for --csv", help);
+        return refuse("a gradient belongs to the end of a run, and --csv writes samples along the run", help);
     }
     Ok(())
 }
@@ -78,8 +78,8 @@ fn in_words(of: &Gradient) -> String {
         let _ = writeln!(out, "  by {by:width$}  {}{error}{unit}", slope.value);
     }
     let _ = match &of.assessed_by {
-        Some(words) => writeln!(out, "their errors by comparison with {words}"),
-        None => writeln!(out, "their errors are not assessed: no second run came to the same end"),
+        Some(words) => writeln!(out, "errors of the derivatives, by comparison with {words}"),
+        None => writeln!(out, "the errors of the derivatives are not known: no second run came to the same end"),
     };
     out
 }

@@ -44,7 +44,7 @@ pub fn in_words(of: &Sensitivities) -> String {
     for (k, by) in of.by.iter().enumerate() {
         let is_event = matches!(of.run.solution.stop, Stop::Event { .. } | Stop::LeftDomain { .. });
         let what = if is_event { "in all, as that instant moves" } else { "at that instant" };
-        let _ = writeln!(out, "\nderivatives by {by} at t = {} s, {what}", of.run.solution.t_end);
+        let _ = writeln!(out, "\nderivatives with respect to {by} at t = {} s, {what}", of.run.solution.t_end);
         if is_event {
             let _ = writeln!(out, "  d(t)/d({by}) = {}", of.t_end[k]);
         }
@@ -60,8 +60,8 @@ pub fn in_words(of: &Sensitivities) -> String {
         }
     }
     let why = match &of.assessed_by {
-        Some(words) => format!("their errors by comparison with {words}\n"),
-        None => "their errors are not assessed: no second run came to the same end\n".to_owned(),
+        Some(words) => format!("errors of the derivatives, by comparison with {words}\n"),
+        None => "the errors of the derivatives are not known: no second run came to the same end\n".to_owned(),
     };
     out + &why
 }

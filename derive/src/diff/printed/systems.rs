@@ -252,7 +252,7 @@ impl Judge<'_, '_> {
         let Some((finding, _)) = findings.iter_mut().find(|(f, _)| f.id == id) else { return };
         if rows.len() <= unknowns && matches!(finding.judgement, Judgement::Equal | Judgement::Scaled) {
             finding.judgement = Judgement::Different;
-            finding.remarks.push("it follows from the rows above: an equation of motion is missing".to_owned());
+            finding.remarks.push("this row follows from the rows above: an equation of motion is missing".to_owned());
         }
     }
 }

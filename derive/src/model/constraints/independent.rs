@@ -276,7 +276,7 @@ impl Loading<'_> {
             Some(_) => {
                 "follows from those before it in some of the poses in which they hold, and contradicts them in the others"
             }
-            None => "restricts no velocity that those before it do not: it follows from them, or contradicts them",
+            None => "adds nothing to the constraints before it: it follows from them, or contradicts them",
         }
     }
 

@@ -135,7 +135,8 @@ impl<'a> ValueReader<'a, '_> {
         let nearest: Vec<String> = if free.is_empty() { &all } else { free }.iter().map(shown).collect();
         let (message, help) = if free.is_empty() && found.is_closed {
             let (name, open) = worst(open_at_start);
-            let message = format!("the start breaks the constraint `{name}`: it is {}, not 0", significant(open, 4));
+            let message =
+                format!("the start breaks the constraint `{name}`: its value is {}, not 0", significant(open, 4));
             let help = format!(
                 "leave a coordinate out of [start] for each loop, with a value near it in [guess]; the nearest closed \
                  configuration has {}",

@@ -122,7 +122,7 @@ impl ValueReader<'_, '_> {
         });
         if let Some(((condition, left), _)) = broken {
             let message = format!(
-                "no motion has the rates that the start states: `{}` is off by {} in the nearest",
+                "no motion has the rates of the start: in the nearest motion, `{}` is off by {}",
                 condition.name,
                 significant(left.hi(), 4)
             );
@@ -140,7 +140,7 @@ impl ValueReader<'_, '_> {
         let (message, help) = if stated.speeds.is_empty() {
             (
                 format!("the rates that the start states leave {names} open"),
-                format!("state one of them as well, such as \"{first}'\" = 0"),
+                format!("state one of these rates as well, such as \"{first}'\" = 0"),
             )
         } else {
             let speeds: Vec<String> = model.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();

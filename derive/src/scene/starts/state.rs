@@ -167,7 +167,7 @@ impl<'a> ValueReader<'a, '_> {
     ) -> Option<()> {
         let Some(at) = self.model.time() else { return Some(()) };
         if rates[at].is_some() || self.instant.is_some() && q[at].is_some() {
-            let help = "leave it out: the first instant of `span` is where it starts";
+            let help = "leave the time out: a run starts at the first instant of `span`";
             self.reader.error(place.clone(), "time is not part of a start", help);
             return None;
         }
@@ -200,7 +200,7 @@ impl<'a> ValueReader<'a, '_> {
         let by_rate = fixed > 0 || rates.iter().any(Option::is_some);
         let by_speed = u.iter().flatten().next();
         if let (true, Some((_, name))) = (by_rate, by_speed) {
-            let help = "state every speed or every q', not some of both: the others follow from the definitions";
+            let help = "state every speed or every q', not both kinds: the definitions give the others";
             self.reader.error(name.span.clone(), "speeds and time derivatives are mixed", help);
             return None;
         }
@@ -256,14 +256,14 @@ impl<'a> ValueReader<'a, '_> {
         for (constraint, residual) in model.motion_constraints.iter().zip(values) {
             if residual.is_nan() || residual.abs() > RESIDUAL * size {
                 let message = format!(
-                    "the start breaks the motion constraint `{}`: it is {}, not 0",
+                    "the start breaks the motion constraint `{}`: its value is {}, not 0",
                     constraint.name,
                     significant(residual, 4)
                 );
                 self.reader.error(
                     place.clone(),
                     message,
-                    "give the generalized speeds in place of rates: they satisfy the constraint",
+                    "give the generalized speeds instead of rates: speeds always satisfy the constraint",
                 );
             }
         }

@@ -33,7 +33,7 @@ pub fn about(subject: &Subject<'_>, shown: &[(usize, CoordinateMark)], has_gravi
     let is_closed =
         shown.iter().any(|(_, how)| matches!(how, CoordinateMark::Arc(_, false) | CoordinateMark::Line(_, false)));
     if is_closed {
-        sentences.push("Where one is about 0 its arrow shows the sense in which it grows.".to_owned());
+        sentences.push("For an angle near 0, the arrow shows the positive sense.".to_owned());
     }
     sentences.join(" ")
 }

@@ -28,7 +28,7 @@ impl Bouncing<'_> {
         let is_below = |contact: &usize| gap(*contact) < (2.0 * begun(*contact)).min(-least(*contact));
         let below = free.into_iter().find(|contact| gap(*contact) < 0.0 && is_below(contact))?;
         let message = format!(
-            "the gap of the contact `{}` is {}, and that it closed was not seen: give a shorter `max_step`",
+            "the gap of the contact `{}` is {}: a step jumped over the instant of closing; give a shorter `max_step`",
             self.contacts.impacts[below].name,
             significant(gap(below), 4)
         );
@@ -78,7 +78,8 @@ impl Bouncing<'_> {
         });
         let (contact, what) = what.into_iter().next()?;
         let name = &self.contacts.impacts[contact].name;
-        let message = format!("that the contact `{name}` {what} was not seen: give a shorter `max_step`");
+        let message =
+            format!("a step jumped over the instant at which the contact `{name}` {what}: give a shorter `max_step`");
         Some(Failure { code: "contact", message })
     }
 
@@ -96,7 +97,7 @@ impl Bouncing<'_> {
         let (name, t) = (&self.contacts.impacts[contact].name, within(t, None));
         let message = format!(
             "from t = {t} s on, the force of the slipping contact `{name}` is not determined: its friction presses as much as the force itself. \
-             That is Painlevé's paradox of rigid bodies; a smaller coefficient of friction has none"
+             That is Painlevé's paradox of rigid bodies; a smaller coefficient of friction avoids this paradox"
         );
         Failure { code: "friction", message }
     }

@@ -226,8 +226,7 @@ impl<'a> Contacts<'a> {
             .filter(|factor| factor.l_dirty().diagonal().iter().all(|x| *x > 0.0));
         let inertia = factor.ok_or_else(|| Failure {
             code: "singular",
-            message: "something that the constraints let move has no inertia, so that no impulse is known there"
-                .to_owned(),
+            message: "a permitted motion has no inertia, so that the impulses are not known".to_owned(),
         })?;
         Ok(Operators { basis, of_u, inertia })
     }

@@ -193,7 +193,7 @@ impl Bouncing<'_> {
     fn gains(&self, t: f64, meeting: &Meeting<'_>, gained: f64) -> Failure {
         let has_friction = meeting.closed.iter().any(|at| self.contacts.friction(*at).is_some());
         let why = if has_friction {
-            "contacts with friction that give back what closes them can do that, by Newton's law; take law = \"poisson\", or give them a restitution of 0"
+            "by Newton's law, contacts with friction and restitution can create energy; take law = \"poisson\", or give these contacts a restitution of 0"
         } else {
             "contacts that do not slip and give back what closes them can do that, by Newton's law; \
              give them a restitution of 0, or leave `no_slip` out"
@@ -217,7 +217,7 @@ impl Bouncing<'_> {
         let closed = meeting.closed;
         if let Some(fixed) = closed.iter().find(|at| response.compliance[(normal(at), normal(at))] <= 0.0) {
             let message = format!(
-                "the contact {} is closed at t = {} s, and no motion that the mechanism has changes its gap there",
+                "the contact {} is closed at t = {} s, and no permitted motion changes the gap there",
                 name(fixed),
                 within(t, None)
             );

@@ -101,7 +101,7 @@ impl Bouncing<'_> {
     pub(super) fn undecided(&self, t: f64, contacts: &[usize], what: &str, why: &Undecided) -> Failure {
         let name = |at: &usize| format!("`{}`", self.contacts.impacts[*at].name);
         let names = contacts.iter().map(name).collect::<Vec<_>>().join(", ");
-        let help = "Painlevé's paradox of rigid bodies; a smaller coefficient of friction has none";
+        let help = "Painlevé's paradox of rigid bodies; a smaller coefficient of friction avoids this paradox";
         let does = |modes: &[Mode]| {
             let each = contacts.iter().zip(modes).map(|(at, mode)| format!("{} {mode}", name(at)));
             each.collect::<Vec<_>>().join(" and ")

@@ -49,7 +49,7 @@ pub fn notes_on_changes(changes: &[Change], speeds: &[String], by: &EquationsOri
         changes.iter().filter(|change| change.coarser > 1.0).max_by(|a, b| a.coarser.total_cmp(&b.coarser))
     {
         notes.push(format!(
-            "rounding is more than the tolerances next to singular poses: steps are made there with tolerances up to {} times as coarse, as from t = {} s",
+            "rounding errors exceed the tolerances next to singular poses: there, tolerances are up to {} times as coarse, first from t = {} s",
             significant(coarse.coarser, 2),
             within(coarse.from, None)
         ));

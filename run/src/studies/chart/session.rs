@@ -47,7 +47,7 @@ pub fn chart(
     plan: &Plan,
     bar: &dyn Progress,
 ) -> Result<Session, Error> {
-    model.has_speeds("there are no equations of motion whose methods could be compared")?;
+    model.has_speeds("the model has no equations of motion to compare methods on")?;
     let mut scene = scene.clone();
     bar.set_message("reference");
     let (mut cases, mut left_out) = cases(model, &scene, printed)?;
@@ -77,7 +77,7 @@ pub fn chart(
     let right = compared.kept(compared.of_state(reference.end()));
     if right.iter().any(|x| !x.to_f64().is_finite()) {
         let what = format!(
-            "what the scene wants to see has no value at t = {} s: there is nothing to compare",
+            "the scene's outputs have no value at t = {} s: there is nothing to compare",
             within(scene.span.1, None)
         );
         return Err(Error::Stopped(what));

@@ -102,7 +102,10 @@ impl Course {
         let mut q = near.to_vec();
         for (place, at) in self.given.iter().enumerate() {
             if values[3 * place..3 * place + 3].iter().any(|x| !x.hi().is_finite()) {
-                return Err(stopped(format!("the formula of `{}` or a rate of it has no value", self.names[*at])));
+                return Err(stopped(format!(
+                    "the formula of `{}`, or a time derivative of the formula, has no value",
+                    self.names[*at]
+                )));
             }
             q[*at] = values[3 * place];
         }

@@ -140,7 +140,7 @@ fn not_linear(model: &Mechanism, at: usize, other: usize) -> Error {
     } else {
         format!("forces hold products of `{name}` and `{other}`")
     };
-    Error::request(what, "name with --input those in which forces are linear")
+    Error::request(what, "name with --input parameters in which the loads are linear")
 }
 
 /// Indices of the named parameters, or of all inputs of the model if `names` is empty.

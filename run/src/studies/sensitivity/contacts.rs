@@ -79,7 +79,7 @@ impl Change {
 }
 
 /// Text that says why dependent contacts have no derivative.
-pub const APART: &str = "contacts of which one follows from the others do not move alike";
+pub const APART: &str = "dependent contacts do not move alike";
 
 impl<'a> Wide<'a> {
     /// Prepares contacts whose equations are known to 32 digits.
@@ -275,5 +275,5 @@ fn size(change: f64, parts: impl Iterator<Item = f64>) -> f64 {
 
 /// Failure that reports impulses or forces without a finite derivative.
 fn unknown() -> Failure {
-    Failure { code: "not-finite", message: "what acts along contacts has no finite derivative".to_owned() }
+    Failure { code: "not-finite", message: "the contact forces have no finite derivative".to_owned() }
 }

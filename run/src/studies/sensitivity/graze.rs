@@ -33,7 +33,7 @@ pub fn check(wide: &Wide<'_>, contact: usize, y: &[f64], varied: &Varied<'_>, st
         return Ok(());
     }
     Err(format!(
-        "the contact `{}` is touched there without a velocity that closes it, and whether it is met changes with `{}`",
+        "the contact `{}` is touched without a closing velocity, and a small change of `{}` decides about an impact",
         wide.contacts.impacts[contact].name, varied.name
     ))
 }

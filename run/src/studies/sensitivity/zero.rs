@@ -214,7 +214,7 @@ impl Coming<'_> {
         };
         if needed.iter().any(shared) {
             return Err(format!(
-                "more contacts than `{}` hold the same motion there, and share what pushes",
+                "the contact `{}` and others hold the same motion there, and their shares of the force are not determined",
                 self.name(contact)
             ));
         }

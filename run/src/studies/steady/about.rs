@@ -67,7 +67,8 @@ pub struct Wanted {
 }
 
 /// Advice for a state that is not steady.
-const ASK: &str = "put what may change under [guess], or ask `tripos equilibria` for what is near";
+const ASK: &str =
+    "put the values that may change under [guess], or let `tripos equilibria` find a steady motion nearby";
 
 /// Linearises a mechanism about a steady motion: the given state, with its sought states solved for.
 ///

@@ -178,7 +178,7 @@ impl Question {
         }
         let open = steady.open.iter().map(|(at, left)| format!("`{}` by {}", self.loops[*at], significant(*left, 4)));
         let what = format!("loops are open at this state: {}", open.collect::<Vec<_>>().join(", "));
-        Err(Error::request(what, "state coordinates that close them, or put as many as close them under [guess]"))
+        Err(Error::request(what, "state coordinates that close the loops, or put enough coordinates under [guess]"))
     }
 
     /// Improves a guess by Newton's method as long as it helps: first with all loops, then with those that constrain

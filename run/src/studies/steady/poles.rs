@@ -123,6 +123,6 @@ impl Poles {
             }
         };
         let what = format!("the mass matrix is singular at this state: nothing resists a change of {moved}");
-        Err(Error::request(what, "give an inertia to what moves there, or choose other speeds or another state"))
+        Err(Error::request(what, "give the moving part an inertia, or choose other speeds or another state"))
     }
 }

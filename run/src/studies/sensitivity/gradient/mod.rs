@@ -149,7 +149,7 @@ pub fn gradient(
     let parts = Parts { through, target };
     let is_total = stepped.event().is_some();
     if target == Target::End && !is_total && !stepped.solution.stop.is_failure() {
-        let help = "the instant at the end of a span stays; give the scene a terminal event";
+        let help = "a gradient of an event's time needs a terminal event: give the scene one";
         return Err(Error::request(
             format!("no event ended the run at t = {} s", within(stepped.solution.t_end, None)),
             help,
@@ -252,19 +252,16 @@ fn unit(parts: &Parts<'_>) -> Option<Unit> {
 fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[Number]) -> Vec<String> {
     let mut list = Vec::new();
     if mechanism.loops.is_empty() {
-        list.push("whole equations are run, of which derivatives are taken".to_owned());
+        list.push("whole equations are run, since derivatives need them".to_owned());
     }
     let run = scene.integration.method.name();
     if own.name() != run {
-        list.push(format!(
-            "steps of {} are not swept backwards: the run is by {run}, to the same tolerances",
-            own.name()
-        ));
+        list.push(format!("the method {} has no gradient: the run is by {run}, to the same tolerances", own.name()));
     }
     let moving = numbers.iter().filter(|number| number.seed.as_ref().is_ok_and(|seed| seed.moves_span));
     list.extend(
         moving
-            .map(|number| format!("the span depends on `{}`: its derivative is that at a fixed instant", number.name)),
+            .map(|number| format!("the span depends on `{}`: the derivative is that at a fixed instant", number.name)),
     );
     list
 }

@@ -240,7 +240,11 @@ impl Formula<'_, '_> {
             };
         if open {
             let help = format!("write \\{name}(…) with its argument in parentheses");
-            return Err(wrong(self.cursor.here(), format!("does the argument of `{name}` go on here?"), &help));
+            return Err(wrong(
+                self.cursor.here(),
+                format!("the end of the argument of `{name}` is not clear here"),
+                &help,
+            ));
         }
         Ok(())
     }
