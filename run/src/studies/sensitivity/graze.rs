@@ -3,7 +3,7 @@
 //! A gap comes down to zero and grows again; a neighboring motion closes the contact, or does not. On one side of the
 //! touch, slopes are those of a flight. On the other side they grow without bound, as the inverse of the impact
 //! velocity. So there is no derivative by a number that changes the gap at its minimum. The gap is flat in time there,
-//! so a number that changes its velocity has no derivative either. Derivatives by all other numbers go on.
+//! so a number that changes its velocity has no derivative either. Derivatives with respect to all other numbers go on.
 
 use super::contacts::{Direction, SMALL, Wide};
 use super::forces::Varied;
