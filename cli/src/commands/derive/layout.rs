@@ -15,7 +15,7 @@ const LONGEST_LINE: usize = 4_000;
 /// Width of a line on the page, in tenths of an em.
 const LINE: usize = 380;
 /// Largest width of a left side that shares its line with a right side, in tenths of an em.
-const WIDE: usize = 200;
+const WIDE: usize = 120;
 /// Width that the sign of equality and the indentation of further lines take, in tenths of an em.
 const INDENT: usize = 60;
 /// Largest width of matrices, which have a line for themselves, in tenths of an em.
@@ -61,10 +61,12 @@ impl Laid {
 
 /// Lays equations out for a page, in a language.
 pub fn lay(list: &[Equation], language: &Language) -> Vec<Laid> {
+    // Right sides are aligned: they begin behind the widest left side that shares its line.
+    let column = list.iter().map(|(left, _)| left_width(left)).filter(|width| *width <= WIDE).max();
+    let rest = LINE - column.unwrap_or(0).max(INDENT);
     let one = |(left, right): &Equation| {
-        let width = left_width(left);
-        let is_wide = width > WIDE;
-        let lines = (language.lines)(right, LINE - if is_wide { INDENT } else { width });
+        let is_wide = left_width(left) > WIDE;
+        let lines = (language.lines)(right, rest);
         let lengths = lines.iter().map(String::len);
         let is_too_long = lengths.clone().sum::<usize>() > LONGEST || lengths.max() > Some(LONGEST_LINE);
         Laid { left: (language.left)(left), lines: (!is_too_long).then_some(lines), is_wide }

@@ -120,15 +120,26 @@ impl Breaking {
     fn lines(&self, view: &View) -> Vec<String> {
         let mut pieces = Vec::new();
         self.flatten(view, &mut pieces);
-        let (mut lines, mut width) = (vec![String::new()], 0);
+        // Pieces between two breaks stay together: their widths add up.
+        let mut together: Vec<(String, usize)> = Vec::new();
         for piece in pieces {
-            if piece.breaks && width > 0 && width + piece.width > self.widest {
-                lines.push(String::new());
-                width = 0;
+            match together.last_mut() {
+                Some((text, width)) if !piece.breaks => {
+                    text.push_str(&piece.text);
+                    *width += piece.width;
+                }
+                _ => together.push((piece.text, piece.width)),
             }
-            width += piece.width;
+        }
+        let (mut lines, mut filled) = (vec![String::new()], 0);
+        for (text, width) in together {
+            if filled > 0 && filled + width > self.widest {
+                lines.push(String::new());
+                filled = 0;
+            }
+            filled += width;
             if let Some(line) = lines.last_mut() {
-                line.push_str(&piece.text);
+                line.push_str(&text);
             }
         }
         lines
