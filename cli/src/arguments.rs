@@ -13,7 +13,8 @@ use std::path::PathBuf;
 /// Derives the equations of motion of a mechanism by Kane, Lagrange and Newton–Euler from one model
 /// file, generates Rust for them, and runs it.
 ///
-/// Exit status: 0 done; 1 the answer is "no" (stale, different); 2 bad input; 3 a run could not go on; 130 interrupted, finished results are kept. With --json, standard output has JSON alone, also after a failure.
+/// Exit status: 0 done; 1 the answer is "no" (stale, different); 2 bad input; 3 a run could not go on; 130 interrupted,
+/// finished results are kept. With --json, standard output has JSON alone, also after a failure.
 #[derive(Parser)]
 #[command(name = "tripos", version)]
 pub struct Arguments {
@@ -69,21 +70,23 @@ pub enum Command {
     Equilibria {
         /// A model file, or a folder with model.toml
         model: PathBuf,
-        /// A state file or a scene to begin from: values under [guess] are sought, values under [state] are held;
-        /// without [guess], all coordinates are sought, and all speeds if one is not 0. If not given, only the
-        /// conditions in closed form are printed
+        /// A state file or a scene to begin from; Tripos solves for the values under [guess] and holds those under
+        /// [state]; without [guess], it solves for all coordinates, and for all speeds if one is not 0; without this
+        /// option, only the conditions in closed form are printed
         #[arg(long, value_name = "STATE")]
         from: Option<PathBuf>,
         /// Number of further starts of the search
         #[arg(long, value_name = "COUNT", default_value_t = 0, requires = "from")]
         starts: u64,
-        /// Follow the steady motion along a parameter, a held value or a name of the state file, and find changes of stability; give the option twice for a map over two numbers
+        /// Follow the steady motion along a parameter, a held value or a name of the state file, and find changes of
+        /// stability; give the option twice for a map over two numbers
         #[arg(long, value_name = "NAME=FROM:TO:COUNT", requires = "from")]
         over: Vec<String>,
         /// Solve for this coordinate, velocity or parameter in closed form; may be given several times
         #[arg(long = "for", value_name = "NAME", conflicts_with = "over")]
         wanted: Vec<String>,
-        /// Draw the followed motions to this .svg, .png or .pdf file: eigenvalues over one number, or the limits of stability over two; the data are written beside the file
+        /// Draw the followed motions to this .svg, .png or .pdf file: eigenvalues over one number, or the limits of
+        /// stability over two; the data are written beside the file
         #[arg(long, value_name = "FILE", requires = "over")]
         out: Option<PathBuf>,
         /// Print JSON
@@ -127,8 +130,8 @@ pub enum Command {
         /// [times]; or a CSV table with a column for every coordinate, speed and acceleration
         #[arg(long, value_name = "FILE", visible_alias = "at")]
         motion: PathBuf,
-        /// An input of the model, or a parameter that loads are linear in, to solve for; all inputs of the model if
-        /// none is given
+        /// Solve for this input of the model, or parameter in which loads are linear; by default all inputs of the
+        /// model
         #[arg(long = "input", value_name = "NAME")]
         inputs: Vec<String>,
         /// Print a CSV table with a row for each instant
@@ -176,16 +179,16 @@ pub enum Command {
     Shelf {
         /// The folder that contains these folders; by default the folder `publications` of the workspace
         folder: Option<PathBuf>,
-        /// Also write a page about all of them to this file
+        /// Also write a page about all publications to this file
         #[arg(long)]
         out: Option<PathBuf>,
         /// Print JSON
         #[arg(long)]
         json: bool,
     },
-    /// Write generated/ anew from models/
+    /// Write the folder `generated` again from the folder `models`
     Regenerate {
-        /// Models of the workspace, by the names of their folders; all of them if none is given
+        /// Models of the workspace, by the names of their folders; by default all models
         models: Vec<PathBuf>,
         /// Print what would change, and write nothing; exit status 1 if anything would change
         #[arg(long)]
@@ -199,7 +202,8 @@ pub enum Command {
         /// The folder to make
         #[arg(value_name = "NAME")]
         folder: PathBuf,
-        /// Copy this model and its scenes as a beginning: a model file, a folder with model.toml, or a model's name in the library
+        /// Copy this model and its scenes as a beginning: a model file, a folder with model.toml, or a model's name in
+        /// the library
         #[arg(long, value_name = "MODEL")]
         like: Option<PathBuf>,
     },
@@ -242,7 +246,8 @@ pub enum Command {
         /// the model supports them, and what the publication beside it prints
         #[arg(long = "formulation", value_name = "F")]
         formulations: Vec<String>,
-        /// Further functions for Rust: jacobian writes the entries of the Jacobian for implicit methods; taylor writes recurrences for Taylor's method
+        /// Further functions for Rust: jacobian writes the entries of the Jacobian for implicit methods; taylor writes
+        /// recurrences for Taylor's method
         #[arg(long, value_name = "FUNCTIONS", value_delimiter = ',')]
         with: Vec<String>,
         /// Functions to be written in C, Python, MATLAB or for CasADi, such as mass_matrix,forcing; all if not
@@ -300,7 +305,8 @@ pub enum Command {
     ///   tripos plot SCENE --what integrals --also method=ode45,rtol=1e-3
     #[command(verbatim_doc_comment)]
     Plot(Plot),
-    /// Print the scene's reduced equations: the needed parts of the model, the omitted parts, and the proof that the motion stays the same
+    /// Print the scene's reduced equations: the needed parts of the model, the omitted parts, and the proof that the
+    /// motion stays the same
     Scene {
         /// A scene file
         scene: PathBuf,
@@ -310,7 +316,7 @@ pub enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Draw a mechanism as textbooks do: bodies, frames, coordinates, points, gravity and where the ground holds it
+    /// Draw a mechanism as textbooks do: bodies, frames, coordinates, points, gravity and supports
     ///
     /// Examples, for a web page and for a thesis:
     ///
@@ -348,10 +354,12 @@ pub enum Command {
     ///   tripos sweep models/disk/scenes/report-10s.toml --over g=1.62:9.81:500 --over 'q2=1*deg:80*deg:1000' \
     ///       --shard 2/100 --out part-002.csv
     ///
-    /// Exit status: 0 if every point has an answer; 3 if a run could not start or go on, and its row of the table gives the reason. docs/sweep.md describes the table.
+    /// Exit status: 0 if every point has an answer; 3 if a run could not start or go on, and its row of the table gives
+    /// the reason. docs/sweep.md describes the table.
     #[command(verbatim_doc_comment)]
     Sweep(Sweep),
-    /// Find places where runs of a scene lose accuracy or stop: near singular surfaces, at the limits of the domain, by growing errors or by drift
+    /// Find places where runs of a scene lose accuracy or stop: near singular surfaces, at the limits of the domain, by
+    /// growing errors or by drift
     Stability {
         /// A scene file
         scene: PathBuf,

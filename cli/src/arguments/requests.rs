@@ -146,7 +146,8 @@ pub struct Sweep {
 /// Other values for numbers of a scene.
 #[derive(clap::Args)]
 pub struct Set {
-    /// Another value of a parameter or of a number of the start, as the scene would state it: NAME=VALUE; may be given more than once
+    /// Another value of a parameter or of a number of the start, as the scene would state it: NAME=VALUE; may be given
+    /// more than once
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
 }

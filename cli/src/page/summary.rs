@@ -1,8 +1,8 @@
 //! Abstract of the page: the mechanism, the proofs, the mistakes in print, the outcome of the runs, and the recommended
 //! command to run a scene.
 //!
-//! Invariant: at most eight short sentences, read aloud in 40 seconds. Every sentence is made of values and links to its
-//! evidence on the page. Absent on purpose: sentences that only one model could need, and ids of printed entries.
+//! Invariant: at most eight short sentences, read aloud in 40 seconds. Every sentence is made of values and links to
+//! its evidence on the page. Absent on purpose: sentences that only one model could need, and ids of printed entries.
 
 use crate::chart::words::{TARGETS, seconds};
 use crate::page::content::{Choice, Page, SceneSection};

@@ -63,7 +63,7 @@ const FRAME: Kind = Table(&[
     needed("from", Text, "the frame that it is turned from"),
     key("axis", Either(&[Axis, Vector]), "the axis 1, 2 or 3, or a vector"),
     key("angle", Formula, "the angle, rad"),
-    key("sequence", Text, "axes of turns that follow one another, such as \"313\""),
+    key("sequence", Text, "axes of successive turns, such as \"313\""),
     key("angles", List(&Formula), "an angle for each of them"),
     key("fixed", Word(&["body", "space"]), "which frame the axes of turns are of"),
     key("euler_parameters", List(&Text), "four coordinates, cos θ/2 first"),

@@ -85,7 +85,8 @@ impl Sketch {
     /// values, unless the mechanism has loops.
     ///
     /// # Errors
-    /// [`Error::Request`] if a shape has a length that is not positive, or the place of a frame or point is not a finite number at this start.
+    /// [`Error::Request`] if a shape has a length that is not positive, or the place of a frame or point is not a
+    /// finite number at this start.
     pub fn of_scene(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let name = path_in_line(&scene.source.path);
         let of =

@@ -24,8 +24,8 @@ pub fn typeset(text: &str) -> Option<Vec<View>> {
     text.split(" = ").map(formula).collect()
 }
 
-/// HTML of a sentence, with its formulas typeset. A formula is the longest row of words that is in the language of model
-/// files and has a digit, an operator or a prime.
+/// HTML of a sentence, with its formulas typeset. A formula is the longest row of words that is in the language of
+/// model files and has a digit, an operator or a prime.
 pub fn typeset_words(text: &str) -> String {
     let words: Vec<&str> = text.split(' ').collect();
     let (mut at, mut out) = (0, Vec::new());

@@ -222,7 +222,7 @@ impl Coming<'_> {
         if rate.abs() <= SMALL * size {
             let what = match what {
                 What::Force | What::Gap => "force of the contact `{}` does not cross zero there",
-                What::Margin => "force of the contact `{}` only touches what its friction bears there",
+                What::Margin => "force of the contact `{}` only touches the limit of friction there",
                 What::Slip => "slip of the contact `{}` ends there without a deceleration",
             };
             return Err(format!("the {}", what.replace("{}", self.name(contact))));
