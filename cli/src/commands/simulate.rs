@@ -249,7 +249,7 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
         let error = error.map_or_else(String::new, |error| format!(" ± {} s", significant(error, 1)));
         let _ = writeln!(out, "  {} at t = {t} s{error} ({:?})", event.name, event.kind);
     }
-    let _ = writeln!(out, "\nstate at t = {} s", run.solution.t_end);
+    let _ = writeln!(out, "\nstate at t = {} s", within(run.solution.t_end, None));
     let errors = run.digits.as_ref().and_then(Digits::errors_at_end);
     for at in shown(run) {
         let (name, x) = (&run.names[at], run.end[at]);

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos::studies::sensitivity::gradient::Slope;
 use tripos::{EquationsName, Gradient, Mechanism, gradient};
-use tripos_derive::plain::significant;
+use tripos_derive::plain::{significant, within};
 use tripos_derive::scene::Scene;
 
 /// Runs a scene and prints its end, with the derivatives of one number there by all parameters and start values.
@@ -64,7 +64,7 @@ fn add_to(whole: &mut Value, of: &Gradient) {
 /// Text of the gradient, a line for each derivative.
 fn in_words(of: &Gradient) -> String {
     let what = if of.is_total { "in all, as that instant moves" } else { "at that instant" };
-    let mut out = format!("\ngradient of {} at t = {} s, {what}\n", of.of, of.run.solution.t_end);
+    let mut out = format!("\ngradient of {} at t = {} s, {what}\n", of.of, within(of.run.solution.t_end, None));
     let width = of.slopes.iter().map(|slope| slope.by.chars().count()).max().unwrap_or(0);
     for slope in &of.slopes {
         let by = &slope.by;

@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use tripos::Sensitivities;
 use tripos_derive::model::TIME;
-use tripos_derive::plain::significant;
+use tripos_derive::plain::{significant, within};
 use tripos_sim::Stop;
 
 /// Indices of the values that are shown: all except the time, whose derivatives are shown apart.
@@ -44,7 +44,11 @@ pub fn in_words(of: &Sensitivities) -> String {
     for (k, by) in of.by.iter().enumerate() {
         let is_event = matches!(of.run.solution.stop, Stop::Event { .. } | Stop::LeftDomain { .. });
         let what = if is_event { "in all, as that instant moves" } else { "at that instant" };
-        let _ = writeln!(out, "\nderivatives with respect to {by} at t = {} s, {what}", of.run.solution.t_end);
+        let _ = writeln!(
+            out,
+            "\nderivatives with respect to {by} at t = {} s, {what}",
+            within(of.run.solution.t_end, None)
+        );
         if is_event {
             let _ = writeln!(out, "  d(t)/d({by}) = {}", of.t_end[k]);
         }
