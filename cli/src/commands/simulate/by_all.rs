@@ -12,7 +12,8 @@ use tripos::{EquationsName, Gradient, Mechanism, gradient};
 use tripos_derive::plain::{significant, within};
 use tripos_derive::scene::Scene;
 
-/// Runs a scene and prints its end, with the derivatives of one number there by all parameters and start values.
+/// Runs a scene and prints its end, with the derivatives of one number there with respect to all parameters and start
+/// values.
 pub fn simulate(
     request: &Simulate,
     model: &Mechanism,

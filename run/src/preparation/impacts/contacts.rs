@@ -47,7 +47,7 @@ pub struct Contacts<'a> {
 pub struct Rates {
     /// Velocities along all rows of contacts.
     pub values: DVector<f64>,
-    /// Partial derivatives of the velocities by the state, one matrix row for each velocity.
+    /// Partial derivatives of the velocities with respect to the state, one matrix row for each velocity.
     pub slopes: DMatrix<f64>,
 }
 

@@ -72,7 +72,7 @@ struct RunResults {
 }
 
 impl Apart<'_> {
-    /// Computes the derivatives by the number with the given name, for a run that was made.
+    /// Computes the derivatives with respect to the number with the given name, for a run that was made.
     ///
     /// # Errors
     /// [`Error::Input`] for a name that is no number of the scene; [`Error::Stopped`] if another run ends for a

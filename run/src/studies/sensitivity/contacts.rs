@@ -1,4 +1,4 @@
-//! Derivatives of the impulses and forces of contacts by parameters and state.
+//! Derivatives of the impulses and forces of contacts with respect to parameters and state.
 //!
 //! Impulses and forces Λ follow from a linear system while the set of pushing contacts stays: M a − Wᵀ Λ = 0, and W a +
 //! c = 0 along the rows that push. c is the motion of these rows without Λ: accelerations, or the parts of velocities

@@ -1,4 +1,4 @@
-//! Sensitivities: the derivatives of quantities that a run shows by parameters and numbers of its start.
+//! Sensitivities: the derivatives of quantities that a run shows with respect to parameters and numbers of its start.
 //!
 //! The run is made in numbers that carry their slopes ([`tripos_traits::Tangent`]). The same equations, compiled or
 //! interpreted, compute y′ = f and s′ = f_y s + f_p in one call. So every method also computes the derivative of the
@@ -123,8 +123,8 @@ impl Sensitivities {
     }
 }
 
-/// Runs a scene by whole equations, with the derivatives of its shown quantities by the named parameters and numbers of
-/// its start. `set` holds the numbers that were set and differ from the scene file.
+/// Runs a scene by whole equations, with the derivatives of its shown quantities with respect to the named parameters
+/// and numbers of its start. `set` holds the numbers that were set and differ from the scene file.
 ///
 /// # Errors
 /// [`Error::Input`] for a name that the scene does not have. [`Error::Request`] for equations or a method that cannot

@@ -27,7 +27,7 @@ struct Zero {
     rate: f64,
 }
 
-/// Derivative of an instant by a number, and the size of the derivative's terms.
+/// Derivative of an instant with respect to a number, and the size of the derivative's terms.
 #[derive(Clone, Copy)]
 struct Moves {
     by: f64,
@@ -74,7 +74,7 @@ impl<'c> Zeros<'c> {
         !self.others.is_empty() || !self.touched.is_empty()
     }
 
-    /// Derivative of the instant of the crossing by the varied number; zero at the start of a run.
+    /// Derivative of the instant of the crossing with respect to the varied number; zero at the start of a run.
     ///
     /// # Errors
     /// Text that says why the derivative has no value.

@@ -264,7 +264,7 @@ impl Question {
         self.slopes_of_left(&guess, &Sought { states: states.to_vec(), along })
     }
 
-    /// Slopes of the residual of a guess by the unknowns, one column each.
+    /// Slopes of the residual of a guess with respect to the unknowns, one column each.
     fn slopes_of_left(&self, guess: &Guess, unknowns: &Sought) -> DMatrix<f64> {
         let sizes = self.program.sizes;
         let count = sizes.states + sizes.inputs;

@@ -28,7 +28,7 @@ pub(super) struct Poles {
     divisors: Vec<String>,
     /// Names of the generalized speeds.
     speeds: Vec<String>,
-    /// Tape of the divisors, of their slopes by all states, and of the mass matrix row by row.
+    /// Tape of the divisors, of their slopes with respect to all states, and of the mass matrix row by row.
     tape: Tape,
 }
 

@@ -88,7 +88,7 @@ impl Question {
 
 impl Quotient {
     /// Restricts the system and the symmetries to states in which the loops are closed. `slopes` and `by_input` are the
-    /// slopes of the loops by states and inputs.
+    /// slopes of the loops with respect to states and inputs.
     fn on_loops(self, slopes: &Wide, by_input: &Wide, symmetries: &[Vec<DoubleDouble>]) -> Result<(Self, Wide), Error> {
         let fields = Wide::from_columns(self.kept.len(), symmetries);
         if slopes.rows.is_empty() {

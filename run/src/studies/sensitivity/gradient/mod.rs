@@ -1,5 +1,5 @@
-//! Gradient of a quantity that a run shows at its end: its derivatives by all parameters and all numbers of the start
-//! at once, by one backward sweep.
+//! Gradient of a quantity that a run shows at its end: its derivatives with respect to all parameters and all numbers
+//! of the start at once, by one backward sweep.
 //!
 //! The run equals the run without a gradient. Then its steps are repeated backwards, each transposed
 //! ([`tripos_sim::adjoint`]). The code that runs computes the rates; tapes run backwards give products with their
@@ -83,7 +83,7 @@ pub struct Slope {
 }
 
 impl Gradient {
-    /// Finds the derivative by the number with the given name.
+    /// Finds the derivative with respect to the number with the given name.
     ///
     /// # Errors
     /// [`Error::Request`] if there is no number of this name.
