@@ -79,8 +79,13 @@ pub fn significant(x: f64, digits: usize) -> String {
 /// ```
 #[must_use]
 pub fn within(x: f64, error: Option<f64>) -> String {
-    let known = error.filter(|error| *error > 0.0).map(|error| (x.abs() / error).log10().ceil().clamp(1.0, 10.0));
-    significant(x, known.map_or(6, |digits| digits as usize))
+    let Some(error) = error.filter(|error| *error > 0.0) else { return significant(x, 6) };
+    let (mut digits, mut reach) = (1, 10.0 * error);
+    while digits < 10 && reach < x.abs() {
+        reach *= 10.0;
+        digits += 1;
+    }
+    significant(x, digits)
 }
 
 /// Path as one line of text for a message: line breaks and forbidden characters in its names are written out.
