@@ -163,7 +163,7 @@ fn friction_that_cannot_be() {
             .unwrap_or_else(|| panic!("{to}"));
         assert!(error.contains(what) && error.contains("help"), "{to}: {error}");
         let presses =
-            error.contains("state what presses there as a formula of parameters and of the motion, such as `m*g`");
+            error.contains("state the normal force as a formula of parameters and of the motion, such as `m*g`");
         assert_eq!(presses, what.contains("a reaction follows"), "{to}: {error}");
     }
 }

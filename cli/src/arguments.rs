@@ -13,9 +13,8 @@ use std::path::PathBuf;
 /// Derives the equations of motion of a mechanism by Kane, Lagrange and Newton–Euler from one model
 /// file, generates Rust for them, and runs it.
 ///
-/// Exit status: 0 done; 1 the answer is "no" (stale, different); 2 bad input; 3 a run that could not
-/// go on; 130 interrupted, with what was finished kept. With --json, standard output is the JSON alone, also that
-/// of a failure.
+/// Exit status: 0 done; 1 the answer is "no" (stale, different); 2 bad input; 3 a run could not go on; 130 interrupted,
+/// finished results are kept. With --json, standard output has JSON alone, also after a failure.
 #[derive(Parser)]
 #[command(name = "tripos", version)]
 pub struct Arguments {
@@ -34,13 +33,13 @@ pub enum Command {
         /// A formulation, such as kane; by default the three standard ones, as far as the model supports them
         #[arg(long)]
         by: Option<String>,
-        /// Write formulas out, or in steps that have names; by default they are written out if they fit two pages
+        /// Print closed formulas, or formulas in named steps; closed formulas are the default if they fit on two pages
         #[arg(long, value_enum)]
         form: Option<Form>,
         /// Notation of the mathematics
         #[arg(long, value_enum, default_value_t = Format::Text)]
         format: Format,
-        /// Sections of LaTeX for another document to \\input, and not a document
+        /// Write sections of LaTeX that another document can \\input, not a whole document
         #[arg(long)]
         fragment: bool,
         /// Print JSON, as --format json does
@@ -60,34 +59,34 @@ pub enum Command {
     Prove {
         /// A model file, or a folder with model.toml
         model: PathBuf,
-        /// A further formulation that is derived on request only, such as gibbs-appell; more than once for several
+        /// A further formulation that is derived on request only, such as gibbs-appell; may be given more than once
         #[arg(long, value_name = "F")]
         also: Vec<String>,
         /// Print JSON
         #[arg(long)]
         json: bool,
     },
-    /// Find rest positions and steady motions, and say whether they are stable
+    /// Find rest positions and steady motions, and print the stability of each
     Equilibria {
         /// A model file, or a folder with model.toml
         model: PathBuf,
-        /// A state file or a scene to begin from: values under [guess] are sought, values under [state] are held;
-        /// without [guess], all coordinates are sought, and all speeds if one is not 0. If not given, only the
-        /// conditions in closed form are printed
+        /// A state file or a scene to begin from; Tripos solves for the values under [guess] and holds those under
+        /// [state]; without [guess], it solves for all coordinates, and for all speeds if one is not 0; without this
+        /// option, only the conditions in closed form are printed
         #[arg(long, value_name = "STATE")]
         from: Option<PathBuf>,
-        /// Also start from this number of other places
+        /// Number of further starts of the search
         #[arg(long, value_name = "COUNT", default_value_t = 0, requires = "from")]
         starts: u64,
-        /// Follow the steady motion along a parameter, a held value, or a name of the state file, and find where its
-        /// stability changes; twice, for a map over two of them
+        /// Follow the steady motion along a parameter, a held value or a name of the state file, and find changes of
+        /// stability; give the option twice for a map over two numbers
         #[arg(long, value_name = "NAME=FROM:TO:COUNT", requires = "from")]
         over: Vec<String>,
         /// Solve for this coordinate, velocity or parameter in closed form; may be given several times
         #[arg(long = "for", value_name = "NAME", conflicts_with = "over")]
         wanted: Vec<String>,
-        /// Draw the followed motions to this file, .svg, .png or .pdf: eigenvalues over one number, or where stability
-        /// changes over two; with the data beside it
+        /// Draw the followed motions to this .svg, .png or .pdf file: eigenvalues over one number, or the limits of
+        /// stability over two; the data are written beside the file
         #[arg(long, value_name = "FILE", requires = "over")]
         out: Option<PathBuf>,
         /// Print JSON
@@ -98,7 +97,7 @@ pub enum Command {
     Linearise {
         /// A model file, or a folder with model.toml
         model: PathBuf,
-        /// A state file or a scene: what is under [guess] is solved for
+        /// A state file or a scene; the values under [guess] are solved for
         #[arg(long, value_name = "STATE")]
         about: PathBuf,
         /// An input of the model, or a parameter, for B; all inputs of the model if none is given
@@ -113,7 +112,7 @@ pub enum Command {
         /// Keep the states that do not influence the others, such as the place of a wheel on its plane
         #[arg(long)]
         whole: bool,
-        /// Linearise about exactly this state, even if it is no equilibrium
+        /// Linearise about exactly this state, even if the state is no equilibrium
         #[arg(long)]
         as_is: bool,
         /// Language of the matrices
@@ -131,11 +130,11 @@ pub enum Command {
         /// [times]; or a CSV table with a column for every coordinate, speed and acceleration
         #[arg(long, value_name = "FILE", visible_alias = "at")]
         motion: PathBuf,
-        /// An input of the model, or a parameter that loads are linear in, to solve for; all inputs of the model if
-        /// none is given
+        /// Solve for this input of the model, or parameter in which loads are linear; by default all inputs of the
+        /// model
         #[arg(long = "input", value_name = "NAME")]
         inputs: Vec<String>,
-        /// Print a CSV table, a row an instant
+        /// Print a CSV table with a row for each instant
         #[arg(long, conflicts_with = "json")]
         csv: bool,
         /// Print JSON
@@ -180,16 +179,16 @@ pub enum Command {
     Shelf {
         /// The folder that contains these folders; by default the folder `publications` of the workspace
         folder: Option<PathBuf>,
-        /// Also write a page about all of them to this file
+        /// Also write a page about all publications to this file
         #[arg(long)]
         out: Option<PathBuf>,
         /// Print JSON
         #[arg(long)]
         json: bool,
     },
-    /// Write generated/ anew from models/
+    /// Write the folder `generated` again from the folder `models`
     Regenerate {
-        /// Models of the workspace, by the names of their folders; all of them if none is given
+        /// Models of the workspace, by the names of their folders; by default all models
         models: Vec<PathBuf>,
         /// Print what would change, and write nothing; exit status 1 if anything would change
         #[arg(long)]
@@ -203,7 +202,8 @@ pub enum Command {
         /// The folder to make
         #[arg(value_name = "NAME")]
         folder: PathBuf,
-        /// Begin from this model and its scenes: a model file, a folder with model.toml, or a name of the library here
+        /// Copy this model and its scenes as a beginning: a model file, a folder with model.toml, or a model's name in
+        /// the library
         #[arg(long, value_name = "MODEL")]
         like: Option<PathBuf>,
     },
@@ -213,7 +213,7 @@ pub enum Command {
         #[arg(value_parser = tripos_derive::schema::Format::ALL.map(tripos_derive::schema::Format::name))]
         format: String,
     },
-    /// Print completions for a shell, which reads them when it starts
+    /// Print completions of commands and options, for a shell to read at its start
     ///
     /// For example, for bash:
     ///
@@ -229,13 +229,12 @@ pub enum Command {
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
-    /// Write the equations of a model as code for your own programs, in Rust, JavaScript, C, Python, MATLAB or for
-    /// CasADi
+    /// Write the equations of a model as code in Rust, JavaScript, C, Python or MATLAB, or for CasADi
     Emit {
         /// A model file, or a folder with model.toml; in languages beside Rust and JavaScript also a scene file, whose
         /// outputs and events become functions
         model: PathBuf,
-        /// The folder of the module, named as the module; files in it that this command did not write stay untouched
+        /// Folder of the module, with the module's name; files that this command did not write stay untouched
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
         /// rust: mod.rs, and one file for each formulation; js: one module for each formulation, kane.mjs, with
@@ -243,12 +242,12 @@ pub enum Command {
         /// module for each formulation; matlab: one file for each function
         #[arg(long, value_name = "LANGUAGE", default_value = "rust")]
         language: String,
-        /// A formulation, such as kane, more than once for several; if not given, the three standard ones, as far as
+        /// A formulation, such as kane; may be given more than once; if not given, the three standard ones, as far as
         /// the model supports them, and what the publication beside it prints
         #[arg(long = "formulation", value_name = "F")]
         formulations: Vec<String>,
-        /// Further functions for Rust: jacobian, its entries for implicit methods, which else differentiate the code as
-        /// it runs; taylor, recurrences for Taylor's method
+        /// Further functions for Rust: jacobian writes the entries of the Jacobian for implicit methods; taylor writes
+        /// recurrences for Taylor's method
         #[arg(long, value_name = "FUNCTIONS", value_delimiter = ',')]
         with: Vec<String>,
         /// Functions to be written in C, Python, MATLAB or for CasADi, such as mass_matrix,forcing; all if not
@@ -269,10 +268,10 @@ pub enum Command {
         /// Version of the interface: 2 or 3
         #[arg(long, value_name = "VERSION", default_value = "3")]
         fmi: String,
-        /// Another value of a parameter or of a number of the start, such as m=2; more than once for several
+        /// Another value of a parameter or of a number of the start, such as m=2; may be given more than once
         #[arg(long, value_name = "NAME=VALUE")]
         set: Vec<String>,
-        /// Write the sources alone, and compile nothing; importing tools compile them
+        /// Write only the sources, without compiled code; importing tools compile the sources
         #[arg(long)]
         only_sources: bool,
         /// Print JSON
@@ -295,9 +294,9 @@ pub enum Command {
     },
     /// Run a scene
     Simulate(Simulate),
-    /// Draw quantities of one or several runs over time, or against one another, with the data beside the figure
+    /// Draw quantities of one or several runs over time or against one another, and write the data beside the figure
     ///
-    /// For example, two angles in one panel and the energy below, a phase portrait, and two methods beside one another:
+    /// Examples: two angles above the energy; a phase portrait; two methods in one figure:
     ///
     ///   tripos plot SCENE --what 'q1, q2' --what total_energy --out figure.pdf
     ///
@@ -306,8 +305,8 @@ pub enum Command {
     ///   tripos plot SCENE --what integrals --also method=ode45,rtol=1e-3
     #[command(verbatim_doc_comment)]
     Plot(Plot),
-    /// Print the scene's reduced equations: the parts of the model that the scene needs, the parts that are left out,
-    /// and the proof that nothing changes
+    /// Print the scene's reduced equations: the needed parts of the model, the omitted parts, and the proof that the
+    /// motion stays the same
     Scene {
         /// A scene file
         scene: PathBuf,
@@ -317,9 +316,9 @@ pub enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Draw a mechanism as textbooks do: bodies, frames, coordinates, points, gravity and where the ground holds it
+    /// Draw a mechanism as textbooks do: bodies, frames, coordinates, points, gravity and supports
     ///
-    /// For example, for a page and for a thesis:
+    /// Examples, for a web page and for a thesis:
     ///
     ///   tripos sketch models/disk --out disk.svg
     ///
@@ -339,35 +338,34 @@ pub enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Write a scene's motion as a 3-D view that plays: one file that needs nothing else
+    /// Write a scene's motion as an animated 3-D view in one file, which needs no other files
     ///
-    /// For example, the publication's printed equations as ghosts beside the derived ones:
+    /// Example, with the motion of the printed equations as a ghost beside the derived motion:
     ///
     ///   tripos view models/disk/scenes/report.toml --against printed:kane-final --out disk.html
     #[command(verbatim_doc_comment)]
     View(View),
     /// Run a scene from many starts or with many parameters, on all cores
     ///
-    /// For example, the disk from a thousand leans, and the second hundredth of half a million runs between the Moon's
-    /// gravity and the Earth's:
+    /// Examples: the disk from 1000 leans; the second of 100 parts of a grid of 500 000 runs over gravity and lean:
     ///
     ///   tripos sweep models/disk/scenes/report-10s.toml --over q2=0.01:1.5:1000 --out leans.csv
     ///
     ///   tripos sweep models/disk/scenes/report-10s.toml --over g=1.62:9.81:500 --over 'q2=1*deg:80*deg:1000' \
     ///       --shard 2/100 --out part-002.csv
     ///
-    /// Exit status: 0 if every point has an answer, 3 if one could not start or go on; its row says why. docs/sweep.md
-    /// describes the table.
+    /// Exit status: 0 if every point has an answer; 3 if a run could not start or go on, and its row of the table gives
+    /// the reason. docs/sweep.md describes the table.
     #[command(verbatim_doc_comment)]
     Sweep(Sweep),
-    /// Find where runs of a scene lose accuracy or stop: near singular surfaces, at the limits of the domain, by
+    /// Find places where runs of a scene lose accuracy or stop: near singular surfaces, at the limits of the domain, by
     /// growing errors or by drift
     Stability {
         /// A scene file
         scene: PathBuf,
         #[command(flatten)]
         set: Set,
-        /// Shorter runs and fewer steps
+        /// Make shorter runs with fewer steps
         #[arg(long)]
         quick: bool,
         /// Folder for the table and the figures
@@ -383,7 +381,7 @@ pub enum Command {
         scene: PathBuf,
         #[command(flatten)]
         set: Set,
-        /// Fewer tolerances and repeats: less than two minutes
+        /// Use fewer tolerances and repeats, for less than two minutes
         #[arg(long)]
         quick: bool,
         /// Also run the equations that the publication beside the model prints

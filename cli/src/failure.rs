@@ -120,7 +120,7 @@ impl From<WriteError> for Failure {
             WriteError::There(_) => {
                 Self::request(what, "give another file, or --overwrite to replace this one".to_owned())
             }
-            WriteError::Appeared(..) => Self::request(what, "rename it to what you want to keep it as".to_owned()),
+            WriteError::Appeared(..) => Self::request(what, "rename this file, so that it is kept".to_owned()),
             WriteError::Busy(_) => Self::request(what, "wait for it, or give another file".to_owned()),
             // The reader of the output is gone.
             WriteError::Io(_, error) if error.kind() == std::io::ErrorKind::BrokenPipe => Self::Hangup,

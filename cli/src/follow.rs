@@ -29,7 +29,7 @@ pub fn listen() {
         if ASKED.swap(true, Ordering::Relaxed) {
             std::process::exit(i32::from(status::INTERRUPTED));
         }
-        say("interrupted: ending what is under way, and keeping what is finished; once more to leave at once");
+        say("interrupted: finished results are kept, and running ones end soon; interrupt again to stop at once");
     };
     // If signals cannot be caught, they end the process.
     let _ = ctrlc::set_handler(on_interrupt);

@@ -45,7 +45,7 @@ const NOT_TEXT: [&str; 11] = ["parquet", "feather", "arrow", "xlsx", "xls", "ods
 pub fn csv_name(path: &Path) -> Result<(), Failure> {
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
     if NOT_TEXT.contains(&ending.as_str()) {
-        let what = format!("`{}` would hold CSV, not what `.{ending}` promises", path_in_line(path));
+        let what = format!("`{}` ends in `.{ending}`, and this command writes CSV", path_in_line(path));
         return Err(Failure::request(what, "give a file that ends in .csv, which other programs convert"));
     }
     Ok(())
@@ -92,7 +92,7 @@ pub fn keep_inputs<'a>(
     for output in outputs {
         if let Some(input) = inputs.iter().find(|input| would_change(output, input)) {
             let what =
-                format!("`{}` would be written over `{}`, which is read", path_in_line(output), path_in_line(input));
+                format!("the output `{}` would overwrite the input `{}`", path_in_line(output), path_in_line(input));
             return Err(Failure::request(what, "give another file".to_owned()));
         }
     }

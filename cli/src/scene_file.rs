@@ -19,7 +19,7 @@ pub fn read_scene(path: &Path) -> Result<(Mechanism, Scene), Failure> {
     let source = scene_source(path)?;
     let place = model_path(&source)?;
     if !place.exists() {
-        let what = format!("`{}` names a model that is not there: `{}`", path_in_line(path), path_in_line(&place));
+        let what = format!("`{}` names a model that does not exist: `{}`", path_in_line(path), path_in_line(&place));
         let help = "write `model = \"…\"` in the scene: the path of its model file, seen from the scene";
         return Err(Failure::request(what, help));
     }

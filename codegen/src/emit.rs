@@ -118,7 +118,7 @@ impl std::error::Error for PlaceError {}
 impl fmt::Display for PlaceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Foreign(path) => write!(f, "`{}` is not a file that `tripos {EMIT}` wrote", path_in_line(path)),
+            Self::Foreign(path) => write!(f, "the file `{}` was not written by `tripos {EMIT}`", path_in_line(path)),
             Self::Io(path, error) => write!(f, "cannot read or remove `{}`: {error}", path_in_line(path)),
             Self::Write(error) => error.fmt(f),
         }

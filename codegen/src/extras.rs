@@ -68,7 +68,7 @@ impl Extras {
         let source = Source::read(&path)?;
         let refused =
             |message: String, help: &str| Diagnostics::new(source.clone(), vec![Diagnostic::of_file(message, help)]);
-        let help = format!("write functions = [\"{}\"], or one of them", Self::NAMES.join("\", \""));
+        let help = format!("write functions = [\"{}\"], or one of these names", Self::NAMES.join("\", \""));
         let table: toml::Table =
             source.text.parse().map_err(|error: toml::de::Error| refused(error.message().to_owned(), &help))?;
         let mut all = Self::default();

@@ -65,7 +65,7 @@ fn printed(model: &Model, target: &mut dyn Target) -> Result<(), Diagnostics> {
         let name = equations.name(&with_publication);
         let file = target.file_of(&name);
         if target.files().contains_key(&file) {
-            let message = format!("another entry than `{name}` gives the same file {file}");
+            let message = format!("the entry `{name}` and another entry give the same file {file}");
             let diagnostic = Diagnostic::of_file(message, "let ids differ in more than signs");
             return Err(Diagnostics::new(publication.source.clone(), vec![diagnostic]));
         }

@@ -153,7 +153,7 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
     }
     let loads = if Form::computed(model) == Form::Steps { Vec::new() } else { creates::effects(model)? };
     if loads.is_empty() && model.forces.len() + model.torques.len() > 0 {
-        notes.push("what its loads do to the energy was not asked: the model is too large".to_owned());
+        notes.push("the model is too large to check its loads for created energy".to_owned());
     }
     notes.extend(load_divisors(&mut arena, model).iter().map(|divisor| {
         format!("no run goes through {} = 0: {} there", text(&arena, divisor.value), divisor.meaning())
@@ -238,7 +238,7 @@ fn without_inertia(model: &Model, speed: &str) -> Result<Vec<String>, DeriveErro
         let momentum = apply_tensor(&mut kinematics.arena, &inertia.tensor, &axis);
         let is_zero = |e: &Expr| zero_test(&kinematics.arena, *e) == ZeroTest::Zero;
         if momentum.iter().all(is_zero) && !axis.iter().all(is_zero) {
-            notes.push(format!("`{}` has no inertia about the axis that `{speed}` turns it about", body.name));
+            notes.push(format!("the body `{}` has no inertia about the axis of `{speed}`", body.name));
         }
     }
     Ok(notes)
@@ -247,7 +247,7 @@ fn without_inertia(model: &Model, speed: &str) -> Result<Vec<String>, DeriveErro
 /// Note on the change of the total energy T + V; `None` if it is constant.
 fn power(model: &Model, arena: &Arena, power: Expr) -> Option<String> {
     if model.is_driven() {
-        return Some("constraints drive the mechanism: T + V changes by what their forces work".to_owned());
+        return Some("constraints drive the mechanism: T + V changes by the work of their forces".to_owned());
     }
     (power != Expr::ZERO).then(|| format!("T + V changes at the rate {}", text(arena, power)))
 }

@@ -48,13 +48,14 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(written).collect())
 }
 
-/// Number with this many significant digits: as a decimal fraction from 0.01 to 10 000 in size, else with a power of
-/// ten.
+/// Number for people, with this many significant digits: a decimal fraction from 0.001 to 100 000 in size, else with a
+/// power of ten.
 ///
 /// ```
 /// use tripos_derive::plain::significant;
 ///
 /// assert_eq!(significant(3.0321, 4), "3.032");
+/// assert_eq!(significant(-0.37899999999999995, 3), "-0.379");
 /// assert_eq!(significant(0.0000193, 2), "1.9e-5");
 /// assert_eq!(significant(0.0, 2), "0");
 /// ```
@@ -62,9 +63,29 @@ pub fn visible(text: &str) -> Cow<'_, str> {
 pub fn significant(x: f64, digits: usize) -> String {
     let short = format!("{x:.*e}", digits.saturating_sub(1));
     match short.parse::<f64>() {
-        Ok(value) if value == 0.0 || (1e-2..1e4).contains(&value.abs()) => value.to_string(),
+        Ok(value) if value == 0.0 || (1e-3..1e5).contains(&value.abs()) => value.to_string(),
         _ => short,
     }
+}
+
+/// Number for people, with as many significant digits as its error leaves, ten at most; six if the error is not known.
+///
+/// ```
+/// use tripos_derive::plain::{significant, within};
+///
+/// assert_eq!(within(0.45152364098573, Some(2e-5)), "0.45152");
+/// assert_eq!(within(5.927797845629991e-16, Some(2e-16)), "6e-16");
+/// assert_eq!(within(0.45152364098573, None), "0.451524");
+/// ```
+#[must_use]
+pub fn within(x: f64, error: Option<f64>) -> String {
+    let Some(error) = error.filter(|error| *error > 0.0) else { return significant(x, 6) };
+    let (mut digits, mut reach) = (1, 10.0 * error);
+    while digits < 10 && reach < x.abs() {
+        reach *= 10.0;
+        digits += 1;
+    }
+    significant(x, digits)
 }
 
 /// Path as one line of text for a message: line breaks and forbidden characters in its names are written out.

@@ -217,7 +217,7 @@ impl<'a> Reader<'a> {
     /// Records an error for a constant whose digits double precision loses.
     pub fn lost(&mut self, arena: &Arena, formula: &Located, constant: Expr) {
         let message = format!("double precision does not know the constant `{}`", shown(&text(arena, constant)));
-        let help = "write its value: where it is computed its digits cancel or are rounded away";
+        let help = "write the value of the constant: its computation loses all digits";
         self.error(formula.span.clone(), message, help);
     }
 
@@ -255,7 +255,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Entries of a TOML table, in the order of the file.
-    #[allow(clippy::unused_self, reason = "a question to the reader like its neighbours")]
+    #[allow(clippy::unused_self, reason = "a question to the reader")]
     pub fn entries(&self, table: &'a DeTable<'a>) -> Vec<Entry<'a>> {
         let mut entries: Vec<Entry<'a>> = table.iter().map(|(key, value)| (located_key(key), value)).collect();
         // Entries that a repetition made share one place: their names order them.
@@ -274,7 +274,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Value of an optional key of a table; `None` if it is absent.
-    #[allow(clippy::unused_self, reason = "a question to the reader like its neighbours")]
+    #[allow(clippy::unused_self, reason = "a question to the reader")]
     pub fn get(&self, table: &'a DeTable<'a>, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
         table.iter().find(|(k, _)| k.get_ref() == key).map(|(_, value)| value)
     }

@@ -225,7 +225,7 @@ fn joints_that_cannot_be() {
             17 | k = { kind = "free", body = "b" }
                |               ^^^^
                |
-               = help: leave out where it is placed otherwise, or state what ties it under [constraints]"#]],
+               = help: leave the other place of the body out, or state the tie under [constraints]"#]],
     );
 }
 

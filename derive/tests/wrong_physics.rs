@@ -210,7 +210,7 @@ fn an_inertia_about_the_hinge_smaller_than_m_d_squared_is_refused() {
         31 | [bodies.rod]
            |         ^^^
            |
-           = help: a moment of inertia is not negative; one stated about another point must be at least m d^2"]],
+           = help: a moment of inertia cannot be negative; about a point at distance d from the mass centre it is at least m d^2"]],
     );
 }
 
@@ -225,7 +225,7 @@ fn a_coordinate_that_moves_no_mass_is_named() {
             14 | u1 = "x'"
                | ^^
                |
-               = help: give mass to what moves with it, or leave the coordinate out"#]],
+               = help: give a mass to the bodies that move with the coordinate, or leave the coordinate out"#]],
     );
 }
 
@@ -266,7 +266,7 @@ fn a_reaction_that_works_is_refused() {
         40 | [reactions.rail]
            |            ^^^^
            |
-           = help: a reaction acts where and along what its constraint forbids; a force that works is an applied force"]],
+           = help: a reaction acts at the constraint and along the forbidden motion; a force that does work is an applied force"]],
     );
 }
 

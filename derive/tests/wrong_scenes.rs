@@ -312,7 +312,7 @@ fn an_impact_is_not_in_the_equations() {
         1 | outputs = ["impact"]
           |             ^^^^^^
           |
-          = help: an impact is no output: state the contact under [impacts], and the run lists its impacts with their impulses and losses"#]],
+          = help: an impact cannot be an output: state the contact under [impacts], and the run lists all impacts with impulses and losses"#]],
     );
 }
 
@@ -327,7 +327,7 @@ fn a_bounce_is_not_in_the_equations() {
         1 | outputs = [{ name = "after", value = "bounce" }]
           |                                       ^^^^^^
           |
-          = help: an impact is no output: state the contact under [impacts], and the run lists its impacts with their impulses and losses"#]],
+          = help: an impact cannot be an output: state the contact under [impacts], and the run lists all impacts with impulses and losses"#]],
     );
 }
 

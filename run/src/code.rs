@@ -287,7 +287,7 @@ fn not_interpreted(name: &str, why: &NotInterpreted) -> Error {
     match why {
         NotInterpreted::Unknown(unknown) => Error::request(
             format!("`{name}` mentions `{}`, which has no value during a run", unknown.0),
-            "equations that run hold parameters, coordinates and motion variables only".to_owned(),
+            "equations of a run contain only parameters, coordinates and motion variables".to_owned(),
         ),
         NotInterpreted::Unsolved(why) => Error::request(format!("`{name}`: {why}"), why.help().to_owned()),
     }

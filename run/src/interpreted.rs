@@ -60,7 +60,7 @@ enum Part {
     Divisors,
     /// Functions that are zero where the constraints hold.
     Constraints,
-    /// Derivatives of the functions of the constraints by the state.
+    /// Derivatives of the functions of the constraints with respect to the state.
     ConstraintSlopes,
     KineticEnergy,
     PotentialEnergy,

@@ -81,7 +81,7 @@ impl Mechanism {
         if !self.model.speeds.is_empty() {
             return Ok(());
         }
-        let help = "`tripos simulate` follows it and shows the forces; leave a constraint out to let it move by itself";
+        let help = "`tripos simulate` follows the given motion and shows the forces; without one of the constraints, the mechanism can move freely";
         Err(Error::request(format!("the constraints leave no speed: {what}"), help))
     }
 

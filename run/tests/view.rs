@@ -344,7 +344,7 @@ fn reactions_of_scenes_with_impacts_are_said_to_be_missing() {
     );
     let (_, motion) = motion_of(&text, &start);
     assert_eq!(arrows_of(&motion), [(ArrowKind::Weight, "bob", point(&scene, "P"), false)]);
-    assert_eq!(motion.forces.without.as_deref(), Some("what holds a closed contact is not among them"));
+    assert_eq!(motion.forces.without.as_deref(), Some("the forces of closed contacts are not part of the equations"));
 }
 
 const SHAPED: &str = r#"

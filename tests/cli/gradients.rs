@@ -122,11 +122,11 @@ fn what_does_not_go_together_with_a_gradient_is_refused_with_its_reason() {
     };
     expect![[r"
         2: error: --gradient and --sensitivity are two runs
-        help: give one of them: --gradient is by all numbers at once, --sensitivity of all that is shown
+        help: give one of the two: --gradient differentiates one value with respect to all numbers, --sensitivity all shown values with respect to one
     "]]
     .assert_eq(&refused(&["--sensitivity", "m"]));
     expect![[r"
-        2: error: a gradient is one of the end of a run: it has no samples for --csv
+        2: error: a gradient belongs to the end of a run, and --csv writes samples along the run
         help: leave --csv out, or give --sensitivity, whose derivatives are known at each sample
     "]]
     .assert_eq(&refused(&["--csv", "out.csv"]));

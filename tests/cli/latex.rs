@@ -145,8 +145,8 @@ pub fn compiled(folder: &Path, text: &str) -> Result<f64, String> {
 }
 
 /// Goal: documents and fragments compile unchanged in a thesis. Method: every model of the library, whole and as part
-/// of another document, by pdflatex if there is one. In the disk's document no line stands out by more than a letter:
-/// 10 points.
+/// of another document, by pdflatex if there is one. In documents of few bodies no line stands out by more than a
+/// letter: 10 points.
 #[test]
 fn documents_and_fragments_compile() {
     if !has_latex(&["article.cls", "amsmath.sty", "geometry.sty"]) {
@@ -155,7 +155,8 @@ fn documents_and_fragments_compile() {
     let folder = tempfile::tempdir().unwrap();
     for (model, text) in library_as("latex") {
         let wide = compiled(folder.path(), &text).unwrap_or_else(|said| panic!("{model}: {said}"));
-        assert!(model != "disk" || wide < 10.0, "{wide} points too wide");
+        let is_short = ["disk", "gimbals", "furuta", "heavy_top", "four_bar"].contains(&model.as_str());
+        assert!(!is_short || wide < 10.0, "{model}: {wide} points too wide");
     }
     let (_, fragment, _) = tripos_in(&root(), &["derive", "models/disk", "--format", "latex", "--fragment"]);
     std::fs::write(folder.path().join("part.tex"), fragment).unwrap();
@@ -207,7 +208,17 @@ fn rows(text: &str, section: &str) -> Vec<(String, String)> {
     let section = &section[..section.find("\\subsection").or(section.find("\\section")).unwrap_or(section.len())];
     let block = section.split("\\begin{align}").skip(1).filter_map(|rest| rest.split("\\end{align}").next());
     let mut list: Vec<(String, String)> = Vec::new();
+    // A wide left side stands in a line for itself.
+    let mut wide = String::new();
     for line in block.flat_map(|block| block.split("\\\\\n")).map(|line| line.trim_end_matches("\\notag ")) {
+        if let Some(left) = line.strip_prefix("& ") {
+            left.trim().clone_into(&mut wide);
+            continue;
+        }
+        if let Some(right) = line.trim_start().strip_prefix("&\\quad = ") {
+            list.push((wide.clone(), right.to_owned()));
+            continue;
+        }
         match (line.split_once(" &= "), list.last_mut()) {
             (Some((left, right)), _) => list.push((left.trim().to_owned(), right.to_owned())),
             (None, Some((_, right))) => right.push_str(line.trim_start().trim_start_matches("&\\qquad")),

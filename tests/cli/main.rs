@@ -24,6 +24,7 @@ mod large;
 mod latex;
 #[path = "../support/left_out.rs"]
 mod left_out;
+mod lengths;
 mod library_pages;
 mod new_folder;
 mod numbers;

@@ -318,7 +318,7 @@ fn wrong_requests_are_refused_before_anything_is_written() {
         1 | z=1
           | ^
           |
-          = help: vary coordinates, rates and speeds that no constraint fixes: they have values of their own
+          = help: vary coordinates, rates and speeds that no constraint fixes
 
         error: `M` is swept twice
          --> --over:1:1

@@ -220,7 +220,7 @@ fn a_pendulum_for_sympy() {
 
 
         def evaluated(formulation, values):
-            """Values of all symbols: those that are given, named terms, accelerations, and named terms that mention these."""
+            """Values of all symbols: the inputs, named terms, accelerations, and named terms that contain accelerations."""
             values = dict(values)
             for symbol, value in formulation.named + formulation.accelerations + formulation.named:
                 values[symbol] = sp.sympify(value).xreplace(values)

@@ -64,7 +64,7 @@ fn growth_in_any_direction_is_seen() {
     let run =
         answer_in_json(&["simulate", &given("transverse/s.toml"), "--by", "kane", "--method", "taylor", "--json"]);
     assert!(run["digits"].as_f64().unwrap() < 1.0, "{run}");
-    assert!(run["warnings"][0].as_str().unwrap().contains("fewer than three digits are left from t = "), "{run}");
+    assert!(run["warnings"][0].as_str().unwrap().contains("fewer than three digits are right from t = "), "{run}");
 }
 
 /// A pendulum from 5e-8 beside its upright rest: its falls multiply an error by 1e13, and each return takes that back.

@@ -13,7 +13,7 @@ pub struct Page {
     /// Folder for index.html
     #[arg(long, default_value = "target/page")]
     pub out: PathBuf,
-    /// A further formulation that is derived on request only, such as gibbs-appell; more than once for several
+    /// A further formulation that is derived on request only, such as gibbs-appell; may be given more than once
     #[arg(long, value_name = "F")]
     pub also: Vec<String>,
     /// Print JSON
@@ -31,7 +31,7 @@ pub struct Simulate {
     #[command(flatten)]
     pub how: RunOptions,
     /// Also print the derivatives of all shown quantities by a parameter or a number of the start, at the end, at
-    /// events, and in the columns d(NAME)/d(PARAMETER) of --csv; more than once for several. Whole equations are run
+    /// events, and in the columns d(NAME)/d(PARAMETER) of --csv; may be given more than once. Whole equations are run
     #[arg(long, value_name = "NAME")]
     pub sensitivity: Vec<String>,
     /// Also print the derivatives of this output, coordinate, speed or energy at the end, or of t, the instant at which
@@ -94,7 +94,7 @@ pub struct View {
     #[command(flatten)]
     pub how: RunOptions,
     /// Also show, transparent: the scene by other equations (kane, lagrange, newton-euler, printed:ID), or another
-    /// scene of the same model; more than once for several
+    /// scene of the same model; may be given more than once
     #[arg(long, value_name = "F|SCENE")]
     pub against: Vec<String>,
     /// File of the view
@@ -146,8 +146,8 @@ pub struct Sweep {
 /// Other values for numbers of a scene.
 #[derive(clap::Args)]
 pub struct Set {
-    /// Another value of a parameter or of a number of the start, as the scene would state it: NAME=VALUE, more than
-    /// once for several
+    /// Another value of a parameter or of a number of the start, as the scene would state it: NAME=VALUE; may be given
+    /// more than once
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
 }

@@ -148,7 +148,7 @@ pub fn caption(list: &[Measurement], until: f64) -> String {
 pub fn lead(list: &[Measurement]) -> String {
     let best: Vec<&Measurement> = TARGETS.iter().filter_map(|t| fastest(list, *t, |_| true)).collect();
     let Some(target) = compared_at(list) else {
-        return format!("Nothing that was measured on this scene reaches an error of {:e}.", TARGETS[0]);
+        return format!("No measured run of this scene reaches an error of {:e}.", TARGETS[0]);
     };
     let common = |of: &dyn Fn(&Measurement) -> &'static str| {
         let first = best.first().map(|m| of(m))?;

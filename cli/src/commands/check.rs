@@ -186,7 +186,7 @@ fn text_of(model: &Mechanism, found: &Check) -> String {
         if let Some((freedoms, pose)) = &branch.larger {
             let _ = writeln!(
                 out,
-                "another branch, {}, has {freedoms} freedoms: nothing here speaks of it",
+                "another branch of poses, {}, has {freedoms} freedoms; the results do not cover this branch",
                 through(model, pose)
             );
         }

@@ -123,8 +123,8 @@ fn other(request: &Emit, dialect: &dyn Dialect, formulations: &[Formulation]) ->
     let emitted = languages::emit_model(&model, dialect, selection)?;
     for (name, equations, why) in &emitted.hidden {
         let why = match why {
-            Hidden::Reaction => "it needs a reaction, which has no closed form here",
-            Hidden::Acceleration => "it needs an acceleration, which has no closed form here",
+            Hidden::Reaction => "the function needs a reaction, which has no closed form here",
+            Hidden::Acceleration => "the function needs an acceleration, which has no closed form here",
         };
         warn(&format!("`{name}` is left out of the functions of {equations}: {why}"));
     }
@@ -157,7 +157,7 @@ fn module(out: &Path) -> Result<String, Failure> {
     let named =
         if out.file_name().is_some() { out.to_owned() } else { out.canonicalize().unwrap_or_else(|_| PathBuf::new()) };
     named.file_name().map(|name| name.to_string_lossy().into_owned()).ok_or_else(|| {
-        let what = format!("`{}` has no name that a module could have", path_in_line(out));
+        let what = format!("the name of the folder `{}` cannot be a module's name", path_in_line(out));
         Failure::request(what, "give a folder whose name is a Rust module, as in `--out src/pendulum`".to_owned())
     })
 }

@@ -15,6 +15,7 @@ use std::path::Path;
 use tripos::Error;
 use tripos::studies::steady::{About, BranchesAt, ClosedForm, FoundMotion, conditions, equilibria as of_model};
 use tripos_derive::diagnostic::Source;
+use tripos_derive::plain::significant;
 use tripos_derive::scene::load_asked;
 
 /// Starting points of the search for steady motions.
@@ -129,7 +130,7 @@ fn text_of(found: &FoundMotion) -> String {
             return format!("balanced at {}, and not linearised: {}\n", x.join(", "), why.first_line());
         }
     };
-    let _ = writeln!(out, "{}, largest residual {:.1e}", kind_of(about), about.steady.residual);
+    let _ = writeln!(out, "{}, largest residual {}", kind_of(about), significant(about.steady.residual, 2));
     for (name, x) in about.states() {
         let _ = writeln!(out, "  {name} = {x:?}");
     }

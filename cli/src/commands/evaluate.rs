@@ -11,6 +11,7 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivation, EquationsOrigin, Kinematics, rates_to_speeds};
 use tripos_derive::model::Reaction;
+use tripos_derive::plain::significant;
 use tripos_derive::scene::{State, load_state};
 use tripos_sim::Dynamics;
 
@@ -85,13 +86,17 @@ fn values(model: &Mechanism, by: &EquationsOrigin, derivation: &Derivation, stat
     if rcond.is_nan() || rcond < f64::EPSILON {
         let what = "the matrix is singular to rounding";
         return Err(stopped(format!(
-            "{what}: equilibrated rcond {rcond:.1e}{}",
+            "{what}: equilibrated rcond {}{}",
+            significant(rcond, 2),
             near_divisors(model, &state.parameters, &state.q)?
         )));
     }
     if rcond < LOSSY {
         let lost = (-rcond.log10()).floor();
-        warn(&format!("equilibrated rcond is {rcond:.1e}: about {lost} of 16 digits of the accelerations are lost"));
+        warn(&format!(
+            "equilibrated rcond is {}: about {lost} of 16 digits of the accelerations are lost",
+            significant(rcond, 2)
+        ));
     }
     let (v_dot, others) = x.split_at(system.lengths().variables);
     let mut u_dot = vec![0.0; model.speeds.len()];
@@ -102,7 +107,7 @@ fn values(model: &Mechanism, by: &EquationsOrigin, derivation: &Derivation, stat
     let gravity = gravity_potential(model, state)?;
     let energies = [system.kinetic_energy(p, q, &v), system.potential_energy(p, q), gravity, system.power(p, q, &v)];
     if energies.iter().any(|e| !e.is_finite()) {
-        return Err(stopped("an energy or its rate has no value that a number can hold".to_owned()));
+        return Err(stopped("an energy or its rate is not a finite number".to_owned()));
     }
     let carries_reactions = derivation.equations.formulation.carries_reactions();
     warn_outside_domain(model, state, if carries_reactions { others } else { &[] })?;

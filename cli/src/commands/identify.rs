@@ -221,7 +221,7 @@ fn words(found: &Identification) -> String {
         }
         Complete::AtPoints => "no more are needed at random states and parameters modulo a prime; factors marked ? have no short closed form".to_owned(),
         Complete::Undecided => "whether more are needed is not decided: there are functions in it that algebra knows nothing of".to_owned(),
-        Complete::No => "they do not give M u' - f: please report this model".to_owned(),
+        Complete::No => "the base parameters do not reproduce M u' - f: please report this model".to_owned(),
     };
     if found.is_minimal() && found.on_loops.is_none() {
         return format!("{minimal}\n{complete}");

@@ -9,6 +9,7 @@ use tripos::Mechanism;
 use tripos::studies::inverse::{Forces, Inverse, moments};
 use tripos_derive::algebra::value::evaluate::Numeric;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
+use tripos_derive::plain::{significant, within};
 use tripos_derive::scene::{Motion, MotionForm, MotionSample, load_motion, load_samples};
 use tripos_traits::DoubleDouble;
 
@@ -83,7 +84,8 @@ pub fn inverse(model: &Path, motion: &Path, inputs: &[String], shape: Shape) -> 
     let open = list.iter().fold(0.0, |most: f64, (_, forces)| most.max(forces.open));
     if open > OPEN {
         warn(&format!(
-            "a loop is open by up to {open:.1e} in this motion: its forces are those of no closed mechanism"
+            "a loop is open by up to {} in this motion: the forces are not those of a closed mechanism",
+            significant(open, 2)
         ));
     }
     match shape {
@@ -188,7 +190,7 @@ fn text_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]
             let mut peaks = |name: &str, value: &dyn Fn(&Forces) -> Option<f64>| {
                 let values = list.iter().filter_map(|(moving, forces)| Some((moving.t, value(forces)?)));
                 if let Some((t, x)) = values.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
-                    let when = t.map_or_else(String::new, |t| format!(" at t = {t} s"));
+                    let when = t.map_or_else(String::new, |t| format!(" at t = {} s", within(t, None)));
                     let _ = writeln!(out, "  {name}: most {x:?}{when}");
                 }
             };
@@ -222,7 +224,7 @@ fn refusal(inverse: &Inverse, list: &[(MotionSample, Forces)]) -> String {
     let Some((t, speed, left, reached)) = worst.max_by(|a, b| a.2.abs().total_cmp(&b.2.abs())) else {
         return String::new();
     };
-    let when = t.map_or_else(String::new, |t| format!(" at t = {t} s"));
+    let when = t.map_or_else(String::new, |t| format!(" at t = {} s", within(t, None)));
     format!(
         "\nno inputs give this motion{when}: they reach {reached} of {} dimensions, and leave {left:?} along {speed} at best\n",
         inverse.speeds.len()

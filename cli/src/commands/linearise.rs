@@ -13,6 +13,7 @@ use tripos::studies::steady::{
 };
 use tripos::{Error, Mechanism};
 use tripos_derive::diagnostic::Source;
+use tripos_derive::plain::significant;
 use tripos_derive::scene::{load_asked, load_output};
 
 /// Form in which a linear system is printed.
@@ -208,7 +209,11 @@ pub fn modes_text(found: &About) -> String {
             .take(4)
             .map(|(name, share)| format!("{name} {:.0} %", 100.0 * share))
             .collect();
-        let doubt = if mode.condition > 1e6 { format!(", condition {:.0e}", mode.condition) } else { String::new() };
+        let doubt = if mode.condition > 1e6 {
+            format!(", condition {}", significant(mode.condition, 1))
+        } else {
+            String::new()
+        };
         let _ = writeln!(out, "  {value:<34} {}{doubt}", parts.join(", "));
     }
     let _ = writeln!(out, "{}", found.stability.words());
@@ -222,7 +227,11 @@ pub fn modes_text(found: &About) -> String {
 fn text_of(model: &Mechanism, found: &About) -> String {
     let system = &found.system;
     let mut out = format!("{}: near {}\n", model.title, kind_of(found));
-    let _ = writeln!(out, "largest residual of the equations of steady motion: {:.1e}\n", found.steady.residual);
+    let _ = writeln!(
+        out,
+        "largest residual of the equations of steady motion: {}\n",
+        significant(found.steady.residual, 2)
+    );
     for (name, x) in found.states() {
         let _ = writeln!(out, "  {name} = {x:?}");
     }

@@ -30,7 +30,7 @@ pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
     };
     let title = folder.file_name().map(|name| one_line(&name.to_string_lossy()));
     let (true, Some(title)) = (is_free, title) else {
-        let what = format!("`{}` is no name for a new folder: there is something already", path_in_line(folder));
+        let what = format!("the new folder `{}` cannot be made: something with this name exists", path_in_line(folder));
         return Err(Failure::request(what, "give the name of a folder that does not exist, or is empty".to_owned()));
     };
     let made = match like {

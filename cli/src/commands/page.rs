@@ -76,7 +76,7 @@ pub fn page(request: &Request) -> Result<u8, Failure> {
     let work = Work::new(&model, &study, &derivations)?;
     let done = work.scenes(&scenes, out, &bar)?;
     let (there, all) = (done.sections.len(), scenes.len());
-    let unfinished = (there < all).then(|| format!("it was interrupted after {there} of {all} scenes"));
+    let unfinished = (there < all).then(|| format!("the page was interrupted after {there} of {all} scenes"));
     bar.set_message("looking at the motion");
     let moving = moving(&model, &scenes, &done.sections);
     bar.inc(1);

@@ -18,7 +18,7 @@ use tripos::{
 };
 use tripos_codegen::files::Existing;
 use tripos_derive::model::TIME;
-use tripos_derive::plain::path_in_line;
+use tripos_derive::plain::{path_in_line, significant, within};
 use tripos_derive::scene::Scene;
 use tripos_sim::projection::ProjectionReport;
 use tripos_sim::{EventRecord, ImpactRecord, Stop};
@@ -179,7 +179,11 @@ fn digits_in_words(run: &Run) -> String {
     };
     let at_end = digits.end().map_or_else(String::new, |end| format!("{end:.1} digits are right at the end, "));
     let (least, t, name) = (fewest.digits, digits.t[fewest.instant], &run.names[fewest.value]);
-    format!("{at_end}{least:.1} at least on the way (`{name}` at t = {t:.4} s), by comparison with {}\n", digits.by)
+    format!(
+        "{at_end}{least:.1} at least on the way (`{name}` at t = {} s), by comparison with {}\n",
+        within(t, None),
+        digits.by
+    )
 }
 
 /// Drifts of all first integrals except the energy, which is shown apart.
@@ -211,20 +215,21 @@ fn projection_in_words(run: &Run, report: &ProjectionReport) -> String {
     let left = report.singular + report.not_converged;
     let Some(worst) = run.residuals.iter().max_by(|a, b| a.largest.abs().total_cmp(&b.largest.abs())) else {
         return format!(
-            "projected onto the energy after {} steps: {:e} J of drift removed in all, {:e} J at most at once; {left} steps left as they were\n",
+            "projected onto the energy after {} steps: {} J of drift removed in all, {} J at most at once; {left} steps left as they were\n",
             report.corrections,
-            report.removed.first().copied().unwrap_or_default(),
-            report.largest.first().copied().unwrap_or_default(),
+            significant(report.removed.first().copied().unwrap_or_default(), 3),
+            significant(report.largest.first().copied().unwrap_or_default(), 3),
         );
     };
     let largest = report.largest.iter().fold(0.0, |most: f64, drift| most.max(drift.abs()));
     format!(
-        "kept on {} constraint{}: largest residual {:e} ({}); moved back after {} steps, by {largest:e} at most; {left} steps left as they were\n",
+        "kept on {} constraint{}: largest residual {} ({}); moved back after {} steps, by {} at most; {left} steps left as they were\n",
         run.residuals.len(),
         if run.residuals.len() == 1 { "" } else { "s" },
-        worst.largest.abs(),
+        significant(worst.largest.abs(), 3),
         worst.name,
-        report.corrections
+        report.corrections,
+        significant(largest, 3)
     )
 }
 
@@ -240,14 +245,15 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
     let _ = writeln!(out, "{}", run.ending);
     for (at, event) in run.solution.events.iter().enumerate() {
         let error = run.digits.as_ref().and_then(|digits| digits.events[at]);
-        let error = error.map_or_else(String::new, |error| format!(" ± {error:.0e} s"));
-        let _ = writeln!(out, "  {} at t = {} s{error} ({:?})", event.name, event.t, event.kind);
+        let t = within(event.t, error);
+        let error = error.map_or_else(String::new, |error| format!(" ± {} s", significant(error, 1)));
+        let _ = writeln!(out, "  {} at t = {t} s{error} ({:?})", event.name, event.kind);
     }
-    let _ = writeln!(out, "\nstate at t = {} s", run.solution.t_end);
+    let _ = writeln!(out, "\nstate at t = {} s", within(run.solution.t_end, None));
     let errors = run.digits.as_ref().and_then(Digits::errors_at_end);
     for at in shown(run) {
         let (name, x) = (&run.names[at], run.end[at]);
-        let error = errors.map_or_else(String::new, |errors| format!(" ± {:.0e}", errors[at]));
+        let error = errors.map_or_else(String::new, |errors| format!(" ± {}", significant(errors[at], 1)));
         let _ = writeln!(out, "  {name} = {x}{error}");
     }
     out += &digits_in_words(run);
@@ -255,19 +261,23 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
     out += &impacts_in_words(run);
     if let Some(drift) = run.energy_drift {
         if run.solution.work.is_empty() {
-            let _ = writeln!(out, "largest change of total energy: {drift:e} J");
+            let _ = writeln!(out, "largest change of total energy: {} J", significant(drift, 3));
         } else {
             let work = run.solution.work_end;
             let of_impacts = if scene.impacts.is_empty() { "" } else { " and of impacts" };
-            let _ = writeln!(out, "work of drag and other loads without a potential{of_impacts}: {work} J");
-            let _ = writeln!(out, "largest change of total energy less this work: {drift:e} J");
+            let _ = writeln!(
+                out,
+                "work of drag and other loads without a potential{of_impacts}: {} J",
+                significant(work, 6)
+            );
+            let _ = writeln!(out, "largest change of total energy less this work: {} J", significant(drift, 3));
         }
     }
     if let Some(report) = &run.solution.projection {
         out += &projection_in_words(run, report);
     }
     for drift in momenta(run) {
-        let _ = writeln!(out, "largest change of {}: {:e}", drift.integral.name(), drift.change);
+        let _ = writeln!(out, "largest change of {}: {}", drift.integral.name(), significant(drift.change, 3));
     }
     out
 }
@@ -303,7 +313,7 @@ fn check_csv(path: &Path, existing: Existing, model: &Mechanism, scene: &Scene) 
     }
     let is_table = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
     if path.is_file() && !is_table && existing == Existing::Kept && !path.starts_with("/dev") {
-        let what = format!("`{}` is there already, and its name does not end in `.csv`", path_in_line(path));
+        let what = format!("the file `{}` exists, and its name does not end in `.csv`", path_in_line(path));
         return Err(Failure::request(what, "give another --csv, or --overwrite to replace it".to_owned()));
     }
     Ok(())

@@ -38,7 +38,7 @@ pub fn sketch(what: &Path, at: Option<&Path>, out: &Path, output: Output) -> Res
             let state = load_state(&Source::read(at)?, &mut mechanism)?;
             if tripos_codegen::files::would_change(out, at) {
                 let what =
-                    format!("`{}` would be written over `{}`, which is read", path_in_line(out), path_in_line(at));
+                    format!("the output `{}` would overwrite the input `{}`", path_in_line(out), path_in_line(at));
                 return Err(Failure::request(what, "give another file".to_owned()));
             }
             Sketch::at_state(&mechanism, &state)?

@@ -131,7 +131,7 @@ fn table(request: &Request, sweep: &Sweep<'_>, points: &Range<u64>) -> Result<(R
     } else {
         let table = Rows::create(&request.out, existing)?;
         if request.resume {
-            say("nothing is left of this sweep: all its points are run");
+            say("all points of this sweep are already run");
         }
         // A device or a pipe keeps no rows, and needs no record.
         if table.place() != request.out {

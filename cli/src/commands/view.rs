@@ -55,8 +55,11 @@ fn compared(mechanism: &Mechanism, scene: &Scene, request: &Request, against: &s
     }
     let VariedScene { model: other, scene: mut own, .. } = read_scene_with(path, &request.set.set)?;
     if other.source.text != mechanism.source.text {
-        let what =
-            format!("`{}` is a scene of another model than `{}`", path_in_line(path), path_in_line(&request.scene));
+        let what = format!(
+            "the scene `{}` belongs to another model than the scene `{}`",
+            path_in_line(path),
+            path_in_line(&request.scene)
+        );
         return Err(Failure::request(what, "give a scene of the same model, or equations such as lagrange".to_owned()));
     }
     let how = request.how.overrides()?;

@@ -1,8 +1,8 @@
 //! Abstract of the page: the mechanism, the proofs, the mistakes in print, the outcome of the runs, and the recommended
-//! way to run it.
+//! command to run a scene.
 //!
-//! Invariant: every sentence is made of values and links to its evidence on the page. Absent on purpose: sentences that
-//! only one model could need.
+//! Invariant: at most eight short sentences, read aloud in 40 seconds. Every sentence is made of values and links to
+//! its evidence on the page. Absent on purpose: sentences that only one model could need, and ids of printed entries.
 
 use crate::chart::sentences::{TARGETS, seconds};
 use crate::page::content::{Choice, Page, SceneSection};
@@ -10,14 +10,10 @@ use crate::page::markup::html::{anchor, count, escape, link, listed, number, rou
 use crate::page::markup::math::{length, vanishing};
 use crate::page::print::verdict::abstract_of_verdict;
 use crate::page::scenes::outcome::{self, Grade, title};
-use std::cmp::Reverse;
 use tripos_derive::Formulation;
 use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::prove::{Singularity, There};
 
-/// Largest number of scenes with troubles that the abstract names.
-const MOST_SCENES: usize = 3;
 /// Largest number of characters of a formula in a sentence.
 const SHORT: usize = 40;
 
@@ -30,19 +26,13 @@ pub fn section(page: &Page) -> String {
         let title = escape(published.publication.heading());
         let said = abstract_of_verdict(&published.difference).into_iter();
         said.enumerate()
-            .map(move |(at, (place, said))| (place.to_owned(), if at == 0 { format!("{title}. {said}") } else { said }))
+            .map(move |(at, (place, said))| (place.to_owned(), if at == 0 { format!("{title}: {said}") } else { said }))
     });
     let rows = [
         ("Mechanism", vec![mechanism(page)]),
-        (
-            "Proved",
-            [equality(page), Some(integrals(page)), Some(validity(page)), determinants(page)]
-                .into_iter()
-                .flatten()
-                .collect(),
-        ),
+        ("Proved", [equality(page), Some(integrals(page))].into_iter().flatten().collect()),
         ("In print", verdict.collect()),
-        ("Simulated", simulated(page)),
+        ("Simulated", simulated(page).into_iter().collect()),
         ("To run it", recommended(page)),
     ];
     let row = |(what, sentences): &(&str, Vec<Sentence>)| {
@@ -77,18 +67,14 @@ fn mechanism(page: &Page) -> Sentence {
     };
     let bodies = [rigid, some(particles, "particle")];
     let bodies: Vec<String> = bodies.into_iter().flatten().collect();
-    let numbers = [
-        Some(count(model.coordinates.len() - clock, "coordinate")),
-        Some(count(model.speeds.len(), "generalized speed")),
-        some(holonomic, "holonomic constraint"),
-        some(others, "nonholonomic constraint"),
-    ];
-    let numbers: Vec<String> = numbers.into_iter().flatten().collect();
+    let constraints = [some(holonomic, "holonomic constraint"), some(others, "nonholonomic constraint")];
+    let constraints: Vec<String> = constraints.into_iter().flatten().collect();
+    let constraints = if constraints.is_empty() { String::new() } else { format!(" under {}", listed(&constraints)) };
     let freedom = match model.speeds.len() {
         1 => "one degree of freedom".to_owned(),
         n => format!("{n} degrees of freedom"),
     };
-    ("mechanism".to_owned(), format!("{} with {freedom}: {}.", capital(&listed(&bodies)), listed(&numbers)))
+    ("mechanism".to_owned(), format!("{} with {freedom}{constraints}.", capital(&listed(&bodies))))
 }
 
 fn capital(words: &str) -> String {
@@ -100,27 +86,28 @@ fn titles(list: impl IntoIterator<Item = Formulation>) -> String {
     listed(&list.into_iter().map(|formulation| escape(formulation.title())).collect::<Vec<_>>())
 }
 
-/// Sentence on the equivalence of the formulations; `None` if no formulation could be derived.
+/// Sentence on the equivalence of the formulations and on where they hold; `None` if no formulation could be derived.
 fn equality(page: &Page) -> Option<Sentence> {
     let proof = &page.study.proof;
     let all = proof.pairs.len();
     let proved = proof.pairs.iter().filter(|pair| pair.verdict.is_equal()).count();
-    let said = if all == 0 {
+    let (said, many) = if all == 0 {
         let only = page.derivations.iter().find(|(_, result)| result.is_ok())?.0;
-        format!("Derived by {} alone.", titles([only]))
+        (format!("{} gives the equations of motion", titles([only])), "which hold")
     } else if proof.is_equivalent() {
         let derived =
             Formulation::ALL.into_iter().filter(|f| proof.pairs.iter().any(|p| p.left == *f || p.right == *f));
-        format!("{} give the same equations of motion.", titles(derived))
+        (format!("{} give the same equations of motion", titles(derived)), "which hold")
     } else {
         let different = proof.pairs.iter().filter(|pair| matches!(pair.verdict, Verdict::Different(_))).count();
         let open = all - proved - different;
-        format!(
-            "Of {} of formulations {proved} are proved to say the same, {different} differ, {open} are undecided.",
+        let said = format!(
+            "Of {} of formulations, {proved} are proved equal, {different} differ and {open} are undecided",
             count(all, "pair")
-        )
+        );
+        (said, "and the equations hold")
     };
-    Some(("equality".to_owned(), said))
+    Some(("equality".to_owned(), format!("{said}, {many} {}.", validity(page))))
 }
 
 fn integrals(page: &Page) -> Sentence {
@@ -138,7 +125,7 @@ fn integrals(page: &Page) -> Sentence {
     let kinds: Vec<String> = kinds.into_iter().flatten().collect();
     let said = match list.len() {
         0 => "No first integral is found.".to_owned(),
-        n => format!("{}: {}.", capital(&count(n, "first integral")), listed(&kinds)),
+        n => format!("The motion has {}: {}.", count(n, "first integral"), listed(&kinds)),
     };
     ("integrals".to_owned(), said)
 }
@@ -155,75 +142,35 @@ fn where_zero(arena: &Arena, terms: &[Expr]) -> String {
     places.join(" or ")
 }
 
-fn validity(page: &Page) -> Sentence {
+/// HTML of words for the places where the equations hold.
+fn validity(page: &Page) -> String {
     let proof = &page.study.proof;
     let arena = &page.study.derivations.kinematics.arena;
-    let said = if proof.singular_where.is_empty() {
-        "The equations hold everywhere.".to_owned()
+    if proof.singular_where.is_empty() {
+        "everywhere".to_owned()
     } else {
-        format!("The equations hold except where {}.", where_zero(arena, &proof.singular_where))
-    };
-    ("equality".to_owned(), said)
+        format!("except where {}", where_zero(arena, &proof.singular_where))
+    }
 }
 
-/// Sentence on where the matrix of each formulation is singular; `None` if that is known for no formulation.
-fn determinants(page: &Page) -> Option<Sentence> {
-    let arena = &page.study.derivations.kinematics.arena;
-    let mut groups: Vec<(String, Vec<Formulation>)> = Vec::new();
-    for (formulation, singularity) in &page.study.singular {
-        let Some(place) = zeros(arena, singularity) else { continue };
-        match groups.iter_mut().find(|(known, _)| *known == place) {
-            Some((_, list)) => list.push(*formulation),
-            None => groups.push((place, vec![*formulation])),
-        }
+/// Sentence on the outcome of the scenes; `None` if the page has none.
+fn simulated(page: &Page) -> Option<Sentence> {
+    if let [scene] = page.scenes.as_slice() {
+        return Some((anchor(0), format!("{}: {}", title(scene), outcome::derived(scene))));
     }
-    let group = |(place, list): (String, Vec<Formulation>)| format!("{place} by {}", titles(list));
-    let said: Vec<String> = groups.into_iter().map(group).collect();
-    (!said.is_empty())
-        .then(|| ("singular".to_owned(), format!("The matrix of the accelerations is singular {}.", said.join(", "))))
-}
-
-/// HTML of words for the proved zeros of a determinant: everywhere, nowhere, or where terms vanish; `None` if no zero
-/// is known.
-fn zeros(arena: &Arena, singularity: &Singularity) -> Option<String> {
-    if singularity.determinant == Expr::ZERO {
-        return Some("everywhere".to_owned());
-    }
-    if singularity.never {
-        return Some("nowhere".to_owned());
-    }
-    let zero = singularity.at.iter().filter(|place| place.determinant == There::Zero);
-    let terms: Vec<Expr> = zero.map(|place| place.divisor).collect();
-    (!terms.is_empty()).then(|| format!("where {}", where_zero(arena, &terms)))
-}
-
-/// Sentences on the scenes with troubles, on the number of the others, and on the printed equations in the shown scene.
-fn simulated(page: &Page) -> Vec<Sentence> {
-    let is_troubled = |scene: &SceneSection| outcome::worst(scene) != Some(Grade::Arrived);
-    let mut troubled: Vec<(usize, &SceneSection)> =
-        page.scenes.iter().enumerate().filter(|(_, scene)| is_troubled(scene)).collect();
-    troubled.sort_by_key(|(_, scene)| Reverse(outcome::worst(scene)));
-    let said =
-        |(at, scene): &(usize, &SceneSection)| (anchor(*at), format!("{}: {}", title(scene), outcome::derived(scene)));
-    let mut list: Vec<Sentence> = troubled.iter().take(MOST_SCENES).map(said).collect();
-    let others = page.scenes.len() - troubled.len();
-    if troubled.len() > MOST_SCENES {
-        let more = count(troubled.len() - MOST_SCENES, "more scene");
-        list.push(("simulation".to_owned(), format!("So it is in {more}.")));
-    }
-    if let (true, [scene]) = (troubled.is_empty(), page.scenes.as_slice()) {
-        list.push((anchor(0), format!("{}: {}", title(scene), outcome::derived(scene))));
-    } else if others > 0 {
-        let what = if troubled.is_empty() { "scene" } else { "other scene" };
-        let verb = if others == 1 { "runs to its end" } else { "run to their ends" };
-        list.push(("simulation".to_owned(), format!("{} {verb} without an objection.", capital(&count(others, what)))));
-    }
-    let shown = page.moving.as_ref().map_or(0, |moving| moving.scene);
-    let scene = page.scenes.get(shown).filter(|_| page.study.published.is_some());
-    let printed =
-        scene.and_then(|scene| Some((anchor(shown), format!("{}: {}", title(scene), outcome::printed(scene)?))));
-    list.extend(printed);
-    list
+    let all = page.scenes.len();
+    let of = |grade: Grade| page.scenes.iter().filter(|scene| outcome::worst(scene) == Some(grade)).count();
+    let none = page.scenes.iter().filter(|scene| outcome::worst(scene).is_none()).count();
+    let said = |n: usize, one: &str, many: &str| (n > 0).then(|| format!("{n} {}", if n == 1 { one } else { many }));
+    let kinds = [
+        said(of(Grade::Stopped), "has a run that fails", "have runs that fail"),
+        said(of(Grade::Loose), "needs tighter tolerances", "need tighter tolerances"),
+        said(of(Grade::Ended), "ends early at an event", "end early at events"),
+        said(of(Grade::Arrived), "runs to its end without a warning", "run to their ends without a warning"),
+        said(none, "does not run", "do not run"),
+    ];
+    let kinds: Vec<String> = kinds.into_iter().flatten().collect();
+    (all > 0).then(|| ("simulation".to_owned(), format!("Of {}, {}.", count(all, "scene"), listed(&kinds))))
 }
 
 /// Sentence on the equations, the method and the tolerance that were measured to be the fastest. Without a measurement:
@@ -245,8 +192,7 @@ fn fastest(scene: &SceneSection, target: f64, choice: &Choice) -> String {
     let tolerance =
         choice.tolerance.map_or_else(String::new, |tolerance| format!(" --rtol {tolerance:e} --atol {tolerance:e}"));
     format!(
-        "Measured on {}: an error of {} is reached fastest, in {}, by <code>tripos simulate {} --by {} --method {}{tolerance}</code>.",
-        title(scene),
+        "The fastest run to an error of {} takes {}: <code>tripos simulate {} --by {} --method {}{tolerance}</code>.",
         number(&format!("{target:e}")),
         seconds(choice.seconds),
         escape(&scene.file),
@@ -262,7 +208,6 @@ fn own(page: &Page, scene: &SceneSection) -> String {
     let all = page.model.coordinates.len() + page.model.speeds.len();
     let gain = needs.costs.full.operations as f64 / needs.costs.scene.operations.max(1) as f64;
     let kept = needs.reduced.reduction.states.len();
-    let gain =
-        if gain > 1.05 { format!(", {} times fewer operations a call", rounded(gain, 2)) } else { String::new() };
-    format!("{command}: the scene's reduced equations keep {kept} of {}{gain}.", count(all, "state"))
+    let gain = if gain > 1.05 { format!(" and {} times fewer operations", rounded(gain, 2)) } else { String::new() };
+    format!("{command} integrates the motion with {kept} of {}{gain}.", count(all, "state"))
 }

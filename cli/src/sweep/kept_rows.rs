@@ -48,7 +48,7 @@ impl KeptRows {
             let number = kept.rows + 1;
             let other = || Alien::Other(format!("row {number} is not that of point {point}"));
             if point >= points.end {
-                return Err(Alien::Other(format!("it has more rows than there are points, {}", kept.rows)));
+                return Err(Alien::Other(format!("the table has more rows than the sweep has points, {}", kept.rows)));
             }
             let fields = fields(&line).filter(|fields| fields.len() == columns.count()).ok_or_else(other)?;
             if fields[0] != point.to_string() {

@@ -68,7 +68,7 @@ impl Record {
         let read = std::fs::read_to_string(&beside).ok().and_then(|text| serde_json::from_str::<Value>(&text).ok());
         let Some(read) = read else {
             let what = format!(
-                "nothing says how `{}` was begun: there is no record `{}`",
+                "the sweep `{}` cannot be resumed: its record `{}` is missing",
                 path_in_line(part),
                 path_in_line(&beside)
             );

@@ -233,7 +233,7 @@ class Live {
     const total = energies.map(([a, b]) => a + b);
     const scale = Math.max(...energies.map(([a, b]) => Math.abs(a) + Math.abs(b - energies[0][1])));
     const drift = Math.max(...total.map((e) => Math.abs(e - total[0]))) / (scale || 1);
-    const kept = live.conserves && total.length > 1 ? ` T + V is constant to ${digits(Math.max(drift, 1e-16), 1)} of what moves.` : '';
+    const kept = live.conserves && total.length > 1 ? ` T + V is constant to ${digits(Math.max(drift, 1e-16), 1)} of the energy that changes.` : '';
     const following = live.closing.map((at) => `${model.COORDINATES[at]} = ${digits(Math.abs(numbers.start[at]) < 1e-12 ? 0 : numbers.start[at], 4)}`);
     const closing = changes.length && following.length && now.stop.kind !== 'open' ? `Its loops are closed by ${following.slice(0, 4).join(', ')}${following.length > 4 ? ', …' : ''}. ` : '';
     const what = changes.length ? `${told.join(', ')}${more}. ${closing}` : 'The numbers of the file. ';
@@ -257,6 +257,6 @@ class Live {
     own.seek(player.t);
     return most < 2e-3 * player.data.size
       ? 'It is the motion that the command computed.'
-      : `It is up to ${digits(most)} m from the motion that the command computed by the scene's own method.`;
+      : `The motion of this page is up to ${digits(most)} m from the motion that the command computed by the scene's own method.`;
   }
 }

@@ -65,7 +65,7 @@ pub fn find_coordinates(
     publication: &Publication,
 ) -> Result<CoordinateSearch, String> {
     if !model.loops.is_empty() || !model.closed.is_empty() {
-        return Err("equations between the coordinates of the model tie them together".to_owned());
+        return Err("equations tie the coordinates of the model together".to_owned());
     }
     let mut quantities = Quantities::new(model, derivations);
     let numbers = Numbers::new(&mut quantities)?;

@@ -142,11 +142,11 @@ impl DeriveError {
         match self {
             Self::InertiaNotConstant { body, .. } => (
                 Some(body),
-                "state the inertia in the body's frame, or in one that it turns in about an axis of symmetry",
+                "state the inertia in the body's frame, or in a frame in which the body turns about its axis of symmetry",
             ),
             Self::ReactionWorks { reaction, .. } => (
                 Some(reaction),
-                "a reaction acts where and along what its constraint forbids; a force that works is an applied force",
+                "a reaction acts at the constraint and along the forbidden motion; a force that does work is an applied force",
             ),
             Self::DirectionNotUnit { reaction, .. } => {
                 (Some(reaction), "divide the direction by its length, as in [\"sqrt(1/2)\", \"sqrt(1/2)\", 0]")
@@ -157,17 +157,19 @@ impl DeriveError {
             Self::NoZeroOfPotential { .. } => {
                 (None, "give every coordinate that divides a value in `zero_at`, or leave `zero_at` out")
             }
-            Self::NoInertia { speed } => {
-                (Some(speed.trim_end_matches('\'')), "give mass to what moves with it, or leave the coordinate out")
-            }
-            Self::NoInertiaAt { speed, .. } => {
-                (Some(speed), "give mass to what moves with it, or leave the coordinate out of the model")
-            }
+            Self::NoInertia { speed } => (
+                Some(speed.trim_end_matches('\'')),
+                "give a mass to the bodies that move with the coordinate, or leave the coordinate out",
+            ),
+            Self::NoInertiaAt { speed, .. } => (
+                Some(speed),
+                "give a mass to the bodies that move with the coordinate, or leave the coordinate out of the model",
+            ),
             Self::NotLinear => (None, "this is a defect of the program: please report the model"),
             Self::Unsolved(why) => (None, why.help()),
             Self::ReactionCount { .. } => (
                 None,
-                "they are not found along axes of frames: name in [reactions] every force and torque that each joint exerts, along every direction and axis that it prevents, or use kane or lagrange",
+                "the reactions do not lie along axes of frames: name in [reactions] every force and torque that each joint exerts, along every direction and axis that it prevents, or use kane or lagrange",
             ),
             Self::ReactionsDependent => (
                 None,
@@ -184,10 +186,10 @@ impl DeriveError {
             ),
             Self::AddedMass { body } => (Some(body), "leave `added_mass` out of the model that is identified"),
             Self::LoopsReduced { name } => {
-                (Some(name), "run the scene by one of the model's formulations: they keep it closed")
+                (Some(name), "run the scene by one of the model's formulations, which keep the contact closed")
             }
             Self::NothingMoves => {
-                (None, "run the scene by one of the model's formulations: they follow what the constraints say")
+                (None, "run the scene by one of the model's formulations, which follow the constraints")
             }
             Self::ReductionNotProved { .. } => (None, "run the scene by one of the model's formulations"),
         }
@@ -200,7 +202,10 @@ impl fmt::Display for DeriveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::InertiaNotConstant { body, frame, body_frame } => {
-                write!(f, "the inertia of `{body}` is constant in `{frame}` but not in its own frame `{body_frame}`")
+                write!(
+                    f,
+                    "the inertia of `{body}` is constant in the frame `{frame}`, but not in the body's frame `{body_frame}`"
+                )
             }
             Self::ReactionWorks { reaction, motion, rate } => {
                 let along = motion.trim_end_matches('\'');
@@ -210,16 +215,16 @@ impl fmt::Display for DeriveError {
                 write!(f, "the direction of `{reaction}` is no unit vector: the square of its length is {square}")
             }
             Self::LoadDividesByZero { load, term } => {
-                write!(f, "`{load}` divides by what is zero at all times, in {term}")
+                write!(f, "the load `{load}` divides by a term that is always zero, in {term}")
             }
             Self::NoZeroOfPotential { term } => {
                 write!(
                     f,
-                    "the potential energy has no value where `zero_at` puts its zero: {term} divides by zero there"
+                    "the potential energy has no value at the configuration `zero_at`: {term} divides by zero there"
                 )
             }
             Self::NoInertia { speed } => {
-                write!(f, "`{speed}` moves no mass of its own: the mass matrix is singular in every configuration")
+                write!(f, "the speed `{speed}` moves no mass: the mass matrix is singular in every configuration")
             }
             Self::NoInertiaAt { speed, zero } => {
                 let zero: Vec<String> = zero.iter().map(|name| format!("{name} = 0")).collect();

@@ -138,10 +138,10 @@ pub struct Body {
 
 /// Added mass of a rigid body: the kinetic energy ½ νᵀ M_A ν of the fluid that moves with it.
 ///
-/// The fluid has the impulse p and the moment of impulse h with (p, h) = M_A ν. It acts on the body with the force
-/// −dp/dt and, about the mass centre, the moment −(dh/dt + v × p), rates being those in the inertial frame (T. I.
-/// Fossen, *Handbook of Marine Craft Hydrodynamics and Motion Control* (2011), §6.3; H. Lamb, *Hydrodynamics* (1932),
-/// §124).
+/// The fluid has the impulse p and the moment of impulse h with (p, h) = M_A ν. The added mass acts on the body with
+/// the force −dp/dt and, about the mass centre, the moment −(dh/dt + v × p), rates being those in the inertial frame
+/// (T. I. Fossen, *Handbook of Marine Craft Hydrodynamics and Motion Control* (2011), §6.3; H. Lamb, *Hydrodynamics*
+/// (1932), §124).
 #[derive(Clone, Debug)]
 pub struct AddedMass {
     /// Index of the body.

@@ -89,7 +89,7 @@ pub fn objection(arena: &Arena, known: &[(Expr, f64)], body: &Body, which: &str)
     if negative {
         return Some((
             format!("the central moments of inertia of `{}` are {}, {}, {}", body.name, at(0), at(4), at(8)),
-            "a moment of inertia is not negative; one stated about another point must be at least m d^2".to_owned(),
+            "a moment of inertia cannot be negative; about a point at distance d from the mass centre it is at least m d^2".to_owned(),
         ));
     }
     // The rest of a rotor with one moment of inertia and no mass is counted with the body that carries it.

@@ -129,7 +129,7 @@ impl Model {
     pub fn bound(&self, bindings: Vec<Binding>, scene: &Source, place: Range<usize>) -> Result<Self, Diagnostics> {
         load_bound(&self.source, bindings, &self.varied).map_err(|errors| {
             let why = errors.list.first().map_or_else(String::new, |error| error.message.clone());
-            let message = format!("the model cannot be with these inputs: {}", shown(&why));
+            let message = format!("the model is not possible with these inputs: {}", shown(&why));
             let help = "give formulas of t, coordinates, q', speeds and parameters";
             Diagnostics::new(scene.clone(), vec![Diagnostic::new(place, message, help)])
         })

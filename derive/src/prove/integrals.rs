@@ -131,7 +131,8 @@ pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Compare
             basis.search(model, arena, simplifier, comparer)
         }
         None => {
-            let covered = "no search: it needs the equations by Kane and by Lagrange".to_owned();
+            let covered =
+                "first integrals are not searched: the search needs Kane's and Lagrange's equations".to_owned();
             (Vec::new(), Search { covered, power: None })
         }
     }
@@ -344,7 +345,8 @@ impl Searching<'_> {
         let (arena, comparer, kane) = (&mut *self.arena, &mut *self.comparer, &self.basis.kane);
         let rate = motion_rates(self.model).apply(arena, value);
         let Ok((coefficients, rest)) = LinearForm::new(&kane.unknowns).coefficients(arena, rate) else {
-            let verdict = Verdict::Undecided("its rate is not linear in the accelerations".to_owned());
+            let verdict =
+                Verdict::Undecided("the rate of the first integral is not linear in the accelerations".to_owned());
             return Compared { verdict, identities: Vec::new() };
         };
         let mut pairs = Vec::new();

@@ -290,7 +290,7 @@ impl<'a> Loading<'a, '_> {
             return self.required_formula(item, "printed");
         };
         if let Some(printed) = self.reader.get(item.table, "printed") {
-            let help = "a formula is printed here, or it stands at a label of a file";
+            let help = "give a formula here as `printed`, or give a label of a file, not both";
             self.reader.error(printed.span(), "`printed` beside `label`", help);
         }
         let label = self.reader.string(label, "`label`")?;

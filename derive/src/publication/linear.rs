@@ -159,7 +159,7 @@ impl<'a> Loading<'a, '_> {
             ["equations", "label", "labels"].into_iter().filter(|k| self.reader.get(item.table, k).is_some()).collect();
         if let [_, second, ..] = stated[..] {
             let span = self.reader.get(item.table, second).map_or_else(|| item.span.clone(), Spanned::span);
-            let help = "equations are printed here, or they stand at labels of a file";
+            let help = "give equations here as `printed`, or give labels of a file, not both";
             self.reader.error(span, format!("`{second}` beside `{}`", stated[0]), help);
             return None;
         }
@@ -196,7 +196,7 @@ impl<'a> Loading<'a, '_> {
         let other = |(_, symbol): &&(String, Expr)| parts.binary_search(symbol).is_ok() && !stated.contains(symbol);
         if let Some((name, _)) = known.iter().find(other).filter(|_| !has_own) {
             let message = format!("the equations contain the unknown `{name}`, too");
-            self.reader.error(span, message, "name it among `unknowns`, or leave `unknowns` out");
+            self.reader.error(span, message, "list this symbol among `unknowns`, or leave `unknowns` out");
             return None;
         }
         Some(())

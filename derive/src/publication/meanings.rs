@@ -456,7 +456,7 @@ impl Words {
         match (name, self.known.get(plain)) {
             (TIME, _) => "nothing in the model depends on time".to_owned(),
             ("deg" | "degree" | "degrees", _) => "angles are in radians: write 10 degrees as `10*pi/180`".to_owned(),
-            (_, Some(Word::Model("speed", _))) => format!("of a speed there is one derivative: {plain}'"),
+            (_, Some(Word::Model("speed", _))) => format!("a speed has one derivative only: {plain}'"),
             (_, Some(_)) => format!("a prime stands after coordinates and speeds only; `{plain}` is neither"),
             _ => nearest(name, self.order.iter().map(String::as_str)),
         }

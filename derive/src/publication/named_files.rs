@@ -290,7 +290,10 @@ impl<'a> Loading<'a, '_> {
             '*' => Some(arena.mul(before, value)),
             _ => None,
         });
-        let value = changed.map_or_else(|| unread(name, "it changes an unknown value, or divides it"), Local::Value);
+        let value = changed.map_or_else(
+            || unread(name, "the change is made to a value that is unknown, or divides by one"),
+            Local::Value,
+        );
         self.set(name, value);
     }
 

@@ -21,7 +21,7 @@ impl<'a> Loading<'a, '_> {
         let Some((kind, is_turned)) = self.own_kind(quantity.kind()) else {
             let span = self.reader.get(item.table, "quantity").map_or_else(|| item.span.clone(), toml::Spanned::span);
             let message = format!("`{quantity}` is of a coordinate that is a sum of the model's");
-            let help = "print it as an equation of motion, without a quantity, such as q1'' = …";
+            let help = "state the formula as an equation of motion, without a quantity, such as q1'' = …";
             self.reader.error(span, message, help);
             return None;
         };
@@ -34,8 +34,9 @@ impl<'a> Loading<'a, '_> {
         for (name, quantity, _) in names {
             let own = self.own_kind(quantity.kind());
             if own.is_none_or(|(kind, is_turned)| is_turned || kind != *quantity.kind()) {
-                let message =
-                    format!("`{name}` stands for `{quantity}` of the model, which is the publication's own here");
+                let message = format!(
+                    "`{name}` stands for `{quantity}`, which the publication defines differently from the model"
+                );
                 let help = "give the coordinate in [coordinates] a name that the model does not have";
                 self.reader.errors.push(Diagnostic::of_file(message, help));
             }

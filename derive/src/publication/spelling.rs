@@ -174,7 +174,7 @@ impl Spell for Speller<'_> {
             return Ok(names.swap_remove(at));
         }
         self.repeated = true;
-        let help = format!("say in [symbols] what it stands for, as in {} = \"u1\"", quoted(name));
+        let help = format!("give the meaning of the symbol in [symbols], as in {} = \"u1\"", quoted(name));
         Err((format!("unknown name `{}`", shown(name)), Some(help)))
     }
 }

@@ -9,7 +9,7 @@ pub(crate) const KEYS: &[Key] = &[
     VERSION,
     needed("name", Text, "the title of the model"),
     key("source", Text, "where the problem comes from"),
-    key("counts", Named(&Formula), "names of whole numbers, for what is repeated"),
+    key("counts", Named(&Formula), "names of whole numbers, for repeated entries"),
     key("parameters", Named(&PARAMETER), "quantities that stay fixed during a motion"),
     key("expressions", Named(&WITH_VALUE), "formulas that have names"),
     key("coordinates", Named(&Table(&[UNIT, ABOUT])), "the configuration variables q"),
@@ -22,20 +22,20 @@ pub(crate) const KEYS: &[Key] = &[
     key("frames", Named(&FRAME), "frames, each turned from another"),
     key("points", Named(&POINT), "points, each placed from another"),
     key("bodies", Named(&BODY), "rigid bodies"),
-    key("joints", Named(&JOINT), "what connects bodies, and brings frames, coordinates and speeds"),
+    key("joints", Named(&JOINT), "connections of bodies, which bring frames, coordinates and speeds"),
     key("particles", Named(&PARTICLE), "what has mass at a point"),
     key("gravity", GRAVITY, "the acceleration of free fall"),
     key("forces", Named(&FORCE), "applied forces, N"),
     key("torques", Named(&TORQUE), "applied torques, N m"),
     key("springs", Named(&SPRING), "springs and dampers between two points"),
     key("friction", Named(&FRICTION), "dry friction at a point or about an axis"),
-    key("potentials", Named(&WITH_VALUE), "energies that depend on where everything is, J"),
+    key("potentials", Named(&WITH_VALUE), "energies that depend on the configuration, J"),
     key("inputs", Named(&INPUT), "signals that drive loads"),
     key("reactions", Named(&REACTION), "unknown forces and torques of constraints and joints"),
     key("constraints", Named(&CONSTRAINT), "equations that hold at all times"),
     key("rolling", Named(&ROLLING), "what does not slip at a point"),
     key("domain", Named(&Formula), "strict inequalities where the model holds"),
-    key("shapes", Named(&SHAPE), "how it looks in views; no equation knows of it"),
+    key("shapes", Named(&SHAPE), "appearance of bodies in views; equations do not depend on it"),
     key("notation", Named(&Text), "the symbols by which documents show names, such as `omega_1` or `psi'`"),
 ];
 
@@ -43,7 +43,7 @@ const UNIT: Key = needed("unit", Text, "a product of powers of SI units, such as
 const FRAME_OF: Key = needed("frame", Text, "the frame of the components");
 const VECTOR: Key = needed("vector", Vector, "the components");
 const ON: Key = needed("on", Text, "the body or particle that it acts on");
-const AT: Key = key("at", Text, "the point where it acts; the mass centre if it is left out");
+const AT: Key = key("at", Text, "point of application; by default the mass centre");
 const AGAINST: Key = key("against", Text, "what feels the opposite");
 const AGAINST_AT: Key = key("against_at", Text, "where the opposite acts");
 
@@ -63,7 +63,7 @@ const FRAME: Kind = Table(&[
     needed("from", Text, "the frame that it is turned from"),
     key("axis", Either(&[Axis, Vector]), "the axis 1, 2 or 3, or a vector"),
     key("angle", Formula, "the angle, rad"),
-    key("sequence", Text, "axes of turns that follow one another, such as \"313\""),
+    key("sequence", Text, "axes of successive turns, such as \"313\""),
     key("angles", List(&Formula), "an angle for each of them"),
     key("fixed", Word(&["body", "space"]), "which frame the axes of turns are of"),
     key("euler_parameters", List(&Text), "four coordinates, cos θ/2 first"),
@@ -78,7 +78,7 @@ const POINT: Kind = Table(&[
 ]);
 
 const BODY: Kind = Table(&[
-    key("frame", Text, "the frame fixed in it; a joint brings one"),
+    key("frame", Text, "frame fixed in the body; a joint brings one"),
     key("centre", Text, "its mass centre; a joint brings one"),
     needed("mass", Formula, "kg"),
     needed(
@@ -92,7 +92,7 @@ const BODY: Kind = Table(&[
                 key("about_point", Text, "another point than the mass centre"),
             ]),
         ]),
-        "its central inertia; one moment is enough for what turns about one axis",
+        "central inertia of the body; one moment is enough for a body that turns about one axis",
     ),
     key(
         "added_mass",
@@ -101,7 +101,7 @@ const BODY: Kind = Table(&[
             key("matrix", List(&List(&Formula)), "six rows of six entries; symmetric"),
             key("about_point", Text, "another point than the mass centre"),
         ]),
-        "the mass of the fluid that moves with it, in the frame of the body",
+        "added mass of the surrounding fluid, in the frame of the body",
     ),
     ABOUT,
 ]);
@@ -116,14 +116,14 @@ const PLACE: Kind = Either(&[Text, Vector]);
 
 const JOINT: Kind = Table(&[
     needed("kind", Word(&JOINT_KINDS), "what it lets the body do"),
-    needed("body", Text, "the body that it carries, or ties if that is placed already"),
-    key("to", Text, "what it hangs on; the ground if it is left out"),
-    key("at", PLACE, "where it is on `to`: a point, or components"),
+    needed("body", Text, "body that the joint carries; a body placed already is tied by a loop"),
+    key("to", Text, "body that the joint hangs on; by default the ground"),
+    key("at", PLACE, "place of the joint on `to`: a point, or components"),
     key("turned", TURNED, "how its axes lie on `to`"),
     key("centre", Vector, "the mass centre of the body from the joint"),
     key("coordinates", List(&Text), "names of its coordinates"),
     key("speeds", List(&Text), "names of its speeds"),
-    key("body_at", PLACE, "where a joint that closes a loop is on the body"),
+    key("body_at", PLACE, "place, on the body, of a joint that closes a loop"),
     key("body_turned", TURNED, "how its axes lie there"),
     key("axis", Either(&[Axis, Vector]), "its axis"),
     key("axes", List(&Axis), "the two axes of a universal joint"),
@@ -197,14 +197,14 @@ const CONSTRAINT: Kind = Either(&[
 const ROLLING: Kind = Table(&[
     needed("body", Text, "the rigid body that rolls"),
     needed("at", Text, "the point of contact"),
-    key("against", Text, "the rigid body that it rolls on; the ground if it is left out"),
+    key("against", Text, "rigid body on which the wheel rolls; by default the ground"),
     key("frame", Text, "the frame whose components make the constraints"),
     ABOUT,
 ]);
 
 const SHAPE: Kind = Table(&[
     needed("kind", Word(&SHAPE_KINDS), "what it is like"),
-    key("body", Text, "the body that it belongs to: its frame and mass centre, and its colour"),
+    key("body", Text, "body that the shape belongs to; it gives frame, mass centre and colour"),
     key("frame", Text, "the frame that it is fixed in"),
     key("at", Text, "the point that its middle is told from"),
     key("position", Vector, "where its middle is from there, m"),

@@ -7,7 +7,7 @@ const FORMULAS: Kind = List(&Formula);
 const MATRIX: Kind = List(&FORMULAS);
 const ID: Key = needed("id", Text, "unique in the file, the equation number first, as in 2.11-a1");
 const SECTION: Key = needed("section", Text, "where it is printed");
-const REPAIRED: Key = key("repaired", Text, "what is garbled here, and how it was read");
+const REPAIRED: Key = key("repaired", Text, "remark on garbled print, and on its reading here");
 const NOTE: Key = key("note", Text, "a remark");
 const FORMULATIONS: &[&str] = &["kane", "lagrange", "newton-euler"];
 const FORMULATION: Key = needed("formulation", Word(FORMULATIONS), "what it is compared with");
@@ -15,19 +15,19 @@ const FORMULATION: Key = needed("formulation", Word(FORMULATIONS), "what it is c
 const NOTATION: Key = key(
     "notation",
     Word(&["tripos", "latex", "python", "sympy", "matlab", "c"]),
-    "how formulas are written: tripos, the language of model files, if nothing is said",
+    "notation of the formulas; by default tripos, the language of model files",
 );
 
 const ABOUT: Key =
     key("about", Named(&Formula), "the point near which formulas hold, as { q1 = 0, u3 = \"w\" }; {} for everywhere");
 const SMALL: Key = key("small", List(&Text), "parameters near 0, up to the order, as [\"epsilon\"]");
-const ORDER: Key = key("order", Whole(1), "up to which order in the deviations from that point: 1 if nothing is said");
+const ORDER: Key = key("order", Whole(1), "order in the deviations from that point; by default 1");
 
 const FILE: Key =
     key("file", Text, "a file beside this one: paper.tex, or a program such as model.m, model.py, model.c");
 const PART: Key =
-    key("part", Text, "of a program: a function, lines as in 12-40, or NAME of `begin NAME` and `end NAME`");
-const LABEL: Key = key("label", Text, "of an equation of the file, in the place of what is printed");
+    key("part", Text, "part of a program: a function, lines such as 12-40, or the NAME in `begin NAME` and `end NAME`");
+const LABEL: Key = key("label", Text, "label of an equation of the file, in place of `printed`");
 const LINE: Key = key("line", Whole(1), "which equation of the label, from 1");
 
 /// Keys of an entry with formulas: those that every such entry may have, then its own.
@@ -42,13 +42,13 @@ pub(crate) const KEYS: &[Key] = &[
     VERSION,
     key("title", Text, "the title of the publication"),
     key("source", Text, "where it is from"),
-    key("file", Text, "the file of labels and parts of entries that name none; its macros hold for all formulas"),
+    key("file", Text, "file of the labels and parts in entries without a file; its macros hold for all formulas"),
     key("macros", Text, "definitions of macros, such as \\newcommand{\\w}{\\omega}"),
     NOTATION,
     ABOUT,
     SMALL,
     ORDER,
-    key("symbols", Named(&Text), "symbols of the text, each with the name that it stands for"),
+    key("symbols", Named(&Text), "symbols of the text, each with its name in the model"),
     key("coordinates", Named(&Formula), "coordinates and speeds of the text, as formulas in those of the model"),
     key("abbreviations", Named(&Formula), "shorthand of the text"),
     key("names", Named(&Text), "symbols of the text that stand for derived quantities"),
@@ -61,16 +61,16 @@ pub(crate) const KEYS: &[Key] = &[
 ];
 
 const EQUATION: &[Key] = of_formulas![
-    key("quantity", Text, "the derived quantity, such as v(P) @ A [1]; nothing for an equation of motion"),
-    key("printed", Formula, "as it is printed, or the name of a variable of the program"),
+    key("quantity", Text, "derived quantity, such as v(P) @ A [1]; left out for an equation of motion"),
+    key("printed", Formula, "formula as printed, or the name of a variable of the program"),
     LABEL,
     LINE,
-    key("formulation", Word(FORMULATIONS), "what an equation of motion is compared with"),
+    key("formulation", Word(FORMULATIONS), "formulation that an equation of motion is compared with"),
     key("frame", Text, "the frame of the components of a Newton-Euler equation"),
 ];
 
 const WHOLE_MATRIX: &[Key] = of_formulas![
-    needed("quantity", Text, "a quantity with indices, without them, such as M or I(disk) @ B"),
+    needed("quantity", Text, "matrix quantity without its indices, such as M or I(disk) @ B"),
     key("printed", Text, "the whole matrix, as in [a, b; c, d]"),
     LABEL,
     LINE,
@@ -82,9 +82,9 @@ const DEFINITION: &[Key] = &[ID, SECTION, REPAIRED, NOTE, needed("printed", Text
 const SYSTEM: &[Key] = of_formulas![
     FORMULATION,
     key("frame", Text, "the frame of the components of a Newton-Euler system"),
-    key("equations", FORMULAS, "its rows as equations, in the place of unknowns, matrix and right"),
-    key("label", Text, "of an environment of the file whose equations are the rows"),
-    key("labels", List(&Text), "of equations of the file that are the rows"),
+    key("equations", FORMULAS, "rows of the system as equations, in place of unknowns, matrix and right"),
+    key("label", Text, "label of an environment of the file whose equations are the rows"),
+    key("labels", List(&Text), "labels of equations of the file that are the rows"),
     key("unknowns", List(&Text), "what it is solved for"),
     key("matrix", MATRIX, "its rows"),
     key("right", FORMULAS, "the right-hand side"),

@@ -4,7 +4,7 @@ use super::Kind::{Either, Flag, Formula, List, Named, Table, Text, Whole, Word};
 use super::{ABOUT, Key, Kind, VERSION, key, needed};
 use crate::scene::{FIGURES, ImpactLaw, Integrator, SOLVES};
 
-const MODEL: Key = key("model", Text, "the model file, relative to this one; ../model.toml if it is left out");
+const MODEL: Key = key("model", Text, "path of the model file, relative to this file; by default ../model.toml");
 const TITLE: Key = key("title", Text, "a title for the page");
 const PARAMETERS: Key = key("parameters", NUMBERS, "values that differ from the model's defaults");
 const INPUTS: Key = key("inputs", Named(&INPUT), "what the model's inputs are");
@@ -28,7 +28,7 @@ pub(crate) const KEYS: &[Key] = &[
     INPUTS,
     FREE,
     needed("start", NUMBERS, "every coordinate, and every speed or every q'"),
-    key("guess", NUMBERS, "values near those of coordinates that close the loops"),
+    key("guess", NUMBERS, "guesses of the coordinates that close the loops"),
     LADDER,
     Key { is_needed: true, ..SPAN },
     INTEGRATION,
@@ -81,22 +81,18 @@ const INTEGRATION_KEYS: &[Key] = &[
     key("atol", Either(&[Formula, NUMBERS]), "absolute tolerance: one, or by coordinate and speed"),
     key("step", Formula, "the length of every step, s"),
     key("max_step", Formula, "the longest step, s"),
-    key("step_limit", Whole(1), "attempted steps after which the run is given up"),
+    key("step_limit", Whole(1), "largest number of attempted steps of a run"),
     key("samples", Whole(2), "number of equally spaced samples"),
     key("domain", Word(&["stop", "watch"]), "whether leaving the domain ends the run"),
     key("project", Word(&["energy"]), "what each step is moved back onto"),
-    key(
-        "distance",
-        Either(&[Word(&["none"]), NUMBERS]),
-        "a coordinate of which the distance from a right angle is integrated",
-    ),
+    key("distance", Either(&[Word(&["none"]), NUMBERS]), "coordinate whose distance from a right angle is integrated"),
 ];
 
 const IMPACT: &[Key] = &[
-    needed("gap", Formula, "positive apart, 0 where the bodies meet, m"),
+    needed("gap", Formula, "gap, m: positive if the bodies are apart, 0 if they touch"),
     needed("restitution", Formula, "from 0 to 1"),
     key("law", Word(&ImpactLaw::NAMES), "Newton's law or Poisson's"),
-    key("no_slip", List(&Formula), "velocities along the contact that are 0 while it is closed"),
+    key("no_slip", List(&Formula), "velocities along the contact that are 0 while the contact is closed"),
     key("friction", Formula, "the coefficient of Coulomb friction, 0 or more"),
     key("along", Formula, "the velocity at which a contact with friction slips, m/s"),
     ABOUT,

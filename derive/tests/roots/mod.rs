@@ -63,7 +63,7 @@ fn outline(difference: &Difference) -> String {
 fn the_errors_of_the_course_report_come_of_few_mistakes() {
     let difference = disk("../models/disk/publication.toml");
     expect![[r"
-        kane-3.2-line1-b1: omega(B) stands in the place of omega(C) in omega x H (17)
+        kane-3.2-line1-b1: omega(B) is printed instead of omega(C) in omega x H (17)
           kane-3.2-line1-b2 repeated kane-3.2-line1-b1
           kane-3.2-line3-b2 repeated kane-3.2-line1-b2
           kane-final-row2 follows kane-3.2-line3-b2
@@ -87,7 +87,7 @@ fn the_errors_of_the_course_report_come_of_few_mistakes() {
         kane-final-row1: in the right-hand side, the term -3*R*u2*u3 should be -2*R*u2*u3, the term -R*u2^2*tan(q2) should be -3*R*u2^2*tan(q2) (2)
           listing-5.4-dz6 repeated kane-final-row1
         lagrange-3.2: R*q2 should be R*q2'; q1'*cos(q1) should be q4'*cos(q1) (1)
-        lagrange-3.6-q1: ∂/∂t stands in the place of d/dt (5)
+        lagrange-3.6-q1: ∂/∂t is printed instead of d/dt (5)
           lagrange-3.6-q2 repeated lagrange-3.6-q1
           lagrange-3.6-q3 repeated lagrange-3.6-q2
           lagrange-3.6-q4 repeated lagrange-3.6-q3
@@ -101,7 +101,7 @@ fn the_errors_of_the_course_report_come_of_few_mistakes() {
         lagrange-final-row5: in the right-hand side, -R*q1'^2*cos(q1)*cos(q2) should be -R*q1'^2*cos(q1)*sin(q2) (3)
           lagrange-3.9-A5 repeated lagrange-final-row5
           listing-5.5-dz10 repeated lagrange-3.9-A5
-        4.3-q1': the values of q1', q2', q3' and those of u1, u2, u3 stand in each other's place (7)
+        4.3-q1': the values of q1', q2', q3' and those of u1, u2, u3 are exchanged (7)
           4.3-q2' contradicts listing-5.7-qd20
           4.4-u1 contradicts 4.3-q2'
           4.4-u2 contradicts 4.3-q1'

@@ -87,7 +87,8 @@ impl Sketch {
     /// values, unless the mechanism has loops.
     ///
     /// # Errors
-    /// [`Error::Request`] if a shape has a length that is not positive, or a frame or point has no place at this start.
+    /// [`Error::Request`] if a shape has a length that is not positive, or the place of a frame or point is not a
+    /// finite number at this start.
     pub fn of_scene(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let name = path_in_line(&scene.source.path);
         let of =
@@ -127,7 +128,7 @@ impl Sketch {
         let pose = poses.of(given.parameters, &given.q);
         if !is_somewhere(&pose) {
             let help = "give another state by --at, or another scene";
-            return Err(Error::request("a frame or point has no place at this start", help));
+            return Err(Error::request("the place of a frame or point is not a finite number at this start", help));
         }
         let view = View::of_poses(mechanism, at, &[std::slice::from_ref(&pose)])?;
         let far = far(poses, at);

@@ -51,7 +51,7 @@ pub fn turned(
     };
     DETOURS.iter().find_map(|detour| turning.to_section(start, *detour)).ok_or_else(|| {
         Error::Stopped(format!(
-            "the start cannot be turned to where {} zero",
+            "no symmetry moves the start to a place where {} zero",
             if frame.pins.len() == 1 { "the state of the frame is" } else { "the states of the frame are" }
         ))
     })

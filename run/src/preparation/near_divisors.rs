@@ -10,6 +10,7 @@ use tripos_derive::algebra::value::evaluate::Numeric;
 use tripos_derive::algebra::{Arena, Expr, Function, Node, Rational};
 use tripos_derive::mechanics::load_divisors;
 use tripos_derive::model::{Coordinate, Unit};
+use tripos_derive::plain::significant;
 
 /// Share of the typical size of a divisor's terms below which the divisor counts as nearly zero, in any unit.
 const NEAR: f64 = 1e-6;
@@ -42,7 +43,7 @@ pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<Str
     let list: Vec<String> = near
         .map(|((e, meaning), value)| {
             let meaning = meaning.as_ref().map_or_else(String::new, |meaning| format!(" ({meaning})"));
-            format!("{} = {}{meaning}", text(&arena, *e), in_two_digits(*value))
+            format!("{} = {}{meaning}", text(&arena, *e), significant(*value, 2))
         })
         .collect();
     Ok(if list.is_empty() { String::new() } else { format!(", where {}", list.join(" and ")) })
@@ -82,11 +83,6 @@ impl Fold for Sizes<'_> {
     fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, f64>) -> Option<f64> {
         Some(if matches!(f, Function::Sin | Function::Cos) { 1.0 } else { of[argument].apply(f).abs() })
     }
-}
-
-/// Formats a divisor that is nearly zero in two digits.
-fn in_two_digits(value: f64) -> String {
-    if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
 }
 
 #[cfg(test)]

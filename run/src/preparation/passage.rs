@@ -19,6 +19,7 @@ use parts::{coarsened, options_in_rates, widened};
 use std::cell::{Cell, RefCell};
 use std::sync::Mutex;
 use tripos_derive::mechanics::EquationsOrigin;
+use tripos_derive::plain::significant;
 use tripos_derive::scene::Solve;
 use tripos_sim::{
     Accompanied, Event, Failure, Lent, Multipliers, Options, PowerAt, RightHandSide, SimError, Solution, Standing,
@@ -324,7 +325,8 @@ impl<'r> Passage<'r> {
             leg.stop = Stop::Failed(Failure { code: "singular", message });
         } else if let (true, Some(lost)) = (is_singular, self.lost(y, &leg)) {
             let message = format!(
-                "the mechanism goes through a singular pose, where its constraints depend on one another, and {lost:.1e} of its energy is not kept there"
+                "the mechanism goes through a singular pose, where its constraints depend on one another, and {} of its energy is not kept there",
+                significant(lost, 2)
             );
             leg.stop = Stop::Failed(Failure { code: "singular", message });
         }

@@ -349,10 +349,10 @@ impl<'a> Problem<'a> {
         }
         if how.method == Integrator::Quadrature {
             if self.by.is_reduced() && system.lengths().variables == 0 {
-                let what = "no motion by quadrature: nothing is left to integrate".to_owned();
+                let what = "quadrature is not possible: no equation is left to integrate".to_owned();
                 return Err(Error::request(
                     what,
-                    "choose any other method: the equations that are left are algebraic".to_owned(),
+                    "choose any other method: the remaining equations are algebraic".to_owned(),
                 ));
             }
             return quadrature::solve(system, p, self.scene.span, y0, &self.options(options), events).map_err(
@@ -383,9 +383,9 @@ impl<'a> Problem<'a> {
         if !system.has_energy_gradient() {
             let what = format!("{} cannot be projected onto their energy", self.by.title());
             let help = if self.by.is_reduced() {
-                "no conserved energy was found that is a function of what is left: leave the projection out"
+                "the remaining states have no known conserved energy: leave the projection out"
             } else {
-                "projection needs a scene's reduced equations: name no others"
+                "projection needs the scene's reduced equations: leave --by out"
             };
             return Err(Error::request(what, help.to_owned()));
         }
@@ -406,11 +406,11 @@ impl<'a> Problem<'a> {
     fn no_quadrature(&self) -> &'static str {
         let system = self.system();
         if !self.by.is_reduced() {
-            "it needs a scene's reduced equations with one degree of freedom left, as `tripos scene` shows"
+            "quadrature needs reduced equations with one degree of freedom, as `tripos scene` shows"
         } else if system.lengths().variables != 1 {
-            "it needs one degree of freedom; `tripos scene` shows how many are left: give a stepping method"
+            "quadrature needs one degree of freedom; `tripos scene` shows how many are left: give a stepping method"
         } else if !system.has_potential_slope() {
-            "no conserved energy with a potential in closed form was found for what is left: give a stepping method"
+            "the remaining states have no conserved energy with a potential in closed form: give a stepping method"
         } else {
             "give a stepping method for this motion"
         }

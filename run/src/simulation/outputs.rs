@@ -66,8 +66,11 @@ impl ShownQuantities {
             .then(|| code(model, &Formulation::NewtonEuler.into(), None, Ready::AsDerived))
             .transpose()?;
         if !scene.impacts.is_empty() && (balance.is_some() || mentioned(&u_dot)) {
-            let what = "accelerations and reactions are not shown in scenes with impacts: what holds a closed contact is not in them".to_owned();
-            return Err(Error::request(what, "leave them out of `outputs`, or the impacts out of the scene"));
+            let what = "accelerations and reactions are not shown in scenes with impacts: they would lack the forces of closed contacts".to_owned();
+            return Err(Error::request(
+                what,
+                "leave accelerations and reactions out of `outputs`, or the impacts out of the scene",
+            ));
         }
         let outputs = Outputs {
             tape: tape(arena, &inputs, &values, "an output")?,

@@ -7,6 +7,7 @@ use crate::trust::digits::Digits;
 use crate::trust::invariants::{Course, Drift, Watch};
 use crate::trust::residuals::Residual;
 use tripos_derive::mechanics::EquationsOrigin;
+use tripos_derive::plain::within;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::{Dynamics, EventRecord, ImpactRecord, Kind, Solution};
 
@@ -123,13 +124,13 @@ impl Run {
         let mut without = without.peekable();
         let Some(&((t, y), which)) = without.peek() else {
             let lost = self.energy_drift.is_some_and(f64::is_nan);
-            self.missing = lost.then(|| "the energy has no value that doubles can hold".to_owned());
+            self.missing = lost.then(|| "the energy is not a finite number".to_owned());
             return Ok(());
         };
         let more = without.count() - 1;
         let more = if more == 0 { String::new() } else { format!(" and at {more} of the samples after it") };
         let near = problem.near_divisors(y)?;
-        self.missing = Some(format!("`{}` has no value at t = {t} s{more}{near}", self.names[which]));
+        self.missing = Some(format!("`{}` has no value at t = {} s{more}{near}", self.names[which], within(*t, None)));
         Ok(())
     }
 

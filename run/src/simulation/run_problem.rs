@@ -206,8 +206,7 @@ fn meaning(problem: &Problem<'_>, divisor: &str) -> String {
 /// Note that the energy of a driven mechanism is no measure of a run; `None` if constraints do not drive it.
 fn driven(problem: &Problem<'_>) -> Option<String> {
     problem.mechanism.is_driven().then(|| {
-        "constraints drive the mechanism: its energy changes by what their forces work, and no drift of it is stated"
-            .to_owned()
+        "constraints drive the mechanism: their forces change the energy, and no drift of energy is stated".to_owned()
     })
 }
 

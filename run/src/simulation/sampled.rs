@@ -224,7 +224,7 @@ fn check_instants(scene: &Scene, instants: &[f64]) -> Result<(), Error> {
     let (from, to) = scene.span;
     if to < from {
         let help = "end the span after its start";
-        return Err(Error::request("inputs are decided as time goes on, and this run goes back in it", help));
+        return Err(Error::request("inputs need a run forwards in time, and this run goes backwards", help));
     }
     if let Some(t) = instants.iter().find(|t| !(from..=to).contains(*t)) {
         let what = format!("the instant {t} s is outside the run, from {from} s to {to} s");
@@ -249,12 +249,12 @@ fn check_instants(scene: &Scene, instants: &[f64]) -> Result<(), Error> {
 fn check_integration(scene: &Scene) -> Result<(), Error> {
     let how = &scene.integration;
     if how.method == Integrator::Quadrature || how.project.is_some() {
-        let what = "inputs that are set from outside change the energy: no quadrature and no projection onto it";
+        let what = "inputs from outside change the energy: quadrature and projection are not possible";
         return Err(Error::request(what, "give a stepping method, without `project`"));
     }
     if !scene.impacts.is_empty() {
         let help = "run the scene by `simulate`, or leave its impacts out";
-        return Err(Error::request("inputs that are set from outside are not run together with impacts", help));
+        return Err(Error::request("a scene with impacts cannot have inputs from outside", help));
     }
     Ok(())
 }

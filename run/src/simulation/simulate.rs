@@ -17,6 +17,7 @@ use crate::trust::power::accounted;
 use std::sync::Mutex;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::{EquationsOrigin, is_reducible};
+use tripos_derive::plain::within;
 use tripos_derive::reduce::ReductionBasis;
 use tripos_derive::scene::{Integrator, Scene, Solve};
 use tripos_sim::{Solution, Stop};
@@ -64,15 +65,15 @@ fn without_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Opt
         return None;
     }
     if !scene.impacts.is_empty() {
-        return Some("whole equations are run: impacts change what reduced ones hold constant");
+        return Some("whole equations are run: impacts change values that reduced equations hold constant");
     }
     if mechanism.speeds.is_empty() {
         return Some("the constraints leave no speed: the coordinates follow from them, and forces from the motion");
     }
     (!is_reducible(mechanism)).then_some(if mechanism.loops.is_empty() {
-        "whole equations are run: those of this model are too large to be written out for a scene's own"
+        "whole equations are run: this model is too large for reduced equations"
     } else {
-        "whole equations are run: nothing is left out of a mechanism whose loops are to stay closed"
+        "whole equations are run: a mechanism with closed loops needs all of them"
     })
 }
 
@@ -155,7 +156,7 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
 
 /// Reason why a run must be replaced, as the end of a sentence about its equations; `None` if the run is kept.
 fn left_for(run: &Run) -> Option<String> {
-    let t = run.solution.t_end;
+    let t = within(run.solution.t_end, None);
     match &run.solution.stop {
         Stop::Interrupted => None,
         Stop::Singular { divisor } => Some(format!("divide by {divisor}, which is 0 at t = {t} s")),

@@ -23,10 +23,10 @@ pub type Run = fn(&Study<'_>, &mut Findings) -> Result<(), Error>;
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.
 pub fn all(study: &Study<'_>) -> Result<Findings, Error> {
-    study.model.has_speeds("there are no equations of motion that could give way")?;
+    study.model.has_speeds("the model has no equations of motion to study")?;
     if !study.scene.impacts.is_empty() {
         let help = "leave the impacts out, and end the span before the first of them";
-        return Err(Error::request("where runs give way is told of smooth motions, not of impacts", help));
+        return Err(Error::request("this study needs a smooth motion, and the scene has impacts", help));
     }
     let mut findings = Findings::default();
     let studies: [(Topic, Run); 5] = [

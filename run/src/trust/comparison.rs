@@ -95,7 +95,7 @@ impl Compared {
         };
         Some(match names(true).as_str() {
             "" => format!("Errors are those of all states.{more}"),
-            known => format!("Errors are those of what the scene wants to see: {known}.{more}"),
+            known => format!("Errors are those of the scene's outputs: {known}.{more}"),
         })
     }
 }

@@ -47,7 +47,7 @@ impl Balance {
             let reaction = model.reactions.iter().find(|r| model.arena.mentions(e, r.symbol));
             if let (Some(reaction), false) = (reaction, scene.impacts.is_empty()) {
                 let what = format!(
-                    "`{name}` needs the reaction `{}`, in which what holds a closed contact is not",
+                    "`{name}` needs the reaction `{}`, which does not contain the force of closed contacts",
                     reaction.name
                 );
                 return Err(Error::request(what, "leave the condition out, or the impacts out of the scene"));

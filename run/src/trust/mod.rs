@@ -16,7 +16,7 @@ use crate::preparation::problem::Problem;
 use crate::trust::digits::{Digits, FEW, SecondEnd};
 use crate::trust::invariants::{Conserved, Excursion, Watch};
 use crate::trust::residuals::{broken, opened};
-use tripos_derive::plain::significant;
+use tripos_derive::plain::{significant, within};
 use tripos_derive::scene::Solve;
 use tripos_sim::{Solution, Stop};
 
@@ -62,11 +62,17 @@ fn few(digits: &Digits, names: &[String]) -> Option<String> {
     let (instant, which) = digits.first_with_few()?;
     let (t, error, name) = (digits.t[instant], digits.errors[instant][which], &names[which]);
     if error.is_nan() {
-        return Some(format!("`{name}` has no value at t = {t:.4} s, in this run or in another, {}", digits.by));
+        return Some(format!(
+            "`{name}` has no value at t = {} s, in this run or in another, {}",
+            within(t, None),
+            digits.by
+        ));
     }
-    let end = digits.end().filter(|left| *left >= FEW).map(|left| format!("; at the end {left:.0} are left again"));
+    let end =
+        digits.end().filter(|left| *left >= FEW).map(|left| format!("; at the end {left:.0} digits are right again"));
     Some(format!(
-        "fewer than three digits are left from t = {t:.4} s on, where `{name}` may be off by {}: so far apart are this run and another, {}{}",
+        "fewer than three digits are right from t = {} s on, where `{name}` may be off by {}: this is the difference from another run, {}{}",
+        within(t, None),
         significant(error, 2),
         digits.by,
         end.unwrap_or_default()
@@ -77,7 +83,7 @@ fn few(digits: &Digits, names: &[String]) -> Option<String> {
 fn beyond(digits: &Digits) -> Option<String> {
     match digits.assessed() {
         _ if digits.is_complete() => None,
-        Some(t) => Some(format!("beyond t = {t} s")),
+        Some(t) => Some(format!("beyond t = {} s", within(t, None))),
         None => Some("at any instant".to_owned()),
     }
 }
@@ -159,12 +165,12 @@ fn worst<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a Watch) -> Ve
 
 /// Objection that reports the excursion of a first integral.
 fn excursion_in_words((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
-    let (name, unit) = (integral.name(), &integral.unit);
+    let (name, unit, t) = (integral.name(), &integral.unit, within(*t, None));
     if change.is_nan() {
-        return format!("{name}, constant in this motion, has no value at t = {t:.4} s: do not trust this run");
+        return format!("{name}, constant in this motion, has no value at t = {t} s: do not trust this run");
     }
     format!(
-        "{name}, constant in this motion, has changed by {} {unit} at t = {t:.4} s: fewer than three digits are left there",
+        "{name}, constant in this motion, has changed by {} {unit} at t = {t} s: fewer than three digits are left there",
         significant(*change, 4)
     )
 }
@@ -196,7 +202,9 @@ fn condition(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String
     Ok((lost > asked).then(|| {
         let digits = (-lost.log10()).floor().max(0.0);
         format!(
-            "the matrix is ill-conditioned at t = {t} s: equilibrated rcond {rcond:.1e}, so the numeric solve leaves {digits} digits there, less than rtol {:e} asks for{}",
+            "the matrix is ill-conditioned at t = {} s: equilibrated rcond {}, so the numeric solve leaves {digits} digits there, less than rtol {:e} asks for{}",
+            within(t, None),
+            significant(rcond, 2),
             problem.scene.integration.rtol,
             if problem.system().has_accelerations() { "; eliminated accelerations lose none of them" } else { "" }
         )

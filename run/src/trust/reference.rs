@@ -42,7 +42,7 @@ impl Reference {
     /// [`Error`] if a run does not reach the last instant, or no formulation has eliminated accelerations.
     pub fn new(model: &Mechanism, scene: &Scene, times: &[f64]) -> Result<Self, Error> {
         if !scene.impacts.is_empty() {
-            let help = "take the errors that the run states, or leave the impacts out";
+            let help = "use the errors that the run prints, or leave the impacts out";
             return Err(Error::request("references in 32 digits know no impacts", help));
         }
         let mut scene = scene.clone();
@@ -89,7 +89,7 @@ fn witnesses(model: &Mechanism, scene: &Scene) -> Result<[Witness; 2], Error> {
     list.extend(list.first().cloned().filter(|_| list.len() == 1));
     list.try_into().map_err(|_| {
         let help = "give a model that Kane's method or Lagrange's equations can be derived for".to_owned();
-        Error::request("nothing is there to certify a reference with".to_owned(), help)
+        Error::request("a reference needs two witnesses, and the scene has none".to_owned(), help)
     })
 }
 

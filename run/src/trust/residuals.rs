@@ -1,6 +1,7 @@
 //! Residuals of the constraints along a run, and the objections to large ones.
 
 use crate::preparation::problem::Problem;
+use tripos_derive::plain::significant;
 use tripos_derive::scene::{DependentLoop, Loops};
 use tripos_sim::Solution;
 
@@ -66,10 +67,10 @@ fn following(problem: &Problem<'_>, solution: &Solution) -> Vec<(Residual, f64)>
 pub fn opened(problem: &Problem<'_>, solution: &Solution) -> impl Iterator<Item = String> {
     following(problem, solution).into_iter().filter(|(_, part)| part.is_nan() || *part > MAY_OPEN).map(|(residual, _)| {
         format!(
-            "the loop `{}`, which is to follow from the others wherever they are closed, opens by {:.1e}: at these values it does \
+            "the loop `{}`, which is to follow from the others wherever they are closed, opens by {}: at these values it does \
              not, or not along the whole way, and this is not the motion of the mechanism",
             residual.name,
-            residual.largest.abs()
+            significant(residual.largest.abs(), 2)
         )
     })
 }

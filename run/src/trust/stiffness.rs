@@ -9,6 +9,7 @@
 use crate::error::{Error, refused};
 use crate::options::options_of_ends;
 use crate::preparation::problem::Problem;
+use tripos_derive::plain::within;
 use tripos_sim::{Eliminated, Method, Options, Output, RightHandSide, Solution, Stop};
 
 /// Least number of steps of a run that is examined for stiffness; shorter runs take no time.
@@ -45,8 +46,10 @@ pub fn advice(problem: &Problem<'_>, solution: &Solution) -> Result<Option<Strin
         return Ok(None);
     };
     let Some((end, implicit)) = measured(problem, solution)? else { return Ok(None) };
-    let done = if solution.stop == Stop::End { String::new() } else { format!(" to t = {} s", solution.t_end) };
-    let arrived = if solution.t_end.total_cmp(&end).is_eq() { String::new() } else { format!(" to t = {end} s") };
+    let done =
+        if solution.stop == Stop::End { String::new() } else { format!(" to t = {} s", within(solution.t_end, None)) };
+    let arrived =
+        if solution.t_end.total_cmp(&end).is_eq() { String::new() } else { format!(" to t = {} s", within(end, None)) };
     Ok(Some(format!(
         "explicit steps are limited by stability here, not by accuracy: {} steps of {}{done}, with |h λ| = {product:.1} on \
          average; radau5 takes {} at the same tolerances{arrived}",

@@ -5,7 +5,7 @@
 
 use super::document::{Block, BodyEntry, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::LATEX;
-use super::layout::{Extent, TOO_LONG, entries, extent, lay, raised};
+use super::layout::{Extent, RowMarks, entries, extent, lay, raised};
 use crate::latex::escape;
 use std::fmt::Write;
 use tripos_derive::algebra::text::print::latex_of;
@@ -35,10 +35,22 @@ pub fn latex(document: &Document, part: Part) -> String {
         ),
         Part::Document => format!(
             "\\documentclass[a4paper]{{article}}\n\\usepackage[margin=25mm]{{geometry}}\n\\usepackage{{amsmath}}\n\\allowdisplaybreaks\n\
-             \\begin{{document}}\n\\section*{{{title}}}\n{body}\n\\end{{document}}\n"
+             {LONG_NAMES}\\begin{{document}}\n\\section*{{{title}}}\n{body}\n\\end{{document}}\n"
         ),
     }
 }
+
+/// Rows of the environment `align`.
+const ROWS: RowMarks = RowMarks {
+    end: " \\notag \\\\\n  ",
+    indent: "&\\quad ",
+    deep: "&\\qquad ",
+    words: |words| format!("\\text{{{words}}}"),
+};
+
+/// Commands by which lines may break within long names of a model file, and between formulas in a sentence.
+const LONG_NAMES: &str = "\\emergencystretch=3em\n\\let\\underscore\\_\n\
+    \\renewcommand{\\_}{\\underscore\\ifmmode\\else\\allowbreak\\fi}\n";
 
 /// Beginning of a list of names with their meanings.
 const LIST: &str = "\\begin{description}\n\\setlength{\\itemsep}{0pt}\\setlength{\\parsep}{0pt}\n";
@@ -117,9 +129,6 @@ fn equations(list: &[Equation]) -> String {
     if list.is_empty() {
         return String::new();
     }
-    let rows = lay(list, &LATEX).into_iter().map(|laid| match laid.lines {
-        Some(lines) => format!("{} &= {}", laid.left, lines.join(" \\notag \\\\\n  &\\qquad ")),
-        None => format!("{} &= \\text{{{TOO_LONG}}}", laid.left),
-    });
+    let rows = lay(list, &LATEX).into_iter().map(|laid| laid.row(&ROWS));
     format!("\\begin{{align}}\n{}\n\\end{{align}}\n", rows.collect::<Vec<_>>().join(" \\\\\n"))
 }

@@ -14,11 +14,15 @@ const LONGEST: usize = 20_000;
 const LONGEST_LINE: usize = 4_000;
 /// Width of a line on the page, in tenths of an em.
 const LINE: usize = 380;
+/// Largest width of a left side that shares its line with a right side, in tenths of an em.
+const WIDE: usize = 120;
+/// Width that the sign of equality and the indentation of further lines take, in tenths of an em.
+const INDENT: usize = 60;
 /// Largest width of matrices, which have a line for themselves, in tenths of an em.
 const MATRIX: usize = 430;
 
 /// Words that replace a formula that is too long.
-pub const TOO_LONG: &str = "an expression too long to print here";
+const TOO_LONG: &str = "an expression too long to print here";
 
 /// An equation as it stands on a page.
 pub struct Laid {
@@ -26,15 +30,46 @@ pub struct Laid {
     pub left: String,
     /// Lines of the right side; `None` if it is too long.
     pub lines: Option<Vec<String>>,
+    /// True if the left side takes most of a line.
+    pub is_wide: bool,
+}
+
+/// Marks of a language between the lines of aligned equations.
+pub struct RowMarks {
+    /// End of a line of an equation that goes on.
+    pub end: &'static str,
+    /// Beginning of a line with the right side, below a wide left side.
+    pub indent: &'static str,
+    /// Beginning of a further line of a right side.
+    pub deep: &'static str,
+    /// Function that writes words in a formula.
+    pub words: fn(&str) -> String,
+}
+
+impl Laid {
+    /// The equation with the marks of a language. A wide left side has a line for itself.
+    pub fn row(&self, marks: &RowMarks) -> String {
+        let next = format!("{}{}", marks.end, marks.deep);
+        let right = self.lines.as_ref().map_or_else(|| (marks.words)(TOO_LONG), |lines| lines.join(&next));
+        if self.is_wide {
+            format!("& {}{}{}= {right}", self.left, marks.end, marks.indent)
+        } else {
+            format!("{} &= {right}", self.left)
+        }
+    }
 }
 
 /// Lays equations out for a page, in a language.
 pub fn lay(list: &[Equation], language: &Language) -> Vec<Laid> {
+    // Right sides are aligned: they begin behind the widest left side that shares its line.
+    let column = list.iter().map(|(left, _)| left_width(left)).filter(|width| *width <= WIDE).max();
+    let rest = LINE - column.unwrap_or(0).max(INDENT);
     let one = |(left, right): &Equation| {
-        let lines = (language.lines)(right, LINE - left_width(left));
+        let is_wide = left_width(left) > WIDE;
+        let lines = (language.lines)(right, rest);
         let lengths = lines.iter().map(String::len);
         let is_too_long = lengths.clone().sum::<usize>() > LONGEST || lengths.max() > Some(LONGEST_LINE);
-        Laid { left: (language.left)(left), lines: (!is_too_long).then_some(lines) }
+        Laid { left: (language.left)(left), lines: (!is_too_long).then_some(lines), is_wide }
     };
     list.iter().map(one).collect()
 }
@@ -44,7 +79,8 @@ fn left_width(left: &Left) -> usize {
     let shown = (LATEX.left)(left);
     let shown =
         shown.replace("\\mathbf", "").replace("\\boldsymbol", "").replace("\\partial", "d").replace("\\frac", "");
-    (4 * shown.chars().filter(char::is_ascii_alphanumeric).count()).min(120) + 40
+    let shown = shown.replace("\\mathrm", "").replace("\\cdot", "").replace("\\omega", "o").replace("\\alpha", "a");
+    4 * shown.chars().filter(char::is_ascii_alphanumeric).count() + 40
 }
 
 /// Layout of a linear system of equations of motion on a page.

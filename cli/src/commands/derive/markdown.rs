@@ -5,7 +5,7 @@
 
 use super::document::{Block, BodyEntry, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::LATEX;
-use super::layout::{Extent, Laid, TOO_LONG, entries, extent, lay, raised};
+use super::layout::{Extent, Laid, RowMarks, entries, extent, lay, raised};
 use std::fmt::Write;
 use tripos_derive::algebra::text::print::latex_of;
 use tripos_derive::algebra::text::view::View;
@@ -102,12 +102,14 @@ fn system(system: &System) -> String {
 
 /// Writes equations below one another, each in as many lines as it needs.
 fn equations(list: &[Equation]) -> String {
-    let row = |Laid { left, lines }: &Laid| match lines {
-        Some(lines) => format!("{left} &= {}", lines.join(" \\\\\n  &\\qquad ")),
-        None => format!("{left} &= \\text{{{TOO_LONG}}}"),
+    let marks = RowMarks {
+        end: " \\\\\n  ",
+        indent: "&\\quad ",
+        deep: "&\\qquad ",
+        words: |words| format!("\\text{{{words}}}"),
     };
     let block = |rows: &[Laid]| {
-        let rows: Vec<String> = rows.iter().map(row).collect();
+        let rows: Vec<String> = rows.iter().map(|laid| laid.row(&marks)).collect();
         math(&format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", rows.join(" \\\\\n")))
     };
     lay(list, &LATEX).chunks(ROWS).map(block).collect()

@@ -69,7 +69,7 @@ const TAKEN: [&str; 42] = [
 const FUNCTION: &str = r#"
 
 def evaluated(formulation, values):
-    """Values of all symbols: those that are given, named terms, accelerations, and named terms that mention these."""
+    """Values of all symbols: the inputs, named terms, accelerations, and named terms that contain accelerations."""
     values = dict(values)
     for symbol, value in formulation.named + formulation.accelerations + formulation.named:
         values[symbol] = sp.sympify(value).xreplace(values)
@@ -213,7 +213,7 @@ impl<'a> Writer<'a> {
             view => sympy_of(&view),
         };
         if text.contains('…') {
-            let what = "the equations are too long to be written out".to_owned();
+            let what = "the equations are too long to be printed in full".to_owned();
             return Err(Failure::request(
                 what,
                 "ask for one formulation with --by; `tripos emit` writes any as code".to_owned(),

@@ -4,7 +4,7 @@
 
 use super::document::{Block, BodyEntry, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::TYPST;
-use super::layout::{Extent, Laid, TOO_LONG, entries, extent, lay, raised};
+use super::layout::{Extent, RowMarks, entries, extent, lay, raised};
 use std::fmt::Write;
 use tripos_derive::algebra::text::print::typst_of;
 use tripos_derive::algebra::text::view::View;
@@ -94,10 +94,8 @@ fn equations(list: &[Equation]) -> String {
     if list.is_empty() {
         return String::new();
     }
-    let rows = lay(list, &TYPST).into_iter().map(|Laid { left, lines }| match lines {
-        Some(lines) => format!("{left} &= {}", lines.join(" \\\n    &quad ")),
-        None => format!("{left} &= \"{TOO_LONG}\""),
-    });
+    let marks = RowMarks { end: " \\\n    ", indent: "&", deep: "&quad ", words: |words| format!("\"{words}\"") };
+    let rows = lay(list, &TYPST).into_iter().map(|laid| laid.row(&marks));
     math(&rows.collect::<Vec<_>>().join(" \\\n  "))
 }
 

@@ -38,8 +38,10 @@ fn words(search: &CoordinateSearch) -> String {
     let mut out = format!("{tried} choices of coordinates were tried, in numbers, with {compared} formulas.\n");
     match best.as_slice() {
         [] => {
-            let _ =
-                writeln!(out, "None makes more formulas right than the coordinates stated: {as_stated} of {compared}.");
+            let _ = writeln!(
+                out,
+                "No other choice of coordinates makes more formulas right than the stated one: {as_stated} of {compared}."
+            );
         }
         [one] => {
             let _ = writeln!(

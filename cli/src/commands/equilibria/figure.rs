@@ -18,7 +18,7 @@ pub fn check(out: &Path, model: &Mechanism, from: &Path) -> Result<(), Failure> 
     kind(out)?;
     let data = out.with_extension("csv");
     if [out, &data].iter().any(|place| would_change(place, from)) {
-        let what = format!("`{}` would be written over `{}`, which is read", path_in_line(out), path_in_line(from));
+        let what = format!("the output `{}` would overwrite the input `{}`", path_in_line(out), path_in_line(from));
         return Err(Failure::request(what, "give another file".to_owned()));
     }
     keep_inputs(model, None, [out, &data])

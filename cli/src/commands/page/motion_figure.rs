@@ -40,7 +40,7 @@ fn viewer(model: &Mechanism, scene: &Scene, title: &str) -> Result<Viewer, Failu
     let live = Live::of(&seen, None, Home::Page)?;
     let shown = LiveView { seen: &seen, live: &live };
     let is_fast = !turns_truly(&seen, Home::Page);
-    let doubt = "a body turns faster than the pictures of it follow: its turning is not seen truly.";
+    let doubt = "a body turns so fast that the pictures show a wrong turning.";
     Ok(Viewer {
         figure: figure(shown, Home::Page),
         style: STYLE,

@@ -162,7 +162,7 @@ pub fn check(root: &Path, models: &[String]) -> Vec<String> {
         };
         match reference.map(|reference| reference.check_text(&model.text)) {
             Ok(Ok(())) => {}
-            Ok(Err(_)) => lines.push(format!("stale    {file}: it is of another model text")),
+            Ok(Err(_)) => lines.push(format!("stale    {file}: the file was made from another model text")),
             Err(error) => lines.push(format!("broken   {error}")),
         }
     }

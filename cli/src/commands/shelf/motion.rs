@@ -11,6 +11,7 @@ use tripos::{EquationsName, Overrides, Scene};
 use tripos_codegen::scene_files::{name_beside, scene_files};
 use tripos_derive::Formulation;
 use tripos_derive::algebra::meaning::compare::Verdict;
+use tripos_derive::plain::significant;
 
 /// Number of significant digits of the shown values.
 const DIGITS: usize = 3;
@@ -40,7 +41,7 @@ impl Motion {
         let Self { system, scene, time, outcome } = self;
         match outcome {
             Outcome::Apart { coordinate, printed, right } => {
-                let [printed, right] = [printed, right].map(|x| rounded(*x));
+                let [printed, right] = [printed, right].map(|x| significant(*x, DIGITS));
                 format!("{system}: after {time} s of {scene}, {coordinate} is {printed} instead of {right}")
             }
             Outcome::Stopped(why) => format!("{system}: its run of {scene} does not reach {time} s: {why}"),
@@ -101,15 +102,9 @@ fn farthest(names: &[String], states: &[Vec<f64>], printed: &[f64], right: &[f64
     Outcome::Apart { coordinate: names[at].clone(), printed: printed[at], right: right[at] }
 }
 
-/// Number with a few significant digits.
-fn rounded(x: f64) -> String {
-    let short: f64 = format!("{x:.*e}", DIGITS - 1).parse().unwrap_or(x);
-    short.to_string()
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Outcome, farthest, rounded};
+    use super::{Outcome, farthest};
 
     #[test]
     fn the_farthest_coordinate_is_farthest_in_relation_to_its_range() {
@@ -118,6 +113,5 @@ mod tests {
         let found = farthest(&names, &states, &[95.0, 0.4], &[90.0, 0.2]);
         assert!(matches!(found, Outcome::Apart { coordinate, printed, right }
             if coordinate == "theta" && (printed, right) == (0.4, 0.2)));
-        assert_eq!([1234.5, -0.012_345, 0.0].map(rounded), ["1230", "-0.0123", "0"]);
     }
 }

@@ -9,9 +9,11 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos::studies::sensitivity::gradient::Slope;
 use tripos::{EquationsName, Gradient, Mechanism, gradient};
+use tripos_derive::plain::{significant, within};
 use tripos_derive::scene::Scene;
 
-/// Runs a scene and prints its end, with the derivatives of one number there by all parameters and start values.
+/// Runs a scene and prints its end, with the derivatives of one number there with respect to all parameters and start
+/// values.
 pub fn simulate(
     request: &Simulate,
     model: &Mechanism,
@@ -40,12 +42,12 @@ pub fn simulate(
 fn check(request: &Simulate) -> Result<(), Failure> {
     let refuse = |what: &str, help: &str| Err(Failure::request(what.to_owned(), help.to_owned()));
     if !request.sensitivity.is_empty() {
-        let help = "give one of them: --gradient is by all numbers at once, --sensitivity of all that is shown";
+        let help = "give one of the two: --gradient differentiates one value with respect to all numbers, --sensitivity all shown values with respect to one";
         return refuse("--gradient and --sensitivity are two runs", help);
     }
     if request.csv.is_some() {
         let help = "leave --csv out, or give --sensitivity, whose derivatives are known at each sample";
-        return refuse("a gradient is one of the end of a run: it has no samples for --csv", help);
+        return refuse("a gradient belongs to the end of a run, and --csv writes samples along the run", help);
     }
     Ok(())
 }
@@ -63,7 +65,7 @@ fn add_to(whole: &mut Value, of: &Gradient) {
 /// Text of the gradient, a line for each derivative.
 fn in_words(of: &Gradient) -> String {
     let what = if of.is_total { "in all, as that instant moves" } else { "at that instant" };
-    let mut out = format!("\ngradient of {} at t = {} s, {what}\n", of.of, of.run.solution.t_end);
+    let mut out = format!("\ngradient of {} at t = {} s, {what}\n", of.of, within(of.run.solution.t_end, None));
     let width = of.slopes.iter().map(|slope| slope.by.chars().count()).max().unwrap_or(0);
     for slope in &of.slopes {
         let by = &slope.by;
@@ -72,13 +74,13 @@ fn in_words(of: &Gradient) -> String {
             let _ = writeln!(out, "  by {by:width$}  no value{why}");
             continue;
         }
-        let error = slope.error.map_or_else(String::new, |error| format!(" ± {error:.0e}"));
+        let error = slope.error.map_or_else(String::new, |error| format!(" ± {}", significant(error, 1)));
         let unit = of_unit(slope.unit.as_ref());
         let _ = writeln!(out, "  by {by:width$}  {}{error}{unit}", slope.value);
     }
     let _ = match &of.assessed_by {
-        Some(words) => writeln!(out, "their errors by comparison with {words}"),
-        None => writeln!(out, "their errors are not assessed: no second run came to the same end"),
+        Some(words) => writeln!(out, "errors of the derivatives, by comparison with {words}"),
+        None => writeln!(out, "the errors of the derivatives are not known: no second run came to the same end"),
     };
     out
 }

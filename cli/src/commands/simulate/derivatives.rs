@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use tripos::Sensitivities;
 use tripos_derive::model::TIME;
+use tripos_derive::plain::{significant, within};
 use tripos_sim::Stop;
 
 /// Indices of the values that are shown: all except the time, whose derivatives are shown apart.
@@ -43,12 +44,17 @@ pub fn in_words(of: &Sensitivities) -> String {
     for (k, by) in of.by.iter().enumerate() {
         let is_event = matches!(of.run.solution.stop, Stop::Event { .. } | Stop::LeftDomain { .. });
         let what = if is_event { "in all, as that instant moves" } else { "at that instant" };
-        let _ = writeln!(out, "\nderivatives by {by} at t = {} s, {what}", of.run.solution.t_end);
+        let _ = writeln!(
+            out,
+            "\nderivatives with respect to {by} at t = {} s, {what}",
+            within(of.run.solution.t_end, None)
+        );
         if is_event {
             let _ = writeln!(out, "  d(t)/d({by}) = {}", of.t_end[k]);
         }
         for at in shown(of) {
-            let error = of.errors.as_ref().map_or_else(String::new, |errors| format!(" ± {:.0e}", errors[k][at]));
+            let error =
+                of.errors.as_ref().map_or_else(String::new, |errors| format!(" ± {}", significant(errors[k][at], 1)));
             let unit = of_unit(of.units[k][at].as_ref());
             if !of.end[k][at].is_finite() {
                 let _ = writeln!(out, "  d({})/d({by}) has no value", of.names[at]);
@@ -58,8 +64,8 @@ pub fn in_words(of: &Sensitivities) -> String {
         }
     }
     let why = match &of.assessed_by {
-        Some(words) => format!("their errors by comparison with {words}\n"),
-        None => "their errors are not assessed: no second run came to the same end\n".to_owned(),
+        Some(words) => format!("errors of the derivatives, by comparison with {words}\n"),
+        None => "the errors of the derivatives are not known: no second run came to the same end\n".to_owned(),
     };
     out + &why
 }

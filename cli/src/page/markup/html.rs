@@ -1,5 +1,7 @@
 //! Pieces of HTML that the page is made of.
 
+use tripos_derive::plain::significant;
+
 /// Escapes text for the content of an element, or for an attribute in double quotes.
 pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
@@ -95,9 +97,13 @@ pub fn breakable(id: &str) -> String {
     escape(id).replace('-', "-<wbr>")
 }
 
-/// Number as text with this many significant digits, without trailing zeros.
+/// Number for people with this many significant digits, without zeros at the end.
 pub fn rounded(x: f64, digits: usize) -> String {
-    let digits = digits.saturating_sub(1);
-    let short = format!("{x:.digits$e}").parse::<f64>().unwrap_or(x);
-    if short != 0.0 && !(1e-4..1e6).contains(&short.abs()) { format!("{short:e}") } else { short.to_string() }
+    let text = significant(x, digits);
+    match text.split_once('e') {
+        Some((digits, power)) if digits.contains('.') => {
+            format!("{}e{power}", digits.trim_end_matches('0').trim_end_matches('.'))
+        }
+        _ => text,
+    }
 }

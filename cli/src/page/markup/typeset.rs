@@ -3,10 +3,16 @@
 //! Invariant: nothing is reordered, combined or cancelled, as reading into an arena would do: a reader finds the
 //! printed formula again. Text that is no formula is left to be shown as text.
 
+use crate::page::markup::html::escape;
+use crate::page::markup::math::inline;
+use tripos_derive::algebra::text::print::mathml_of;
 use tripos_derive::algebra::text::view::View;
 
 /// Largest depth of nested parentheses; a formula with more is shown as text.
 const DEEPEST: usize = 40;
+
+/// Largest number of words that one formula in a sentence has.
+const MOST_WORDS: usize = 24;
 
 const FUNCTIONS: [&str; 16] = [
     "sin", "cos", "tan", "sec", "csc", "cot", "exp", "log", "asin", "acos", "atan", "sinh", "cosh", "tanh", "abs",
@@ -16,6 +22,29 @@ const FUNCTIONS: [&str; 16] = [
 /// Trees of the sides of `left = right`, or of one formula; `None` if the text is not in the language of model files.
 pub fn typeset(text: &str) -> Option<Vec<View>> {
     text.split(" = ").map(formula).collect()
+}
+
+/// HTML of a sentence, with its formulas typeset. A formula is the longest row of words that is in the language of
+/// model files and has a digit, an operator or a prime.
+pub fn typeset_words(text: &str) -> String {
+    let words: Vec<&str> = text.split(' ').collect();
+    let (mut at, mut out) = (0, Vec::new());
+    while at < words.len() {
+        // In `the term -a*b` the sign belongs to the formula: a difference has a space on each side of its sign.
+        let last = words.len().min(at + MOST_WORDS);
+        let sign = (at + 1..last).find(|word| words[*word].len() > 1 && words[*word].starts_with('-'));
+        let read = (at + 1..=sign.unwrap_or(last)).rev().find_map(|end| {
+            let joined = words[at..end].join(" ");
+            let content = joined.trim_end_matches([',', ';']);
+            let is_marked = content.contains(|c: char| c.is_ascii_digit() || "*/^'".contains(c));
+            let view = formula(content).filter(|_| is_marked)?;
+            Some((end, format!("{}{}", inline(&mathml_of(&view)), &joined[content.len()..])))
+        });
+        let (end, html) = read.unwrap_or_else(|| (at + 1, escape(words[at])));
+        out.push(html);
+        at = end;
+    }
+    out.join(" ")
 }
 
 fn formula(text: &str) -> Option<View> {
@@ -123,7 +152,6 @@ fn one(mut factors: Vec<View>) -> View {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tripos_derive::algebra::text::print::mathml_of;
 
     /// MathML without tags: enough to see the order of what is printed.
     fn plain(text: &str) -> String {
@@ -145,6 +173,13 @@ mod tests {
     fn quotients_are_fractions_of_what_stands_before() {
         let fraction = mathml_of(&typeset("R^2/2*x").unwrap()[0]);
         assert!(fraction.contains("</mfrac><mspace") && fraction.ends_with("<mi>x</mi></mrow>"), "{fraction}");
+    }
+
+    #[test]
+    fn formulas_in_a_sentence_are_typeset() {
+        let html = typeset_words("the term -3*R*u2 should be 2*(u2 - 1), and <so>");
+        assert!(html.starts_with("the term <math>") && html.ends_with("</math>, and &lt;so&gt;"), "{html}");
+        assert_eq!(html.matches("<math>").count(), 2);
     }
 
     #[test]

@@ -4,9 +4,10 @@
 use crate::page::content::Page;
 use crate::page::markup::html::{breakable, each, escape, folded, table};
 use crate::page::markup::math::{Side, inline, value, widest, wrapped};
-use crate::page::markup::typeset::typeset;
+use crate::page::markup::typeset::{typeset, typeset_words};
 use crate::page::model::derivation::named_terms;
 use crate::page::model::proof::witness;
+use crate::page::print::entry::entry_name;
 use crate::page::print::motion;
 use crate::phrases::entries;
 use std::fmt::Write;
@@ -75,9 +76,9 @@ fn mistakes(arena: &Arena, difference: &Difference) -> String {
         if roots.len() == 1 { "1 root mistake is".to_owned() } else { format!("{} root mistakes are", roots.len()) };
     let items: String = roots.iter().enumerate().map(|(at, root)| mistake(arena, findings, at, root)).collect();
     format!(
-        "<h3 id=\"mistakes\">Root mistakes</h3>\n<p>{count} behind {wrong} that differ. An entry stands under another if it is the same wrong value, or comes out \
-         exactly as printed when the other's printed value is put in the place of the derived one; numbers that contradict one another stand \
-         together. What is not proved to come of another is a root of its own.</p>\n{items}"
+        "<h3 id=\"mistakes\">Root mistakes</h3>\n<p>{count} behind {wrong} that differ. An entry stands under another if it repeats its wrong value, or if the other's printed \
+         value leads to exactly the printed entry. Numbers that contradict one another stand together. Any other wrong \
+         entry is a root mistake of its own.</p>\n{items}"
     )
 }
 
@@ -87,11 +88,11 @@ fn mistake(arena: &Arena, findings: &[Finding], at: usize, root: &Root) -> Strin
     let rows: String =
         shown.map(|(finding, by)| entry(arena, &findings[finding], by.map(|f| source(findings, f)))).collect();
     format!(
-        "<details id=\"{}\">\n<summary>{}. <code>{}</code>: {} <span class=\"quiet\">({})</span></summary>\n{}{}</details>\n",
+        "<details id=\"{}\">\n<summary>{}. {}: {} <span class=\"quiet\">({})</span></summary>\n{}{}</details>\n",
         anchor(at),
         at + 1,
-        breakable(&findings[root.finding].id),
-        escape(&root.mistake),
+        entry_name(&findings[root.finding].id),
+        typeset_words(&root.mistake),
         entries(root.entries()),
         each(&LINKS, |(link, words)| links(findings, root, *link, words)),
         errata("Its entries", &rows),

@@ -114,9 +114,9 @@ fn conditions(scene: &SceneSection) -> Vec<String> {
         let (run, (condition, t)) = found?;
         let digits = (15.95 + condition.log10()).floor();
         let left = match digits {
-            d if d >= 14.0 => "so that solving for the accelerations loses next to nothing".to_owned(),
-            d if d >= 1.0 => format!("so that solving for the accelerations keeps about {d} of 16 digits"),
-            _ => "so that solving for the accelerations keeps no digit".to_owned(),
+            d if d >= 14.0 => "and the solution for the accelerations keeps nearly all digits".to_owned(),
+            d if d >= 1.0 => format!("and the solution for the accelerations keeps about {d} of 16 digits"),
+            _ => "and the solution for the accelerations keeps no digit".to_owned(),
         };
         Some(format!(
             "Among these runs of {what} equations the reciprocal condition number comes down to {} ({} at {} s), {left}.",

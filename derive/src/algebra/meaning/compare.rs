@@ -153,7 +153,7 @@ impl Comparer {
         everywhere: Answer,
     ) -> Result<(Engine, Holds), Verdict> {
         let Some(views) = self.permitted.views(arena, left, right) else {
-            return Err(Verdict::Undecided("it divides by what the constraints make zero".to_owned()));
+            return Err(Verdict::Undecided("the formula divides by a term that the constraints make zero".to_owned()));
         };
         let difference = arena.sub(left, right);
         let (mut answer, mut sides) = (everywhere, [left, right, difference]);
@@ -246,7 +246,7 @@ fn reason(arena: &Arena, difference: Expr) -> String {
     });
     for divisor in divisors {
         if zero_test(arena, divisor) == ZeroTest::Zero {
-            return format!("it divides by {}, which is zero everywhere", text(arena, divisor));
+            return format!("the formula divides by {}, which is zero everywhere", text(arena, divisor));
         }
     }
     let opaque = parts.iter().find_map(|p| match arena.node(*p) {
@@ -272,7 +272,9 @@ fn shown(arena: &Arena, asked: &Asked<'_>, zero: Answer) -> Verdict {
         (Some((witness, false)), Answer::NonZero) if !roots => Verdict::Different(witness),
         // Where exact arithmetic decides nothing, only a real state does: its interval excludes 0.
         (_, Answer::Unknown) => Verdict::Undecided(reason(arena, asked.sides[2])),
-        (Some(_), _) => Verdict::Undecided("the sides differ formally, but at no real state that was tried".to_owned()),
+        (Some(_), _) => Verdict::Undecided(
+            "the two sides differ as formulas, but are equal at every real state that was tried".to_owned(),
+        ),
         (None, _) => {
             Verdict::Undecided("no state was found where both sides have finite values that differ".to_owned())
         }

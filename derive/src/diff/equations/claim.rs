@@ -46,7 +46,7 @@ pub enum Claim {
         /// Index of the row in it.
         row: usize,
     },
-    /// Row of equations in which a slope ∂/∂t with q and q̇ held stands in the place of the rate d/dt.
+    /// Row of equations in which a slope ∂/∂t with q and q̇ held is printed instead of the rate d/dt.
     HeldTime,
     /// A claim that is not traced to others, such as a definition or another formula near a point.
     Other,

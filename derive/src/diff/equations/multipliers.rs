@@ -123,7 +123,7 @@ impl Terms<'_> {
             let terms: Vec<Expr> = line.iter().zip(own).map(|(k, m)| self.arena.mul(*k, m)).collect();
             let sum = self.arena.sum(&terms);
             let name = text(self.arena, order.unknowns[*row]);
-            list.push(format!("the derived {name} is {} with what is printed", text(self.arena, sum)));
+            list.push(format!("with the printed values, the derived {name} is {}", text(self.arena, sum)));
         }
         format!("multipliers of its own: {}", list.join(", "))
     }

@@ -143,7 +143,10 @@ impl Judge<'_, '_> {
             return finding;
         }
         let arena = &self.quantities.derivations.kinematics.arena;
-        let remark = format!("its zero is elsewhere: printed − derived = {}, a constant", text(arena, difference));
+        let remark = format!(
+            "the zero of the quantity is elsewhere: printed − derived = {}, a constant",
+            text(arena, difference)
+        );
         finding.accepted("up to a constant", remark)
     }
 

@@ -1,4 +1,4 @@
-//! Two printed lists of numbers that stand in each other's place.
+//! Two printed lists of numbers that are exchanged.
 //!
 //! In a set of numbers, the rates q̇ and the speeds u of equal index change places. If no number of the publication
 //! contradicts another one then, and some did before, the lists are swapped: one mistake, not one for each number.
@@ -85,7 +85,7 @@ fn in_set(model: &Model, publication: &Publication, set: &str) -> Option<Swapped
         list.into_iter().map(name).collect::<Vec<_>>().join(", ")
     };
     let (rates, speeds): (Vec<usize>, Vec<usize>) = pairs.iter().filter(moved).copied().unzip();
-    let words = format!("the values of {} and those of {} stand in each other's place", names(rates), names(speeds));
+    let words = format!("the values of {} and those of {} are exchanged", names(rates), names(speeds));
     let entries = pairs.iter().flat_map(|(a, b)| [*a, *b]).map(|at| publication.entries[at].id.clone()).collect();
     Some(Swapped { entries, words })
 }

@@ -1,4 +1,4 @@
-//! Rows of equations in which ∂/∂t, with q and q̇ held, stands in the place of d/dt.
+//! Rows of equations in which ∂/∂t, with q and q̇ held, is printed instead of d/dt.
 
 use super::systems::printed;
 use crate::algebra::Expr;
@@ -12,7 +12,7 @@ use crate::diff::repairs::Slip;
 use crate::publication::System;
 
 /// Description of the mistake.
-const WORDS: &str = "∂/∂t stands in the place of d/dt";
+const WORDS: &str = "∂/∂t is printed instead of d/dt";
 
 impl Judge<'_, '_> {
     /// Printed rows with d/dt in the place of every ∂/∂t; `None` if no row has a ∂/∂t.

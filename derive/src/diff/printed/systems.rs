@@ -260,7 +260,7 @@ impl Judge<'_, '_> {
         };
         if rows.len() <= unknowns && matches!(finding.judgement, Judgement::Equal | Judgement::Scaled) {
             finding.judgement = Judgement::Different;
-            finding.remarks.push("it follows from the rows above: an equation of motion is missing".to_owned());
+            finding.remarks.push("this row follows from the rows above: an equation of motion is missing".to_owned());
         }
     }
 }

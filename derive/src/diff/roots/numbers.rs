@@ -1,5 +1,5 @@
 //! Printed numbers that contradict one another. In each set of them at least one is wrong, and nothing tells which. If
-//! two lists stand in each other's place, all contradictions of their numbers are one mistake.
+//! two lists are exchanged, all contradictions of their numbers are one mistake.
 
 use super::root::Link;
 use super::search::Reason;

@@ -28,12 +28,12 @@ impl Shared {
         let frame = |at: usize| &quantities.model.frames[at].name;
         match self {
             Self::Factor(factor) => {
-                format!("it is off by the factor {}, in several components", text(arena, *factor))
+                format!("several components are wrong by the factor {}", text(arena, *factor))
             }
             Self::Part(part, factor) if *factor == Expr::ZERO => format!("{part} is missing"),
             Self::Part(part, factor) => format!("{part} has the factor {}", text(arena, *factor)),
             Self::Turned(used, right, vector) => {
-                format!("omega({}) stands in the place of omega({}) in omega x {vector}", frame(*used), frame(*right))
+                format!("omega({}) is printed instead of omega({}) in omega x {vector}", frame(*used), frame(*right))
             }
         }
     }

@@ -189,7 +189,7 @@ pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, De
     Ok(vec![
         kinematic_step(model),
         Step {
-            stage: Stage::Titled("Acceleration energy, without the terms that no acceleration multiplies"),
+            stage: Stage::Titled("Acceleration energy, without the terms that contain no acceleration"),
             lines: vec![(LineName::Symbol("S"), formula)],
         },
         Step { stage: Stage::ActiveForces, lines: forces },

@@ -193,7 +193,7 @@ impl<'a> Loading<'a> {
         }
         if !carries && matches!(kind, JointKind::Free | JointKind::Screw) {
             let message = format!("{what} cannot close a loop: `{}` is placed already", body.text);
-            let help = "leave out where it is placed otherwise, or state what ties it under [constraints]";
+            let help = "leave the other place of the body out, or state the tie under [constraints]";
             self.reader.error(stated.span, message, help);
             return None;
         }
@@ -306,7 +306,7 @@ impl<'a> Loading<'a> {
             let name = |at| Located { text: default(at, count == 1), span: span.clone(), exact: false };
             return Some((0..count).map(name).collect());
         };
-        let help = format!("write {key} = [\"a\", \"b\", …], a name for each way in which it moves");
+        let help = format!("write {key} = [\"a\", \"b\", …], a name for each motion of the joint");
         let DeValue::Array(list) = value.get_ref() else {
             self.reader.error(value.span(), format!("`{key}` must be an array"), help);
             return None;

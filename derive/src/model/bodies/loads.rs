@@ -100,7 +100,7 @@ impl Elements {
         match &self.bodies[body].rigid {
             Some((frame, _)) => Some((*frame, Some(body))),
             None => {
-                let message = format!("`{}` is a particle: no torque can act on it", name.text);
+                let message = format!("the body `{}` is a particle: no torque can act on a particle", name.text);
                 loading.reader.error(name.span, message, "name a rigid body or a frame");
                 None
             }
@@ -113,7 +113,8 @@ impl Elements {
         let value = loading.reader.get(entry, key)?;
         let (frame, body) = self.turned(loading, value, key)?;
         if body.is_none() && (frame != 0 || key == "on") {
-            let message = format!("the frame `{}` carries no body that a reaction could turn", self.frames[frame].name);
+            let message =
+                format!("the frame `{}` carries no body on which a torque could act", self.frames[frame].name);
             loading.reader.error(value.span(), message, "name a rigid body");
             return None;
         }

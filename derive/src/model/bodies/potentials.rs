@@ -50,7 +50,7 @@ impl<'a> Loading<'a> {
             let energy = put.apply(&mut self.arena, energy);
             if let Some(term) = put.undefined {
                 let term = crate::algebra::text::print::text(&self.arena, term);
-                let message = format!("potential `{}` divides by what is zero at all times, in {term}", name.text);
+                let message = format!("the potential `{}` divides by a term that is always zero, in {term}", name.text);
                 self.reader.error(span, message, "name places that move apart");
             } else if along.apply(&mut self.arena, energy).is_empty() {
                 let message = format!("potential `{}` depends on no coordinate: it exerts nothing", name.text);

@@ -19,6 +19,7 @@ use crate::model::bodies::elements::Elements;
 use crate::model::reading::names::Kind;
 use crate::model::reading::reader::Loading;
 use crate::model::{Coordinate, Loop, MotionConstraint, MotionConstraintKind, Repeated, Rolled, Unit};
+use crate::plain::significant;
 use crate::read::Located;
 use rustc_hash::FxHashSet;
 use std::ops::Range;
@@ -275,7 +276,7 @@ impl Loading<'_> {
             Some(_) => {
                 "follows from those before it in some of the poses in which they hold, and contradicts them in the others"
             }
-            None => "restricts no velocity that those before it do not: it follows from them, or contradicts them",
+            None => "adds nothing to the constraints before it: it follows from them, or contradicts them",
         }
     }
 
@@ -317,7 +318,7 @@ impl Loading<'_> {
         let tape = Tape::new(&self.arena, &symbols, &[given.loops[place].equation]);
         let value = tape.map_or_else(
             |_| String::new(),
-            |tape| format!(": it is {:e} at the default values", tape.evaluate(&values)[0]),
+            |tape| format!(": it is {} at the default values", significant(tape.evaluate(&values)[0], 4)),
         );
         let message = format!(
             "the loop does not close: no coordinate changes `{name}`, which must be 0 whatever the parameters are{value}"

@@ -286,7 +286,7 @@ impl<'a> Loading<'a> {
         if coordinates.is_empty() {
             let place = table.iter().find(|(key, _)| key.get_ref() == "constraints").map(|(key, _)| key.span());
             let message = "the constraints fix every coordinate: there is no state";
-            let help = "leave one of them out, and let its coordinate start where it is to be";
+            let help = "leave one of the speeds out, and start its coordinate at the wanted value";
             self.reader.error(place.unwrap_or_default(), message, help);
             return;
         }

@@ -348,10 +348,10 @@ impl Model {
 
 /// Message and advice for a reaction without a value, since joints hold its direction more than once.
 pub fn is_redundant(name: &str) -> (String, &'static str) {
-    let message = format!("equilibrium does not determine `{name}`: what it holds is held otherwise as well");
+    let message = format!("equilibrium does not determine `{name}`: another connection holds the same motion");
     (
         message,
-        "let a joint of the loop leave that free, or name a reaction that is determined: `tripos check` shows what follows from what",
+        "let a joint of the loop leave that motion free, or name a reaction that is determined: `tripos check` lists dependent constraints",
     )
 }
 

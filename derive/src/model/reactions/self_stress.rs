@@ -149,7 +149,7 @@ impl Model {
                 rounded(share),
                 unit(sought.is_torque)
             );
-            let help = "close the loop by [joints] or name under [reactions] what holds it, or ask for a component that is determined";
+            let help = "close the loop by [joints], name its reactions under [reactions], or ask for a component that is determined";
             Some((message, help.to_owned()))
         })
     }
@@ -222,9 +222,9 @@ impl Model {
         );
         let free = match by {
             HeldBy::Contact(contact) => format!("let something give way where `{contact}` rolls"),
-            HeldBy::Connection => "name under [reactions] all that holds these bodies".to_owned(),
+            HeldBy::Connection => "name under [reactions] all forces and torques that hold these bodies".to_owned(),
             HeldBy::Joint(joint) => format!(
-                "let the joint `{joint}`, or another of the loop, leave that free (a ball or a cylinder instead of a pin)"
+                "let the joint `{joint}`, or another of the loop, leave that motion free (a ball or a cylinder instead of a pin)"
             ),
         };
         (message, format!("{free}, or ask for a component that is determined"))

@@ -449,7 +449,7 @@ fn cannot_stand(kind: Kind, name: &str, allowed: Allowed, what: &str) -> (String
     // A quantity that the motion depends on may not depend on a result of the motion.
     if kind == Kind::Reaction && allowed.0.contains(&Kind::Speed) {
         let why = "a reaction follows from the accelerations, which a load that depends on it would change";
-        let help = "state what presses there as a formula of parameters and of the motion, such as `m*g`";
+        let help = "state the normal force as a formula of parameters and of the motion, such as `m*g`";
         return (format!("{message}: {why}"), Some(format!("{help}; allowed: {may}")));
     }
     (message, Some(format!("allowed: {may}")))

@@ -61,7 +61,8 @@ impl<'a> Loading<'a> {
                 let number = self.constant(&formula)?;
                 if positive && (number.is_negative() || number.is_zero()) {
                     let stated = shown(&formula.text);
-                    let message = format!("`{}` is stated to be positive but is {stated}", name.text);
+                    let message =
+                        format!("the parameter `{}` is declared positive, but its value is {stated}", name.text);
                     self.reader.error(formula.span, message, "change the value or remove `positive = true`");
                     return None;
                 }

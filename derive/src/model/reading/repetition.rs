@@ -137,7 +137,7 @@ impl Repeating<'_, '_> {
                 }
                 let value = self.value(value, &numbers, TextKind::Formula);
                 if result.insert(Spanned::new(span.clone(), Cow::Owned(name.clone())), value).is_some() {
-                    let message = format!("`{}` is stated twice by what is repeated", shown(&name));
+                    let message = format!("`{}` is stated twice by repeated entries", shown(&name));
                     self.reader.error(span.clone(), message, "name the index of the range in the key");
                 }
             }

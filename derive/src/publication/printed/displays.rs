@@ -82,7 +82,7 @@ impl Paper {
     fn formula(&self, lines: &Lines) -> Result<Traced, Problem> {
         let mut formula = Traced::default();
         if let Some(at) = lines.unclear {
-            let message = "does this line go on with the equation above, or begin the one below?";
+            let message = "this line may continue the equation above or begin the one below";
             let help = "copy the equation into the publication file, under `printed`";
             return Err(Problem::new(self.text.place(at..at + 1), message, help));
         }

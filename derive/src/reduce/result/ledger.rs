@@ -44,7 +44,10 @@ pub fn omissions(
         list.push(Omission {
             what: Prose::term(relative.variable),
             why: Prose::term(relative.symbol).then(" stands for it"),
-            proof: format!("a symmetry moves {name} and {} together, by identity", text(arena, relative.pivot)),
+            proof: format!(
+                "an identity shows that a symmetry moves {name} and {} together",
+                text(arena, relative.pivot)
+            ),
         });
     }
     let mut pinned = basis.pinned();

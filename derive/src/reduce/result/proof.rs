@@ -68,8 +68,8 @@ pub struct Whole {
 /// # Errors
 /// Description of the first identity that is not proved.
 pub fn prove(basis: &mut ReductionBasis, whole: &Whole, level: &Level, flow: &mut Flow) -> Result<Proof, String> {
-    let mut check =
-        Check::new(basis, whole, level, flow).ok_or("the variables are no linear functions of the model's")?;
+    let mut check = Check::new(basis, whole, level, flow)
+        .ok_or("the printed variables are not linear functions of the model's variables")?;
     check.frame(basis, whole)?;
     check.kinematics(basis, whole)?;
     check.dynamics(basis, whole)?;

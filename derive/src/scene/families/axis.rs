@@ -76,7 +76,7 @@ impl Grid {
         let count = axes.iter().fold(1_u128, |n, axis| n.saturating_mul(u128::from(axis.count)));
         if errors.is_empty() && count > u128::from(MOST_POINTS) {
             let message = format!("the grid has {count} points, more than {MOST_POINTS}");
-            let error = Diagnostic::of_file(message, "give fewer values, or sweep parts of it one by one");
+            let error = Diagnostic::of_file(message, "give fewer values, or sweep parts of the grid one by one");
             errors.push(Diagnostics::new(Source::from_text(named, &texts.join(" ")), vec![error]));
         }
         if errors.is_empty() { Ok(Self { axes }) } else { Err(errors) }
@@ -280,14 +280,11 @@ impl ValueReader<'_, '_> {
         let constraint = model.constraints.iter().find(|c| c.fixes == of);
         let (message, help) = if let Some(constraint) = constraint {
             let message = format!("`{name}` follows from the constraint `{}`", constraint.name);
-            (
-                message,
-                "vary coordinates, rates and speeds that no constraint fixes: they have values of their own".to_owned(),
-            )
+            (message, "vary coordinates, rates and speeds that no constraint fixes".to_owned())
         } else if speed.is_some() || rate.is_some() {
             let stated = if by_rates { "every q'" } else { "every speed" };
             let message = format!("the start of the scene states {stated}, from which `{name}` follows");
-            (message, format!("sweep those, or state `{name}` and its like in [start] instead"))
+            (message, format!("sweep the stated values, or state `{name}` and values like it in [start]"))
         } else {
             let moving = if by_rates { rates } else { model.speeds.iter().map(|s| s.name.clone()).collect() };
             let known = model.parameters.iter().map(|p| p.name.as_str());

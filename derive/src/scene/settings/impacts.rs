@@ -238,7 +238,7 @@ impl<'a> ValueReader<'a, '_> {
             (None, None) => return None,
             (Some(value), None) => {
                 let help = "add along = \"v(A) @ N [1]\", the velocity at which the contact slips";
-                let message = format!("nothing says along which velocity the friction of `{}` acts", name.text);
+                let message = format!("the friction of `{}` needs the velocity along which it acts", name.text);
                 self.reader.error(value.span(), message, help);
                 return None;
             }
@@ -261,13 +261,13 @@ impl<'a> ValueReader<'a, '_> {
         let moving: Vec<Expr> = model.coordinates.iter().map(|c| c.rate).chain(model.u()).collect();
         let arena = &mut model.arena;
         if !moving.iter().any(|symbol| arena.mentions(slip, *symbol)) {
-            let message = "what slips, or does not, is a velocity, and no speed is in this";
+            let message = "`along` must be a velocity, and this formula contains no speed";
             self.reader.error(formula.span.clone(), message, "write a velocity, such as \"v(A) @ N [1]\"");
             return None;
         }
         let slopes: Vec<Expr> = moving.iter().map(|symbol| Differential::partial(*symbol).apply(arena, slip)).collect();
         if slopes.iter().any(|slope| moving.iter().any(|symbol| arena.mentions(*slope, *symbol))) {
-            let message = "a velocity along a contact is linear in speeds, and this is not";
+            let message = "a velocity along a contact must be linear in speeds";
             self.reader.error(formula.span.clone(), message, "write a velocity, such as \"v(A) @ N [1]\"");
             return None;
         }

@@ -198,7 +198,7 @@ impl<'a> ValueReader<'a, '_> {
         let given = |key: &str| section.and_then(|s| s.get(key));
         if let (Some(_), Some(longest)) = (given("step"), given("max_step")) {
             let help = "leave one of the two out";
-            let message = "every step is as long as `step` says: `max_step` means nothing";
+            let message = "`step` gives the length of every step: leave `max_step` out";
             self.reader.error(longest.span(), message, help);
         }
         if method == Integrator::Quadrature {

@@ -15,7 +15,7 @@ pub const ENERGIES: [&str; 3] = ["kinetic_energy", "potential_energy", "total_en
 const NOT_THERE: [(&[&str], &str); 4] = [
     (
         &["impact", "bounce", "rebound", "collision", "restitution"],
-        "an impact is no output: state the contact under [impacts], and the run lists its impacts with their impulses and losses",
+        "an impact cannot be an output: state the contact under [impacts], and the run lists all impacts with impulses and losses",
     ),
     (
         &["lift_off", "liftoff", "flight", "contact_loss", "loss_of_contact", "separation"],
@@ -75,8 +75,8 @@ impl<'a> ValueReader<'a, '_> {
             // An output has the value that its name promises.
             let is_taken = self.model.arena.find_symbol(&name.text).is_some() || ENERGIES.contains(&name.text.as_str());
             if is_taken && name.text != formula.text.trim() {
-                let message = format!("an output cannot be called `{}`, which is something else", name.text);
-                self.reader.error(name.span, message, "give it a name that the model does not have");
+                let message = format!("an output cannot be called `{}`: the model uses this name", name.text);
+                self.reader.error(name.span, message, "choose a name that the model does not use");
                 continue;
             }
             if list.iter().any(|o| o.name == name.text) {

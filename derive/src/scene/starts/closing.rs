@@ -3,6 +3,7 @@
 use super::loops::{FoundPose, Loops};
 use super::start::SolvedVariable;
 use crate::model::TIME;
+use crate::plain::significant;
 use crate::scene::numbers::values::{Number, ValueReader, doubles};
 use std::ops::Range;
 use toml::de::DeTable;
@@ -134,7 +135,8 @@ impl<'a> ValueReader<'a, '_> {
         let nearest: Vec<String> = if free.is_empty() { &all } else { free }.iter().map(shown).collect();
         let (message, help) = if free.is_empty() && found.is_closed {
             let (name, open) = worst(open_at_start);
-            let message = format!("the start breaks the constraint `{name}`: it is {open:e}, not 0");
+            let message =
+                format!("the start breaks the constraint `{name}`: its value is {}, not 0", significant(open, 4));
             let help = format!(
                 "leave a coordinate out of [start] for each loop, with a value near it in [guess]; the nearest closed \
                  configuration has {}",
@@ -143,7 +145,10 @@ impl<'a> ValueReader<'a, '_> {
             (message, help)
         } else {
             let (name, open) = worst(&found.open);
-            let message = format!("no configuration that closes the loops was found: `{name}` stays open by {open:e}");
+            let message = format!(
+                "no configuration that closes the loops was found: `{name}` stays open by {}",
+                significant(open, 4)
+            );
             (message, format!("the nearest that was found has {}: give other guesses", nearest.join(", ")))
         };
         self.reader.error(place, message, help);

@@ -10,6 +10,7 @@ use crate::algebra::Expr;
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::value::evaluate::Tape;
 use crate::model::Model;
+use crate::plain::significant;
 use crate::scene::numbers::values::{Number, ValueReader, doubles, extended};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
@@ -121,9 +122,9 @@ impl ValueReader<'_, '_> {
         });
         if let Some(((condition, left), _)) = broken {
             let message = format!(
-                "no motion has the rates that the start states: `{}` is off by {:e} in the nearest",
+                "no motion has the rates of the start: in the nearest motion, `{}` is off by {}",
                 condition.name,
-                left.hi()
+                significant(left.hi(), 4)
             );
             self.reader.error(place.clone(), message, "state fewer rates: the others follow from the constraints");
             return None;
@@ -139,7 +140,7 @@ impl ValueReader<'_, '_> {
         let (message, help) = if stated.speeds.is_empty() {
             (
                 format!("the rates that the start states leave {names} open"),
-                format!("state one of them as well, such as \"{first}'\" = 0"),
+                format!("state one of these rates as well, such as \"{first}'\" = 0"),
             )
         } else {
             let speeds: Vec<String> = model.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();

@@ -7,6 +7,7 @@ use crate::algebra::value::evaluate::Tape;
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Model, TIME, Unit};
+use crate::plain::significant;
 use crate::read::Located;
 use crate::scene::numbers::values::{Number, ValueReader, Varied, doubles, extended};
 use std::ops::Range;
@@ -166,7 +167,7 @@ impl<'a> ValueReader<'a, '_> {
     ) -> Option<()> {
         let Some(at) = self.model.time() else { return Some(()) };
         if rates[at].is_some() || self.instant.is_some() && q[at].is_some() {
-            let help = "leave it out: the first instant of `span` is where it starts";
+            let help = "leave the time out: a run starts at the first instant of `span`";
             self.reader.error(place.clone(), "time is not part of a start", help);
             return None;
         }
@@ -199,7 +200,7 @@ impl<'a> ValueReader<'a, '_> {
         let by_rate = fixed > 0 || rates.iter().any(Option::is_some);
         let by_speed = u.iter().flatten().next();
         if let (true, Some((_, name))) = (by_rate, by_speed) {
-            let help = "state every speed or every q', not some of both: the others follow from the definitions";
+            let help = "state every speed or every q', not both kinds: the definitions give the others";
             self.reader.error(name.span.clone(), "speeds and time derivatives are mixed", help);
             return None;
         }
@@ -230,8 +231,10 @@ impl<'a> ValueReader<'a, '_> {
             let residual = number.double - value;
             if residual.is_nan() || residual.abs() > RESIDUAL * (1.0 + value.abs()) {
                 let message = format!(
-                    "the constraint `{}` is broken: `{}` is off by {residual:e}",
-                    constraint.name, constraint.fixes
+                    "the constraint `{}` is broken: `{}` is off by {}",
+                    constraint.name,
+                    constraint.fixes,
+                    significant(residual, 4)
                 );
                 let help = format!("leave `{}` out, or state {value}", constraint.fixes);
                 self.reader.error(span.clone(), message, help);
@@ -252,12 +255,15 @@ impl<'a> ValueReader<'a, '_> {
         let place = self.reader.entries(table).first().map_or(0..0, |(key, _)| key.span.clone());
         for (constraint, residual) in model.motion_constraints.iter().zip(values) {
             if residual.is_nan() || residual.abs() > RESIDUAL * size {
-                let message =
-                    format!("the start breaks the motion constraint `{}`: it is {residual:e}, not 0", constraint.name);
+                let message = format!(
+                    "the start breaks the motion constraint `{}`: its value is {}, not 0",
+                    constraint.name,
+                    significant(residual, 4)
+                );
                 self.reader.error(
                     place.clone(),
                     message,
-                    "give the generalized speeds in place of rates: they satisfy the constraint",
+                    "give the generalized speeds instead of rates: speeds always satisfy the constraint",
                 );
             }
         }

@@ -68,11 +68,11 @@ pub fn load_asked(source: &Source, model: &mut Model, given: &[(String, f64)]) -
     let mut values = ValueReader { given: &varied, ..ValueReader::new(reader, model) };
     let mut asked = Asked::default();
     if let Some(impacts) = values.reader.get(table, "impacts") {
-        let message = "what is near a contact is not told: it holds on one side alone";
+        let message = "motions near a contact cannot be studied: a contact acts on one side only";
         values.reader.error(
             impacts.span(),
             message,
-            "leave the contacts out, and state what holds as a constraint of the model",
+            "leave the contacts out, and state each closed contact as a constraint of the model",
         );
     }
     values.state_file(table, given);
@@ -224,7 +224,7 @@ impl<'a> ValueReader<'a, '_> {
             names.iter().zip(&values).filter(|(_, value)| value.is_none()).map(|(name, _)| name.as_str()).collect();
         if !missing.is_empty() && self.reader.errors.is_empty() {
             let message = format!("no value is given to {}", missing.join(", "));
-            let help = "add what is held to [state], and what is sought, with a value near it, to [guess]";
+            let help = "add held values to [state], and guesses of sought values to [guess]";
             self.reader.errors.push(Diagnostic::of_file(message, help));
         }
         values.into_iter().collect()

@@ -9,6 +9,7 @@ use crate::pictures::view::Triple;
 use crate::pictures::view::space::dot;
 use crate::pictures::view::{Form, Solid};
 use tripos_derive::model::{TIME, Unit};
+use tripos_derive::plain::significant;
 
 /// Coordinate with the mark that shows it.
 pub struct MarkedCoordinate {
@@ -39,7 +40,7 @@ pub fn about(subject: &Subject<'_>, shown: &[MarkedCoordinate]) -> String {
     let is_closed =
         shown.iter().any(|shown| matches!(shown.mark, CoordinateMark::Arc(_, false) | CoordinateMark::Line(_, false)));
     if is_closed {
-        sentences.push("Where one is about 0 its arrow shows the sense in which it grows.".to_owned());
+        sentences.push("For an angle near 0, the arrow shows the positive sense.".to_owned());
     }
     sentences.join(" ")
 }
@@ -149,9 +150,8 @@ fn unit(unit: &Unit) -> String {
 /// Writes a number with three significant digits. Rounding errors of 0 are written as 0.
 fn digits(x: f64) -> String {
     let x = if x.abs() < 1e-9 { 0.0 } else { x };
-    let short: f64 = format!("{x:.2e}").parse().unwrap_or(x);
     // Adding 0 turns -0 into 0.
-    (short + 0.0).to_string()
+    significant(x + 0.0, 3)
 }
 
 /// Vectors along rods and springs, m, which a view should show as long as possible.

@@ -212,10 +212,10 @@ fn usual(values: &[Vec<Triple>]) -> f64 {
 /// Equations of the force balance of a mechanism with reactions. The error says why reactions cannot be found.
 fn balance(mechanism: &Mechanism, scene: &Scene) -> Result<Code, String> {
     if !scene.impacts.is_empty() {
-        return Err("what holds a closed contact is not among them".to_owned());
+        return Err("the forces of closed contacts are not part of the equations".to_owned());
     }
     let balance = code(mechanism, &Formulation::NewtonEuler.into(), None, Ready::AsDerived);
-    balance.map_err(|error| format!("Newton and Euler's equations do not determine them: {error}"))
+    balance.map_err(|error| format!("the Newton–Euler equations do not determine these forces: {error}"))
 }
 
 /// Groups the components of reaction forces that act between the same two places in the same frame.

@@ -47,7 +47,7 @@ pub struct Contacts<'a> {
 pub struct Rates {
     /// Velocities along all rows of contacts.
     pub values: DVector<f64>,
-    /// Partial derivatives of the velocities by the state, one matrix row for each velocity.
+    /// Partial derivatives of the velocities with respect to the state, one matrix row for each velocity.
     pub slopes: DMatrix<f64>,
 }
 
@@ -226,8 +226,7 @@ impl<'a> Contacts<'a> {
             .filter(|factor| factor.l_dirty().diagonal().iter().all(|x| *x > 0.0));
         let inertia = factor.ok_or_else(|| Failure {
             code: "singular",
-            message: "something that the constraints let move has no inertia, so that no impulse is known there"
-                .to_owned(),
+            message: "a permitted motion has no inertia, so that the impulses are not known".to_owned(),
         })?;
         Ok(Operators { basis, of_u, inertia })
     }

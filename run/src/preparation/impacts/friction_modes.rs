@@ -6,6 +6,7 @@ use super::contact_change::ContactChange;
 use super::held_motion::{Free, Held};
 use super::meeting::SettledMeeting;
 use nalgebra::DVector;
+use tripos_derive::plain::within;
 use tripos_sim::{ContactSolution, Failure, Mode, Undecided};
 
 /// Time ahead, in durations of the shortest flight, at which modes that are all possible at an instant are compared.
@@ -100,11 +101,12 @@ impl Bouncing<'_> {
     pub(super) fn undecided(&self, t: f64, contacts: &[usize], what: &str, why: &Undecided) -> Failure {
         let name = |at: &usize| format!("`{}`", self.contacts.impacts[*at].name);
         let names = contacts.iter().map(name).collect::<Vec<_>>().join(", ");
-        let help = "Painlevé's paradox of rigid bodies; a smaller coefficient of friction has none";
+        let help = "Painlevé's paradox of rigid bodies; a smaller coefficient of friction avoids this paradox";
         let does = |modes: &[Mode]| {
             let each = contacts.iter().zip(modes).map(|(at, mode)| format!("{} {mode}", name(at)));
             each.collect::<Vec<_>>().join(" and ")
         };
+        let t = within(t, None);
         let (code, message) = match why {
             Undecided::Nothing if contacts.iter().all(|at| self.contacts.friction(*at).is_none()) => {
                 ("impact", format!("{what} at t = {t} s: {names}"))

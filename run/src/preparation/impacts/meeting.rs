@@ -7,6 +7,7 @@ use super::held_motion::{Held, ROUNDED};
 use super::missed_changes::NEARLY;
 use super::{Bouncing, NOTHING};
 use nalgebra::DVector;
+use tripos_derive::plain::{significant, within};
 use tripos_sim::{Failure, ImpactRecord, Mode, SimError};
 
 /// Contacts that are closed at one instant, the contacts that were held before it, and the change of a contact that
@@ -192,11 +193,12 @@ impl Bouncing<'_> {
     fn gains(&self, t: f64, meeting: &Meeting<'_>, gained: f64) -> Failure {
         let has_friction = meeting.closed.iter().any(|at| self.contacts.friction(*at).is_some());
         let why = if has_friction {
-            "contacts with friction that give back what closes them can do that, by Newton's law; take law = \"poisson\", or give them a restitution of 0"
+            "by Newton's law, contacts with friction and restitution can create energy; take law = \"poisson\", or give these contacts a restitution of 0"
         } else {
             "contacts that do not slip and give back what closes them can do that, by Newton's law; \
              give them a restitution of 0, or leave `no_slip` out"
         };
+        let (t, gained) = (within(t, None), significant(gained, 3));
         Failure { code: "impact", message: format!("the impact at t = {t} s would create energy, {gained} J: {why}") }
     }
 
@@ -215,8 +217,9 @@ impl Bouncing<'_> {
         let closed = meeting.closed;
         if let Some(fixed) = closed.iter().find(|at| response.compliance[(normal(at), normal(at))] <= 0.0) {
             let message = format!(
-                "the contact {} is closed at t = {t} s, and no motion that the mechanism has changes its gap there",
-                name(fixed)
+                "the contact {} is closed at t = {} s, and no permitted motion changes the gap there",
+                name(fixed),
+                within(t, None)
             );
             return Err(Failure { code: "impact", message });
         }
@@ -259,7 +262,8 @@ impl Bouncing<'_> {
     fn unending(&self, t: f64, closed: &[usize]) -> Failure {
         let names: Vec<String> = closed.iter().map(|at| format!("`{}`", self.contacts.impacts[*at].name)).collect();
         let message = format!(
-            "more than {MOST} impacts follow one another at t = {t} s, of contacts that are closed there: {}; give one of them a restitution of 0, or take law = \"poisson\"",
+            "more than {MOST} impacts follow one another at t = {} s, of contacts that are closed there: {}; give one of them a restitution of 0, or take law = \"poisson\"",
+            within(t, None),
             names.join(", ")
         );
         Failure { code: "impact", message }

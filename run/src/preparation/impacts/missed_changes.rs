@@ -3,6 +3,7 @@
 use super::held_contacts::HeldContacts;
 use super::held_motion::Held;
 use super::{Bouncing, OVERLAP, values};
+use tripos_derive::plain::{significant, within};
 use tripos_sim::{Failure, Mode, Solution, Stop};
 use tripos_traits::Real;
 
@@ -27,9 +28,9 @@ impl Bouncing<'_> {
         let is_below = |contact: &usize| gap(*contact) < (2.0 * begun(*contact)).min(-least(*contact));
         let below = free.into_iter().find(|contact| gap(*contact) < 0.0 && is_below(contact))?;
         let message = format!(
-            "the gap of the contact `{}` is {:e}, and that it closed was not seen: give a shorter `max_step`",
+            "the gap of the contact `{}` is {}: a step jumped over the instant of closing; give a shorter `max_step`",
             self.contacts.impacts[below].name,
-            gap(below)
+            significant(gap(below), 4)
         );
         Some(Failure { code: "contact", message })
     }
@@ -77,7 +78,8 @@ impl Bouncing<'_> {
         });
         let (contact, what) = what.into_iter().next()?;
         let name = &self.contacts.impacts[contact].name;
-        let message = format!("that the contact `{name}` {what} was not seen: give a shorter `max_step`");
+        let message =
+            format!("a step jumped over the instant at which the contact `{name}` {what}: give a shorter `max_step`");
         Some(Failure { code: "contact", message })
     }
 
@@ -92,10 +94,10 @@ impl Bouncing<'_> {
 
     /// Failure that reports a slipping contact whose forces are no longer determined.
     pub(super) fn jams(&self, contact: usize, t: f64) -> Failure {
-        let name = &self.contacts.impacts[contact].name;
+        let (name, t) = (&self.contacts.impacts[contact].name, within(t, None));
         let message = format!(
-            "from t = {t} s on the force of the contact `{name}`, which slips, is not determined any more: the friction that comes of it presses as much as it does. \
-             That is Painlevé's paradox of rigid bodies; a smaller coefficient of friction has none"
+            "from t = {t} s on, the force of the slipping contact `{name}` is not determined: its friction presses as much as the force itself. \
+             That is Painlevé's paradox of rigid bodies; a smaller coefficient of friction avoids this paradox"
         );
         Failure { code: "friction", message }
     }

@@ -35,6 +35,7 @@ use super::initial::InitialState;
 use super::passage::{joined, rest};
 use contact_events::passed_on;
 use meeting::Meeting;
+use tripos_derive::plain::significant;
 use tripos_sim::{
     Accompanied, Event, EventRecord, Failure, ImpactRecord, Kind, Lent, Options, RightHandSide, SimError, Solution,
     Stop, integrate,
@@ -147,8 +148,10 @@ impl Bouncing<'_> {
                 (self.contacts.gap(contact, y), self.contacts.closing_gap(contact, y, &rates, self.least));
             if gap.is_nan() || gap < -least {
                 let name = &self.contacts.impacts[contact].name;
-                let message =
-                    format!("the gap of the contact `{name}` is {gap:e} at the start, and bodies do not overlap");
+                let message = format!(
+                    "the gap of the contact `{name}` is {} at the start, and bodies do not overlap",
+                    significant(gap, 4)
+                );
                 return Ok(Err(Failure { code: "overlap", message }));
             }
             if gap <= least {

@@ -1,5 +1,6 @@
 //! Notes to the user about contacts that a run holds because their bounces became too short.
 
+use tripos_derive::plain::within;
 use tripos_derive::scene::Impact;
 use tripos_sim::Solution;
 
@@ -18,7 +19,7 @@ pub fn notes_on_short_bounces(impacts: &[Impact], solution: &Solution) -> Vec<St
             "bounces of {} become shorter without end: from t = {} s on, where the next could not be told from rounding, the contact is held as long \
              as it is pushed together",
             names.join(", "),
-            record.t
+            within(record.t, None)
         );
         notes.push(note);
     }

@@ -1,6 +1,7 @@
 //! Parts of a run that are computed in the rates of all coordinates, and the notes on them.
 
 use tripos_derive::mechanics::EquationsOrigin;
+use tripos_derive::plain::{significant, within};
 
 /// Part of a run that is computed in the rates of all coordinates instead of the chosen speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,8 +24,8 @@ pub fn notes_on_changes(changes: &[Change], speeds: &[String], by: &EquationsOri
     let list = speeds.join(", ");
     let do_not = if speeds.len() == 1 { "does not" } else { "do not" };
     let part = |change: &Change| match change.to {
-        Some(to) => format!("t = {} s until {to} s", change.from),
-        None => format!("t = {} s on", change.from),
+        Some(to) => format!("t = {} s until {} s", within(change.from, None), within(to, None)),
+        None => format!("t = {} s on", within(change.from, None)),
     };
     let parts: Vec<String> = changes.iter().take(MOST).map(part).collect();
     let more = changes.len().checked_sub(MOST).filter(|more| *more > 0);
@@ -41,15 +42,16 @@ pub fn notes_on_changes(changes: &[Change], speeds: &[String], by: &EquationsOri
             "the mechanism goes through singular poses, or next to them, {}after t = {} s: its constraints depend on one another \
              there, and other motions may branch off; this one goes on smoothly",
             if singular.len() > 1 { format!("{} times, first ", singular.len()) } else { String::new() },
-            first.from
+            within(first.from, None)
         ));
     }
     if let Some(coarse) =
         changes.iter().filter(|change| change.coarser > 1.0).max_by(|a, b| a.coarser.total_cmp(&b.coarser))
     {
         notes.push(format!(
-            "rounding is more than the tolerances next to singular poses: steps are made there with tolerances up to {} times as coarse, as from t = {} s",
-            coarse.coarser, coarse.from
+            "rounding errors exceed the tolerances next to singular poses: there, tolerances are up to {} times as coarse, first from t = {} s",
+            significant(coarse.coarser, 2),
+            within(coarse.from, None)
         ));
     }
     notes

@@ -51,7 +51,7 @@ impl Problem<'_> {
         bouncing.solve(carrier, start, options, events, power)
     }
 
-    /// Derivative of the state by time, y′, while the contacts `kept` are held.
+    /// Derivative of the state with respect to time, y′, while the contacts `kept` are held.
     ///
     /// # Errors
     /// [`Failure`] where the equations or the forces of contacts have no value.

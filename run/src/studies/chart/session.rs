@@ -13,6 +13,7 @@ use crate::trust::events::{Balance, events};
 use crate::trust::invariants::Watch;
 use crate::trust::reference::Reference;
 use tripos_derive::mechanics::EquationsOrigin;
+use tripos_derive::plain::within;
 use tripos_derive::scene::Scene;
 use tripos_sim::{Method, Options, Output, Stop};
 use tripos_traits::Real;
@@ -46,7 +47,7 @@ pub fn chart(
     plan: &Plan,
     bar: &dyn Progress,
 ) -> Result<Session, Error> {
-    model.has_speeds("there are no equations of motion whose methods could be compared")?;
+    model.has_speeds("the model has no equations of motion to compare methods on")?;
     let mut scene = scene.clone();
     bar.set_message("reference");
     let (mut cases, mut left_out) = cases(model, &scene, printed)?;
@@ -67,15 +68,18 @@ pub fn chart(
         }
         scene.span.1 = from + (t - from) * 0.99;
         cut = Some(format!(
-            "the motion ends at t = {t} s of {to} s, where it leaves the domain or meets a terminal event: charted to t = {}",
-            scene.span.1
+            "the motion ends at t = {} s of {to} s, where it leaves the domain or meets a terminal event: charted to t = {} s",
+            within(t, None),
+            within(scene.span.1, None)
         ));
     }
     let reference = Reference::new(model, &scene, &[scene.span.1])?;
     let right = compared.kept(compared.of_state(reference.end()));
     if right.iter().any(|x| !x.to_f64().is_finite()) {
-        let what =
-            format!("what the scene wants to see has no value at t = {} s: there is nothing to compare", scene.span.1);
+        let what = format!(
+            "the scene's outputs have no value at t = {} s: there is nothing to compare",
+            within(scene.span.1, None)
+        );
         return Err(Error::Stopped(what));
     }
     let watch = Watch::of_model(model)?;

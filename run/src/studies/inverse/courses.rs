@@ -10,6 +10,7 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::term::calculus::Gradient;
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::mechanics::motion_rates;
+use tripos_derive::plain::{significant, within};
 use tripos_derive::scene::{Formulas, Loops, Motion, MotionForm, MotionSample};
 use tripos_traits::DoubleDouble;
 
@@ -96,12 +97,15 @@ impl Course {
 
     /// Computes the motion at an instant. The search for the pose begins at `near`, a pose close to it.
     fn at(&self, p: &[DoubleDouble], t: f64, near: &[DoubleDouble]) -> Result<MotionSample, Error> {
-        let stopped = |why: String| Error::Stopped(format!("no motion at t = {t} s: {why}"));
+        let stopped = |why: String| Error::Stopped(format!("no motion at t = {} s: {why}", within(t, None)));
         let values = self.formulas.evaluate(&[p, &[DoubleDouble::from(t)]].concat());
         let mut q = near.to_vec();
         for (place, at) in self.given.iter().enumerate() {
             if values[3 * place..3 * place + 3].iter().any(|x| !x.hi().is_finite()) {
-                return Err(stopped(format!("the formula of `{}` or a rate of it has no value", self.names[*at])));
+                return Err(stopped(format!(
+                    "the formula of `{}`, or a time derivative of the formula, has no value",
+                    self.names[*at]
+                )));
             }
             q[*at] = values[3 * place];
         }
@@ -124,7 +128,7 @@ impl Course {
         }
         let mut open = self.loops.openings(&doubles(p), &doubles(q));
         open.retain(|(_, by)| by.abs() > BROKEN || by.is_nan());
-        let open: Vec<String> = open.iter().map(|(name, by)| format!("`{name}` by {by:.6e}")).collect();
+        let open: Vec<String> = open.iter().map(|(name, by)| format!("`{name}` by {}", significant(*by, 4))).collect();
         format!(
             "the formulas of {} contradict the loops, which are open: {}; leave out the formulas of coordinates that the loops \
              determine, and put values near them under [guess]",
@@ -164,7 +168,7 @@ impl Course {
             Some((place, left)) => {
                 let primes = ["'", "''"][order];
                 let name = &self.names[self.given[place]];
-                Err(stopped(format!("the constraints are broken: {name}{primes} is off by {left:e}")))
+                Err(stopped(format!("the constraints are broken: {name}{primes} is off by {}", significant(left, 4))))
             }
             None => Ok(found.x),
         }

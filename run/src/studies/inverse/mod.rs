@@ -19,6 +19,7 @@ use tripos_derive::algebra::term::calculus::Gradient;
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::mechanics::Unsolved;
+use tripos_derive::plain::within;
 use tripos_derive::scene::{Loops, MotionSample};
 use tripos_traits::DoubleDouble;
 
@@ -110,7 +111,7 @@ impl Inverse {
         let (along, columns) = values.split_at(self.speeds.len());
         if let Some(at) = values.iter().position(|x| !x.hi().is_finite()) {
             let speed = &self.speeds[if at < along.len() { at } else { (at - along.len()) / self.inputs.len() }];
-            let when = moving.t.map_or_else(String::new, |t| format!(" at t = {t} s"));
+            let when = moving.t.map_or_else(String::new, |t| format!(" at t = {} s", within(t, None)));
             return Err(Error::Stopped(format!("the force along `{speed}` has no value{when}")));
         }
         let rows: Vec<&[DoubleDouble]> =
@@ -139,7 +140,7 @@ fn not_linear(model: &Mechanism, at: usize, other: usize) -> Error {
     } else {
         format!("forces hold products of `{name}` and `{other}`")
     };
-    Error::request(what, "name with --input those in which forces are linear")
+    Error::request(what, "name with --input parameters in which the loads are linear")
 }
 
 /// Indices of the named parameters, or of all inputs of the model if `names` is empty.

@@ -36,7 +36,7 @@ const FINER: f64 = 0.01;
 const FINEST: f64 = 1e-13;
 
 /// Text that tells how derivatives by differences of runs were found.
-pub const WORDS: &str = "differences of runs beside this one, since it changes its speeds";
+pub const WORDS: &str = "differences with neighbouring runs, since this run changes its speeds";
 
 /// Request for derivatives by differences of runs: quantities, scene and equations.
 pub struct Apart<'a> {
@@ -72,7 +72,7 @@ struct RunResults {
 }
 
 impl Apart<'_> {
-    /// Computes the derivatives by the number with the given name, for a run that was made.
+    /// Computes the derivatives with respect to the number with the given name, for a run that was made.
     ///
     /// # Errors
     /// [`Error::Input`] for a name that is no number of the scene; [`Error::Stopped`] if another run ends for a
@@ -138,7 +138,7 @@ impl Apart<'_> {
     fn results(&self, scene: &Scene, first: &Run) -> Result<RunResults, Error> {
         let run = run_whole(self.mechanism, scene, self.by, None)?;
         if run.solution.stop.code() != first.solution.stop.code() {
-            let message = format!("there are no derivatives: a run beside this one ends otherwise, {}", run.ending);
+            let message = format!("derivatives do not exist: a neighbouring run ends differently, {}", run.ending);
             return Err(Error::Stopped(message));
         }
         let place = |name: &String| run.names.iter().position(|other| other == name);

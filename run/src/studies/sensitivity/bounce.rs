@@ -1,4 +1,5 @@
-//! Runs with contacts in numbers that carry slopes, their derivatives by parameters and numbers of the start.
+//! Runs with contacts in numbers that carry slopes, their derivatives with respect to parameters and numbers of the
+//! start.
 
 use super::contacts::{Direction, Wide};
 use super::held_contacts::{ContactTapes, HeldTangents, slopes, values};
@@ -18,7 +19,7 @@ pub type Parts<'a, const K: usize> = (&'a dyn Flow<Tangent<K>>, Option<&'a dyn S
 pub struct Bounced<'a, const K: usize> {
     pub problem: &'a Problem<'a>,
     pub parts: Parts<'a, K>,
-    /// Values of the parameters with their slopes by the seeds.
+    /// Values of the parameters with their slopes with respect to the seeds.
     pub parameters: &'a [Tangent<K>],
     pub seeds: &'a [Seed],
     /// Instants at which the drive has a kink or a jump.

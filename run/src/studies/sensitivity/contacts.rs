@@ -1,4 +1,4 @@
-//! Derivatives of the impulses and forces of contacts by parameters and state.
+//! Derivatives of the impulses and forces of contacts with respect to parameters and state.
 //!
 //! Impulses and forces Λ follow from a linear system while the set of pushing contacts stays: M a − Wᵀ Λ = 0, and W a +
 //! c = 0 along the rows that push. c is the motion of these rows without Λ: accelerations, or the parts of velocities
@@ -79,7 +79,7 @@ impl Change {
 }
 
 /// Text that says why dependent contacts have no derivative.
-pub const APART: &str = "contacts of which one follows from the others do not move alike";
+pub const APART: &str = "dependent contacts do not move alike";
 
 impl<'a> Wide<'a> {
     /// Prepares contacts whose equations are known to 32 digits.
@@ -275,5 +275,5 @@ fn size(change: f64, parts: impl Iterator<Item = f64>) -> f64 {
 
 /// Failure that reports impulses or forces without a finite derivative.
 fn unknown() -> Failure {
-    Failure { code: "not-finite", message: "what acts along contacts has no finite derivative".to_owned() }
+    Failure { code: "not-finite", message: "the contact forces have no finite derivative".to_owned() }
 }

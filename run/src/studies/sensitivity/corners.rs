@@ -47,10 +47,10 @@ pub fn check(problem: &Problem<'_>, seed: &Seed, options: &Options) -> Result<()
     let refuse = |what: String, help: &str| Err(Error::request(what, help));
     if let (Some(first), Some(_)) = (moved.first(), options.step) {
         let what = format!(
-            "`{name}` moves the instant {} s at which the equations jump or bend, and equal steps go across",
+            "`{name}` moves the instant {} s of a jump or kink of the equations, and steps of equal length cross this instant",
             first.at
         );
-        return refuse(what, "leave `step` out: steps that errors choose end there");
+        return refuse(what, "leave `step` out: adaptive steps end at jumps and kinks");
     }
     let is_end = |corner: &&&Corner| corner.jumps && (is_one(corner.at, low) || is_one(corner.at, high));
     if let Some(end) = moved.iter().find(is_end) {
@@ -63,8 +63,8 @@ pub fn check(problem: &Problem<'_>, seed: &Seed, options: &Options) -> Result<()
         others.into_iter().find(|other| differ(one.moves[0], other.moves[0], one.at)).map(|_| one.at)
     });
     if let Some(at) = apart {
-        let what = format!("two jumps of the equations are at {at} s, and `{name}` moves them apart");
-        return refuse(what, "let them be at two instants: which comes first decides what it changes");
+        let what = format!("two jumps of the equations are at {at} s, and a change of `{name}` separates the jumps");
+        return refuse(what, "put the two jumps at different instants: the derivative depends on their order");
     }
     Ok(())
 }

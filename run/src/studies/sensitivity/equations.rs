@@ -161,7 +161,7 @@ fn watched<const K: usize>(
     Ok(carried)
 }
 
-/// Ends the derivatives by numbers that change a gap at its minimum of zero.
+/// Ends the derivatives with respect to numbers that change a gap at its minimum of zero.
 fn end_at<const K: usize>(
     problem: &Problem<'_>,
     parts: Parts<'_, K>,
@@ -190,7 +190,7 @@ fn end_at<const K: usize>(
 }
 
 impl Carried {
-    /// Ends the derivatives by a number at the instant `t`, s: later slopes become NaN.
+    /// Ends the derivatives with respect to a number at the instant `t`, s: later slopes become NaN.
     fn over(&mut self, number: usize, t: f64, why: String) {
         self.history.end(number, t, why);
         let later = self.solution.t.iter().zip(&mut self.at[number]).filter(|(sample, _)| **sample >= t);

@@ -2,8 +2,9 @@
 //!
 //! A gap comes down to zero and grows again; a neighboring motion closes the contact, or does not. On one side of the
 //! touch, slopes are those of a flight. On the other side they grow without bound, as the inverse of the impact
-//! velocity. So there is no derivative by a number that changes the gap at its minimum. The gap is flat in time there,
-//! so a number that changes its velocity has no derivative either. Derivatives by all other numbers go on.
+//! velocity. So there is no derivative with respect to a number that changes the gap at its minimum. The gap is flat in
+//! time there, so a number that changes its velocity has no derivative either. Derivatives with respect to all other
+//! numbers go on.
 
 use super::contacts::{Direction, SMALL, Wide};
 use super::forces::Varied;
@@ -23,7 +24,7 @@ pub fn near(options: &Options) -> f64 {
 /// Checks that the varied number does not change the gap of a contact, or its velocity, at a minimum of zero.
 ///
 /// # Errors
-/// Text that says why there is no derivative by the varied number.
+/// Text that says why there is no derivative with respect to the varied number.
 pub fn check(wide: &Wide<'_>, contact: usize, y: &[f64], varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
     let direction = Direction { parameters: varied.parameters, state };
     let row = wide.contacts.rows[contact][0];
@@ -33,7 +34,7 @@ pub fn check(wide: &Wide<'_>, contact: usize, y: &[f64], varied: &Varied<'_>, st
         return Ok(());
     }
     Err(format!(
-        "the contact `{}` is touched there without a velocity that closes it, and whether it is met changes with `{}`",
+        "the contact `{}` is touched without a closing velocity, and a small change of `{}` decides about an impact",
         wide.contacts.impacts[contact].name, varied.name
     ))
 }

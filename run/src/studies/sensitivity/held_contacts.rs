@@ -29,7 +29,7 @@ pub struct HeldTangents<'a, const K: usize> {
     pub held: Held<'a>,
     pub wide: &'a Wide<'a>,
     pub tapes: &'a ContactTapes<K>,
-    /// Values of the parameters with their slopes by the seeds.
+    /// Values of the parameters with their slopes with respect to the seeds.
     pub parameters: &'a [Tangent<K>],
     pub seeds: &'a [Seed],
     pub history: &'a RefCell<ContactHistory>,
@@ -40,7 +40,7 @@ pub fn values<S: Real>(y: &[S]) -> Vec<f64> {
     y.iter().map(|y| y.to_f64()).collect()
 }
 
-/// Slopes of a state by the seed with the index `at`.
+/// Slopes of a state with respect to the seed with the index `at`.
 pub fn slopes<S: Real>(y: &[S], at: usize) -> Vec<f64> {
     y.iter().map(|y| y.slope(at)).collect()
 }

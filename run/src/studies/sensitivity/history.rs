@@ -4,8 +4,9 @@
 use crate::preparation::impacts::{HeldContacts, NONE};
 use std::cell::RefCell;
 use std::fmt;
+use tripos_derive::plain::within;
 
-/// End of the derivatives by a number, with its reason.
+/// End of the derivatives with respect to a number, with its reason.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ending {
     /// Instant from which on there are no derivatives, s.
@@ -50,8 +51,8 @@ impl ContactHistory {
         self.instants.iter().find(|instant| instant.t.total_cmp(&t).is_eq()).map(|instant| instant.moves.as_slice())
     }
 
-    /// Ends the derivatives by the seed `number` at an instant, s, if they had not ended before. Later instants then
-    /// have no derivative by this seed.
+    /// Ends the derivatives with respect to the seed `number` at an instant, s, if they had not ended before. Later
+    /// instants then have no derivative by this seed.
     pub fn end(&mut self, number: usize, t: f64, why: String) {
         if self.endings[number].as_ref().is_some_and(|ending| ending.t <= t) {
             return;
@@ -69,7 +70,7 @@ impl ContactHistory {
     }
 }
 
-/// Ends the derivatives by the seed `number` at an instant, s, if they had not ended before.
+/// Ends the derivatives with respect to the seed `number` at an instant, s, if they had not ended before.
 pub fn end(history: &RefCell<ContactHistory>, number: usize, t: f64, why: String) {
     let mut history = history.borrow_mut();
     history.endings[number].get_or_insert(Ending { t, why });
@@ -78,6 +79,6 @@ pub fn end(history: &RefCell<ContactHistory>, number: usize, t: f64, why: String
 /// Writes "from t = 0.5 s on: the contact …".
 impl fmt::Display for Ending {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "from t = {} s on: {}", self.t, self.why)
+        write!(f, "from t = {} s on: {}", within(self.t, None), self.why)
     }
 }

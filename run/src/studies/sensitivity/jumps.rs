@@ -194,7 +194,11 @@ impl<'c> Crossed<'c> {
 
     /// Text that says that a contact may push or open as the number varies.
     fn undecided(&self, contact: usize, varied: &Varied<'_>) -> String {
-        format!("whether the contact `{}` pushes or opens there changes with `{}`", self.name(contact), varied.name)
+        format!(
+            "whether the contact `{}` pushes or opens there depends on a small change of `{}`",
+            self.name(contact),
+            varied.name
+        )
     }
 
     /// Refuses, at the start of a run, a number that opens a closed contact or lets it overlap.
@@ -233,7 +237,7 @@ impl<'c> Crossed<'c> {
                 if moved.abs() > SMALL * size {
                     let name = self.name(*contact);
                     return Err(format!(
-                        "the contact `{name}` is hit at rest, and whether it takes part there changes with `{}`",
+                        "the contact `{name}` is hit at rest, and a small change of `{}` decides about its impact",
                         varied.name
                     ));
                 }
@@ -250,7 +254,10 @@ impl<'c> Crossed<'c> {
                 let other = self.strike(strike, grip, varied, &across.before[at], last)?;
                 let apart = inertia.l().transpose() * (&other.speeds - &change.speeds);
                 if apart.norm() > SMALL * largest.max(other.size) {
-                    return Err(format!("whether contacts stick or slip in the impact changes with `{}`", varied.name));
+                    return Err(format!(
+                        "a small change of `{}` decides if contacts stick or slip in the impact",
+                        varied.name
+                    ));
                 }
             }
         }
@@ -317,7 +324,7 @@ impl<'c> Crossed<'c> {
         };
         at_limit.iter().find(slips).map_or(Ok(()), |at| {
             Err(format!(
-                "whether the contact `{}` sticks or slips there changes with `{}`",
+                "whether the contact `{}` sticks or slips there depends on a small change of `{}`",
                 self.name(*at),
                 varied.name
             ))

@@ -1,4 +1,4 @@
-//! Sensitivities: the derivatives of quantities that a run shows by parameters and numbers of its start.
+//! Sensitivities: the derivatives of quantities that a run shows with respect to parameters and numbers of its start.
 //!
 //! The run is made in numbers that carry their slopes ([`tripos_traits::Tangent`]). The same equations, compiled or
 //! interpreted, compute y′ = f and s′ = f_y s + f_p in one call. So every method also computes the derivative of the
@@ -123,8 +123,8 @@ impl Sensitivities {
     }
 }
 
-/// Runs a scene by whole equations, with the derivatives of its shown quantities by the named parameters and numbers of
-/// its start. `set` holds the numbers that were set and differ from the scene file.
+/// Runs a scene by whole equations, with the derivatives of its shown quantities with respect to the named parameters
+/// and numbers of its start. `set` holds the numbers that were set and differ from the scene file.
 ///
 /// # Errors
 /// [`Error::Input`] for a name that the scene does not have. [`Error::Request`] for equations or a method that cannot
@@ -204,10 +204,10 @@ fn by_differences(
     run: Run,
 ) -> Result<Sensitivities, Error> {
     if at == At::Samples {
-        let what = "derivatives at samples are not told of a run that changes its speeds";
+        let what = "a run that changes its speeds has no derivatives at samples";
         return Err(Error::request(
             what,
-            "ask for those at the end, or choose speeds that determine the motion everywhere",
+            "ask for derivatives at the end, or choose speeds that determine the motion everywhere",
         ));
     }
     let quantities = Quantities::new(mechanism, scene)?;
@@ -255,7 +255,7 @@ fn check_equations(scene: &Scene, by: Option<&EquationsName>) -> Result<(), Erro
     let how = &scene.integration;
     let refuse = |what: &str, help: &str| Err(Error::request(what, help));
     if by == Some(&EquationsName::Reduced) {
-        let help = "leave `--by` out: whole equations are run for derivatives";
+        let help = "leave `--by` out: derivatives need the whole equations";
         return refuse("a scene's reduced equations are not differentiated", help);
     }
     if how.method == Integrator::Quadrature {
@@ -276,12 +276,12 @@ fn check_equations(scene: &Scene, by: Option<&EquationsName>) -> Result<(), Erro
 fn notes(mechanism: &Mechanism, seeds: &[Seed], carried: &Carried, end: &End) -> Vec<String> {
     let mut list = Vec::new();
     if mechanism.loops.is_empty() {
-        list.push("whole equations are run, of which derivatives are taken".to_owned());
+        list.push("whole equations are run, since derivatives need them".to_owned());
     }
     for (at, seed) in seeds.iter().enumerate() {
         let states = carried.at[at].iter().chain([&carried.end[at]]).flatten();
         if states.chain(&end.shown[at]).all(|x| *x == 0.0) {
-            list.push(format!("nothing that is shown depends on `{}`: its derivatives are 0", seed.name));
+            list.push(format!("no shown value depends on `{}`: all derivatives are 0", seed.name));
         }
         if seed.moves_span {
             list.push(format!("the span depends on `{}`: derivatives are those at fixed instants", seed.name));

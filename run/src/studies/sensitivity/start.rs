@@ -33,8 +33,8 @@ pub struct Seed {
 }
 
 impl Seed {
-    /// Computes the derivatives by the number with the given name. `set` holds the numbers that were set and differ
-    /// from the scene file.
+    /// Computes the derivatives with respect to the number with the given name. `set` holds the numbers that were set
+    /// and differ from the scene file.
     ///
     /// # Errors
     /// [`Error::Input`] for a name that is no parameter and no number of the start, and if no neighboring scenes exist.

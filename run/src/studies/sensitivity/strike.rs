@@ -174,5 +174,5 @@ impl Making<'_> {
 }
 
 fn unknown() -> Failure {
-    Failure { code: "not-finite", message: "the impulses of an impact are not found again".to_owned() }
+    Failure { code: "not-finite", message: "the impulses of an impact could not be computed a second time".to_owned() }
 }

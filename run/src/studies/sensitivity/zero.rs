@@ -27,7 +27,7 @@ struct Zero {
     rate: f64,
 }
 
-/// Derivative of an instant by a number, and the size of the derivative's terms.
+/// Derivative of an instant with respect to a number, and the size of the derivative's terms.
 #[derive(Clone, Copy)]
 struct Moves {
     by: f64,
@@ -74,7 +74,7 @@ impl<'c> Zeros<'c> {
         !self.others.is_empty() || !self.touched.is_empty()
     }
 
-    /// Derivative of the instant of the crossing by the varied number; zero at the start of a run.
+    /// Derivative of the instant of the crossing with respect to the varied number; zero at the start of a run.
     ///
     /// # Errors
     /// Text that says why the derivative has no value.
@@ -214,7 +214,7 @@ impl Coming<'_> {
         };
         if needed.iter().any(shared) {
             return Err(format!(
-                "more contacts than `{}` hold the same motion there, and share what pushes",
+                "the contact `{}` and others hold the same motion there, and their shares of the force are not determined",
                 self.name(contact)
             ));
         }
@@ -222,7 +222,7 @@ impl Coming<'_> {
         if rate.abs() <= SMALL * size {
             let what = match what {
                 What::Force | What::Gap => "force of the contact `{}` does not cross zero there",
-                What::Margin => "force of the contact `{}` only touches what its friction bears there",
+                What::Margin => "force of the contact `{}` only touches the limit of friction there",
                 What::Slip => "slip of the contact `{}` ends there without a deceleration",
             };
             return Err(format!("the {}", what.replace("{}", self.name(contact))));

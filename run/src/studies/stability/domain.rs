@@ -9,6 +9,7 @@ use crate::preparation::problem::Problem;
 use crate::trust::events::{Balance, events};
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::EquationsOrigin;
+use tripos_derive::plain::{significant, within};
 use tripos_sim::{Method, Options, Output, Stop};
 
 /// Runs a scene with and without the conditions of the domain, if the model has any and the motion leaves it.
@@ -70,15 +71,16 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
             let unseen =
                 |drift| Row { case: "without it".to_owned(), ..row("energy drift", drift, through.stop.code()) };
             findings.rows.extend(drift.map(unseen));
-            let drift =
-                drift.map_or_else(String::new, |drift| format!(", and its energy has changed by {drift:.1e} J"));
+            let drift = drift.map_or_else(String::new, |drift| {
+                format!(", and its energy has changed by {} J", significant(drift, 2))
+            });
             if !said {
                 said = true;
                 findings.say(Topic::Domain, format!(
-                    "the motion leaves its domain at t = {:.12} s ({}); without the domain the run goes on to t = {} s, ends with `{}`{drift}",
-                    run.t_end,
+                    "the motion leaves its domain at t = {} s ({}); without the domain the run goes on to t = {} s, ends with `{}`{drift}",
+                    within(run.t_end, None),
                     run.stop.code(),
-                    through.t_end,
+                    within(through.t_end, None),
                     through.stop.code()
                 ));
             }

@@ -10,6 +10,7 @@ use super::quotient::{Quotient, Shifted};
 use super::verdict::Stability;
 use crate::{Error, Mechanism};
 use nalgebra::DMatrix;
+use tripos_derive::plain::significant;
 use tripos_derive::scene::Asked;
 
 /// Linear system near a steady motion, with its modes, stability and transfer functions.
@@ -66,7 +67,8 @@ pub struct Wanted {
 }
 
 /// Advice for a state that is not steady.
-const ASK: &str = "put what may change under [guess], or ask `tripos equilibria` for what is near";
+const ASK: &str =
+    "put the values that may change under [guess], or let `tripos equilibria` find a steady motion nearby";
 
 /// Linearises a mechanism about a steady motion: the given state, with its sought states solved for.
 ///
@@ -162,10 +164,15 @@ impl Question {
     /// Error that says why a state is not steady, with the given advice.
     #[must_use]
     pub fn unbalanced(&self, steady: &Steady, help: &str) -> Error {
-        let rates = steady.unbalanced.iter().map(|(at, left)| format!("{}' is left at {left:.6e}", self.names[*at]));
-        let open = steady.open.iter().map(|(at, left)| format!("`{}` is open by {left:.6e}", self.loops[*at]));
+        let rates = steady
+            .unbalanced
+            .iter()
+            .map(|(at, left)| format!("{}' is left at {}", self.names[*at], significant(*left, 4)));
+        let open =
+            steady.open.iter().map(|(at, left)| format!("`{}` is open by {}", self.loops[*at], significant(*left, 4)));
         let forces = steady.forces.iter();
-        let forces = forces.map(|(at, left)| format!("the force along {} is left at {left:.6e}", self.names[*at]));
+        let forces = forces
+            .map(|(at, left)| format!("the force along {} is left at {}", self.names[*at], significant(*left, 4)));
         let list: Vec<String> = open.chain(rates).chain(forces).collect();
         let list = if list.is_empty() { "a rate is not a number there".to_owned() } else { list.join(", ") };
         Error::Request {

@@ -117,7 +117,7 @@ pub(super) fn along(
             (Err(_), Some(from)) => {
                 let last = way.end(from, *value);
                 course.crossings.push(Crossing { kind: CrossingKind::Fold, value: last, frequency: 0.0 });
-                course.ended = Some(format!("no steady motion near it was found beyond {last}"));
+                course.ended = Some(format!("no steady motion was found nearby beyond {last}"));
                 break;
             }
         }

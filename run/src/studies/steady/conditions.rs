@@ -111,7 +111,7 @@ pub fn conditions(model: &Mechanism, asked: &[String]) -> Result<ClosedForm, Err
         found.ok_or_else(|| {
             let names = known.iter().filter_map(|e| flow.arena.symbol_name(*e));
             let help = tripos_derive::diagnostic::nearest(name, names);
-            Error::request(format!("nothing is called `{name}` that could be solved for"), help)
+            Error::request(format!("`{name}` is no coordinate, velocity or parameter to solve for"), help)
         })
     };
     let asked = asked.iter().map(place).collect::<Result<Vec<Expr>, Error>>()?;

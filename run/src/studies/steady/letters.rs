@@ -46,11 +46,7 @@ pub fn in_letters(model: &Mechanism, asked: &Asked, found: &About, letters: &[St
     for at in &asked.sought {
         let moved = (found.steady.x[*at] - asked.x[*at]).hi().abs();
         if moved.is_nan() || moved > AS_GUESSED * asked.x[*at].hi().abs().max(1.0) {
-            let what = format!(
-                "`{}` was solved for, and there is no formula of it in {}",
-                question.names[*at],
-                letters.join(", ")
-            );
+            let what = format!("`{}` was solved for, and is no formula of {}", question.names[*at], letters.join(", "));
             return Err(Error::request(what, "state it as a formula, or leave the letters out"));
         }
     }
@@ -84,7 +80,7 @@ fn refused(why: &NotInLetters, letters: &[String]) -> Error {
     match why {
         NotInLetters::NotSteady => Error::request(
             format!("the motion is not proved to be steady for every value of {letters}"),
-            "state what changes with them as formulas, or leave the letters out",
+            "state values that depend on the letters as formulas, or leave the letters out",
         ),
         NotInLetters::Singular => {
             Error::Stopped(format!("the linear system has no value for general values of {letters}"))
@@ -98,7 +94,7 @@ fn letter(model: &Mechanism, asked: &Asked, name: &String) -> Result<Expr, Error
     let all: Vec<(&str, Expr)> = own.chain(model.parameters.iter().map(|p| (p.name.as_str(), p.symbol))).collect();
     all.iter().find(|(known, _)| known == name).map(|(_, symbol)| *symbol).ok_or_else(|| {
         let help = tripos_derive::diagnostic::nearest(name, all.iter().map(|(known, _)| *known));
-        Error::request(format!("there is no `{name}` among the parameters and the names of the state file"), help)
+        Error::request(format!("`{name}` is neither a parameter nor a name of the state file"), help)
     })
 }
 

@@ -95,12 +95,12 @@ impl Question {
         let values: Vec<Expr> = asked.outputs.iter().map(|output| flow.in_states(model, output.value)).collect();
         let program = flow.program(&symbols, &values).map_err(|unknown| {
             let what = format!("`{}` has no value in coordinates, speeds and parameters", unknown.0);
-            Error::request(what, "ask for coordinates, speeds, their rates and energies")
+            Error::request(what, "choose among coordinates, speeds, rates and energies")
         })?;
         let poles = poles::Poles::new(model, &flow).map_err(|unknown| {
             Error::request(
                 format!("`{}` has no value at a state", unknown.0),
-                "report this: the model was derived with it",
+                "please report this model: the derivation succeeded and the run did not",
             )
         })?;
         let names = model.coordinates.iter().map(|c| c.name.clone());
@@ -147,7 +147,7 @@ impl Question {
 /// # Errors
 /// [`Error`] if the model has no speeds, cannot be derived, or depends on time.
 fn steady_flow(model: &Mechanism) -> Result<Flow, Error> {
-    model.has_speeds("there is no motion near another, and every pose in which the loops are closed is at rest")?;
+    model.has_speeds("the mechanism cannot move: every closed pose is at rest")?;
     let mut flow = Flow::new(model).map_err(|error| model.diagnose(&error))?;
     let Some(time) = model.time() else { return Ok(flow) };
     if flow.by_time(model).is_some() {

@@ -7,6 +7,7 @@ use crate::{Error, Mechanism};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 use tripos_derive::flow::Rates;
+use tripos_derive::plain::significant;
 use tripos_derive::scene::{Asked, Loops};
 use tripos_traits::{DoubleDouble, Scalar};
 
@@ -175,9 +176,9 @@ impl Question {
         if steady.open.is_empty() {
             return Ok(steady);
         }
-        let open = steady.open.iter().map(|(at, left)| format!("`{}` by {left:.6e}", self.loops[*at]));
+        let open = steady.open.iter().map(|(at, left)| format!("`{}` by {}", self.loops[*at], significant(*left, 4)));
         let what = format!("loops are open at this state: {}", open.collect::<Vec<_>>().join(", "));
-        Err(Error::request(what, "state coordinates that close them, or put as many as close them under [guess]"))
+        Err(Error::request(what, "state coordinates that close the loops, or put enough coordinates under [guess]"))
     }
 
     /// Improves a guess by Newton's method as long as it helps: first with all loops, then with those that constrain
@@ -263,7 +264,7 @@ impl Question {
         self.slopes_of_left(&guess, &Sought { states: states.to_vec(), along })
     }
 
-    /// Slopes of the residual of a guess by the unknowns, one column each.
+    /// Slopes of the residual of a guess with respect to the unknowns, one column each.
     fn slopes_of_left(&self, guess: &Guess, unknowns: &Sought) -> DMatrix<f64> {
         let sizes = self.program.sizes;
         let count = sizes.states + sizes.inputs;

@@ -10,6 +10,7 @@ use tripos_derive::algebra::term::calculus::Differential;
 use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::value::evaluate::{Tape, UnknownSymbol};
 use tripos_derive::flow::Flow;
+use tripos_derive::plain::significant;
 use tripos_traits::DoubleDouble;
 
 /// Least accepted distance of a state from a zero of a divisor, relative to the state's size or 1. Newton's method
@@ -27,7 +28,7 @@ pub(super) struct Poles {
     divisors: Vec<String>,
     /// Names of the generalized speeds.
     speeds: Vec<String>,
-    /// Tape of the divisors, of their slopes by all states, and of the mass matrix row by row.
+    /// Tape of the divisors, of their slopes with respect to all states, and of the mass matrix row by row.
     tape: Tape,
 }
 
@@ -67,7 +68,8 @@ impl Poles {
             // A divisor that is NaN is refused as well.
             if value.is_nan() || value.abs() <= near * reach || value.abs() <= 0.0 {
                 let what = format!(
-                    "the equations are singular at this state: they divide by {name}, which is {value:.1e} there, and slopes have no bound"
+                    "the equations are singular at this state: they divide by {name}, which is {} there, and slopes have no bound",
+                    significant(*value, 2)
                 );
                 let help = "choose speeds that determine the rates of all coordinates there, or coordinates that have no pole there, or another \
                             state";
@@ -121,6 +123,6 @@ impl Poles {
             }
         };
         let what = format!("the mass matrix is singular at this state: nothing resists a change of {moved}");
-        Err(Error::request(what, "give an inertia to what moves there, or choose other speeds or another state"))
+        Err(Error::request(what, "give the moving part an inertia, or choose other speeds or another state"))
     }
 }

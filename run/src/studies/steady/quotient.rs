@@ -76,7 +76,7 @@ impl Question {
         };
         let is_finite = |wide: &Wide| wide.rows.iter().flatten().all(|x| x.is_finite());
         if ![&all.a, &all.b, &all.c, &all.d].into_iter().all(is_finite) {
-            return Err(Error::Stopped("a slope has no value that a number can hold at this state".to_owned()));
+            return Err(Error::Stopped("a slope is not a finite number at this state".to_owned()));
         }
         let (closed, symmetries) = all.on_loops(&loops(by_state), &loops(by_input), &values.symmetries)?;
         // A shift of time is not a difference from the motion, even if differences along symmetries are kept.
@@ -88,7 +88,7 @@ impl Question {
 
 impl Quotient {
     /// Restricts the system and the symmetries to states in which the loops are closed. `slopes` and `by_input` are the
-    /// slopes of the loops by states and inputs.
+    /// slopes of the loops with respect to states and inputs.
     fn on_loops(self, slopes: &Wide, by_input: &Wide, symmetries: &[Vec<DoubleDouble>]) -> Result<(Self, Wide), Error> {
         let fields = Wide::from_columns(self.kept.len(), symmetries);
         if slopes.rows.is_empty() {
@@ -97,12 +97,13 @@ impl Quotient {
         let columns: Vec<usize> = (0..slopes.columns()).collect();
         let (found, rows) = pivots(&slopes.rounded().transpose(), &[&columns]);
         if rows.len() < slopes.rows.len() {
-            let why = "this is a singular pose: the slopes of its loops are dependent, and do not tell how it moves";
+            let why =
+                "this is a singular pose: the slopes of its loops are dependent, so that its motion is not determined";
             return Err(Error::Stopped(why.to_owned()));
         }
         let rest: Vec<usize> = columns.iter().copied().filter(|at| !found.contains(at)).collect();
         let all: Vec<usize> = (0..slopes.rows.len()).collect();
-        let singular = || Error::Stopped("this is a singular pose: its loops cannot be solved for".to_owned());
+        let singular = || Error::Stopped("this pose is singular: the loops cannot be solved for".to_owned());
         // The closed states depend on the kept states, and on inputs that the loops depend on.
         let follow = |open: &Wide| {
             let open = Wide::zeros(open.rows.len(), open.columns()).plus(-1.0, &identity(open.rows.len()), open);

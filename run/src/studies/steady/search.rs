@@ -15,7 +15,7 @@ const PRIMES: [u64; 24] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 4
 
 /// Advice for the user if no steady motion is found.
 pub(super) const ELSEWHERE: &str =
-    "put what may change under [guess], begin from another state, or seek from more starts around it (--starts)";
+    "put the values that may change under [guess], begin from another state, or try more starts (--starts)";
 
 /// Steady motion that a search found, with its linear system if there is one.
 #[derive(Clone, Debug)]

@@ -70,7 +70,7 @@ impl<'a> Sweep<'a> {
     ) -> Result<Self, Error> {
         let how_own = scene.integration.method == Integrator::Quadrature || scene.integration.project.is_some();
         if how_own {
-            let what = "a sweep runs whole equations, which know neither quadrature nor projection".to_owned();
+            let what = "a sweep runs whole equations, which have neither quadrature nor projection".to_owned();
             let help = "give a stepping method, and leave `project` out of the scene".to_owned();
             return Err(Error::request(what, help));
         }
@@ -272,7 +272,7 @@ impl Worker<'_> {
             watch.is_none_or(|watch| watch.exist(&problem.scene.parameters)[at])
         };
         let lost = changes.iter().enumerate().any(|(at, change)| change.is_nan() && exist(at));
-        let unkept = || lost.then(|| "what is constant in this motion has no value that doubles can hold".to_owned());
+        let unkept = || lost.then(|| "a conserved quantity of this motion is not a finite number".to_owned());
         Ok(Ended {
             t_end: solution.t_end,
             stop: solution.stop.code(),

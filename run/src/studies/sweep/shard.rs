@@ -21,7 +21,7 @@ impl Shard {
         let number = |text: &str| text.trim().parse::<u64>().ok();
         let numbers = text.split_once('/').and_then(|(part, of)| Some((number(part)?, number(of)?)));
         let Some((part, of)) = numbers else {
-            let help = "write the number of the part and how many there are, such as 3/8".to_owned();
+            let help = "write the number of the part and the number of parts, such as 3/8".to_owned();
             return Err(Error::request(format!("the shard is `{text}`"), help));
         };
         if part == 0 || part > of {

@@ -58,7 +58,7 @@ enum Operand {
 fn operand(level: &mut Level, operand: Operand) -> Result<(), ParseError> {
     let is_whole = operand == Operand::Whole;
     if let Some(slash) = level.slash.take().filter(|_| is_whole && level.term == Some(true)) {
-        let help = "C rounds quotients of whole numbers towards zero, 1/2 is 0: write 1.0/2 if that is printed";
+        let help = "C rounds quotients of whole numbers towards zero: 1/2 is 0; write 1.0/2 if the program has it so";
         return Err(wrong(slash, "a quotient of whole numbers", help));
     }
     level.term = Some(is_whole && level.term != Some(false));

@@ -9,7 +9,7 @@ pub struct Symbol {
     pub subscript: String,
     /// Superscript that is not a power, such as the `B` of `I^B`; may be empty.
     pub mark: String,
-    /// Number of dots and primes: the order of the derivative by time.
+    /// Number of dots and primes: the order of the derivative with respect to time.
     pub dots: usize,
 }
 

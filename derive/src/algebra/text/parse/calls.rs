@@ -91,7 +91,11 @@ impl Parser<'_, '_> {
         let length = self.arena.apply(Function::Sqrt, square);
         let below = self.arena.add(x, length);
         let quotient = self.arena.div(y, below).filter(|_| below != Expr::ZERO).ok_or_else(|| {
-            error(start..self.at, "atan2 has no value here", Some("it is undefined along the negative first axis"))
+            error(
+                start..self.at,
+                "atan2 has no value here",
+                Some("the result is undefined along the negative first axis"),
+            )
         })?;
         let half = self.arena.apply(Function::Atan, quotient);
         Ok(self.arena.scale(half, &Rational::integer(2)))

@@ -41,7 +41,7 @@ impl ParseError {
             '+' | '-' | '*' | '/' | '^' => "an operand is missing here",
             ',' => "functions have one argument; decimals are written with a point",
             '=' => "an expression has no `=`",
-            '<' | '>' => "inequalities stand in [domain] only, one in a condition",
+            '<' | '>' => "only [domain] may contain inequalities, one in each condition",
             '−' | '–' => "use the ASCII minus `-`",
             '·' | '×' => "use `*` for products",
             '°' => "angles are in radians: write `10*pi/180`",

@@ -20,6 +20,8 @@ struct Marks {
     minus: &'static str,
     /// Mark between two factors, given the second.
     times: fn(&View) -> &'static str,
+    /// Mark between two factors with which a line may begin.
+    cross: &'static str,
     /// Parentheses around content on one line, as high as the content.
     whole: [&'static str; 2],
     /// Parentheses around content that may break over lines, of fixed height.
@@ -37,6 +39,7 @@ const LATEX: Marks = Marks {
     plus: "{} + ",
     minus: "{} - ",
     times: |_| " \\, ",
+    cross: "{} \\times ",
     whole: ["\\left(", "\\right)"],
     broken: ["\\bigl(", "\\bigr)"],
     power: |n| format!("^{{{n}}}"),
@@ -51,6 +54,7 @@ const TYPST: Marks = Marks {
     plus: " + ",
     minus: " - ",
     times: |_| " thin ",
+    cross: "times ",
     whole: ["(", ")"],
     broken: ["\\( ", "\\)"],
     power: |n| format!("^{n}"),
@@ -65,6 +69,7 @@ const MATHML: Marks = Marks {
     plus: "<mo form=\"infix\" lspace=\"0\">+</mo>",
     minus: "<mo form=\"infix\" lspace=\"0\">−</mo>",
     times: between,
+    cross: "<mo>×</mo>",
     whole: ["<mrow><mo>(</mo>", "<mo>)</mo></mrow>"],
     broken: ["<mo form=\"prefix\" stretchy=\"false\">(</mo>", "<mo form=\"postfix\" stretchy=\"false\">)</mo>"],
     power: |n| format!("<msup><mrow></mrow><mn>{n}</mn></msup>"),
@@ -78,6 +83,8 @@ struct Piece {
     width: usize,
     /// True if a line may begin with this piece.
     breaks: bool,
+    /// True if this piece is the mark between two factors. A line breaks there only if it has no other place.
+    is_between: bool,
 }
 
 /// Breaks a formula into lines of LaTeX, each about `widest` tenths of an em wide.
@@ -120,15 +127,38 @@ impl Breaking {
     fn lines(&self, view: &View) -> Vec<String> {
         let mut pieces = Vec::new();
         self.flatten(view, &mut pieces);
-        let (mut lines, mut width) = (vec![String::new()], 0);
+        // Pieces between two breaks stay together: their widths add up.
+        let mut together: Vec<Vec<Piece>> = Vec::new();
         for piece in pieces {
-            if piece.breaks && width > 0 && width + piece.width > self.widest {
-                lines.push(String::new());
-                width = 0;
+            match together.last_mut() {
+                Some(list) if !piece.breaks => list.push(piece),
+                _ => together.push(vec![piece]),
             }
-            width += piece.width;
-            if let Some(line) = lines.last_mut() {
-                line.push_str(&piece.text);
+        }
+        let (mut lines, mut filled) = (vec![String::new()], 0);
+        for list in together {
+            let width = list.iter().map(|piece| piece.width).sum::<usize>();
+            if filled > 0 && filled + width > self.widest {
+                lines.push(String::new());
+                filled = 0;
+            }
+            let is_too_wide = width > self.widest;
+            // Width from each piece to the next mark between factors.
+            let mut rest = vec![0; list.len() + 1];
+            for at in (0..list.len()).rev() {
+                let next = list.get(at + 1).is_some_and(|piece| !piece.is_between);
+                rest[at] = list[at].width + if next { rest[at + 1] } else { 0 };
+            }
+            for (piece, wide) in list.into_iter().zip(rest) {
+                let is_broken = is_too_wide && piece.is_between && filled + wide > self.widest;
+                if is_broken {
+                    lines.push(self.marks.cross.to_owned());
+                    filled = 15;
+                }
+                filled += piece.width;
+                if let Some(line) = lines.last_mut().filter(|_| !is_broken) {
+                    line.push_str(&piece.text);
+                }
             }
         }
         lines
@@ -151,7 +181,7 @@ impl Breaking {
                         (_, false) => self.marks.plus,
                         (_, true) => self.marks.minus,
                     };
-                    out.push(Piece { text: sign.to_owned(), width: 0, breaks: at > 0 });
+                    out.push(Piece { text: sign.to_owned(), width: 0, breaks: at > 0, is_between: false });
                     let first = out.len();
                     self.factor(term, out);
                     // The sign and the piece behind it stay together.
@@ -165,14 +195,19 @@ impl Breaking {
             View::Product(factors) => {
                 for (at, one) in factors.iter().enumerate() {
                     if at > 0 {
-                        out.push(Piece { text: (self.marks.times)(one).to_owned(), width: 2, breaks: false });
+                        out.push(Piece {
+                            text: (self.marks.times)(one).to_owned(),
+                            width: 2,
+                            breaks: false,
+                            is_between: true,
+                        });
                     }
                     if self.is_slashed(one) { self.enclosed(one, out) } else { self.factor(one, out) }
                 }
             }
             View::Fraction(above, below) if self.is_slashed(view) => {
                 self.factor(above, out);
-                out.push(Piece { text: self.marks.slash.to_owned(), width: 5, breaks: false });
+                out.push(Piece { text: self.marks.slash.to_owned(), width: 5, breaks: false, is_between: false });
                 match **below {
                     View::Sum(_) | View::Product(_) => self.enclosed(below, out),
                     _ => self.factor(below, out),
@@ -185,12 +220,17 @@ impl Breaking {
                 let (number, rest) = without_number(above);
                 let first = View::Fraction(Box::new(View::Number(number)), below.clone());
                 self.push(out, &first, formula_width(&first));
-                out.push(Piece { text: (self.marks.times)(&rest).to_owned(), width: 2, breaks: false });
+                out.push(Piece {
+                    text: (self.marks.times)(&rest).to_owned(),
+                    width: 2,
+                    breaks: false,
+                    is_between: true,
+                });
                 self.factor(&rest, out);
             }
             View::Power(base, n) if matches!(**base, View::Sum(_) | View::Product(_)) => {
                 self.enclosed(base, out);
-                out.push(Piece { text: (self.marks.power)(*n), width: 4, breaks: false });
+                out.push(Piece { text: (self.marks.power)(*n), width: 4, breaks: false, is_between: false });
             }
             _ => self.push(out, view, formula_width(view)),
         }
@@ -217,21 +257,21 @@ impl Breaking {
         let mut text = open.to_owned();
         (self.marks.write)(view, &mut text);
         text.push_str(close);
-        out.push(Piece { text, width, breaks: false });
+        out.push(Piece { text, width, breaks: false, is_between: false });
     }
 
     /// Appends a formula in parentheses of fixed height, in pieces that break at its signs.
     fn enclosed(&self, view: &View, out: &mut Vec<Piece>) {
         let [open, close] = self.marks.broken;
-        out.push(Piece { text: open.to_owned(), width: 5, breaks: false });
+        out.push(Piece { text: open.to_owned(), width: 5, breaks: false, is_between: false });
         self.split(view, out);
-        out.push(Piece { text: close.to_owned(), width: 5, breaks: false });
+        out.push(Piece { text: close.to_owned(), width: 5, breaks: false, is_between: false });
     }
 
     fn push(&self, out: &mut Vec<Piece>, view: &View, width: usize) {
         let mut text = String::new();
         (self.marks.write)(view, &mut text);
-        out.push(Piece { text, width, breaks: false });
+        out.push(Piece { text, width, breaks: false, is_between: false });
     }
 }
 

@@ -1,4 +1,4 @@
-//! A tape run backwards: the derivatives of a weighted sum of its outputs by all its inputs, in one pass.
+//! A tape run backwards: the derivatives of a weighted sum of its outputs with respect to all its inputs, in one pass.
 //!
 //! The values of the tape are computed first. Then, from the last operation to the first, the contribution of each
 //! operation to the sum is computed. The cost is that of a few evaluations, whatever the number of inputs. A. Griewank

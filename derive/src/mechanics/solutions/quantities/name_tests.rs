@@ -50,7 +50,7 @@ fn a_wrong_name_says_what_and_where() {
         ("omga(B) @ B [1]", "omga", "unknown quantity `omga`", "did you mean `omega`?"),
         ("q6'", "q6'", "unknown quantity `q6'`", "did you mean `q1'`?"),
         ("d a(Cstar) @ B [1]/d u1", "a", "partial velocities are of `v` or `omega`, not of `a`", "the form is"),
-        ("T + V", "+ V", "`+ V` is more than the name of a quantity", "write the name of one quantity"),
+        ("T + V", "+ V", "`+ V` does not belong to the name of a quantity", "write the name of one quantity"),
         ("", "", "the name of a quantity is missing here", "write the name of one quantity"),
         ("é", "é", "the name of a quantity is missing here", "write the name of one quantity"),
     ] {

@@ -30,7 +30,7 @@ impl Quantity {
         cursor.skip_space();
         let kind = cursor.quantity()?;
         if cursor.at < text.len() {
-            let message = format!("`{}` is more than the name of a quantity", shown(&text[cursor.at..]));
+            let message = format!("`{}` does not belong to the name of a quantity", shown(&text[cursor.at..]));
             return Err(cursor.error(cursor.at..text.len(), message));
         }
         Ok(Self::new(kind, model))
@@ -313,7 +313,7 @@ impl<'a> Cursor<'a> {
             return Err(QuantityError { message, help: nearest(text, names), range });
         };
         if owner == Owner::RigidBody && model.bodies[at].rigid.is_none() {
-            let message = format!("`{text}` is a particle: nothing turns with it");
+            let message = format!("the body `{text}` is a particle, which has no rotation");
             let help = "inertia, angular momentum and moments belong to rigid bodies".to_owned();
             return Err(QuantityError { message, help, range });
         }

@@ -1,12 +1,12 @@
 //! Equations with the forces of held contacts, and products with their transposed slopes.
 //!
-//! Forces Λ add the rates B a to the motion variables, where B holds the slopes of these variables by the speeds. M a =
-//! Wᵀ Λ, and W a + c = 0 along the held rows. Here c = S ẏ without forces, where S holds the slopes of the velocities
-//! along the rows. Let w be weights of the added rates, and b = Bᵀ w. Let A = W M⁻¹ Wᵀ E, where E holds the friction of
-//! slipping contacts. The derivative of w·B a is that of the residuals with a and Λ held fixed: z₁·∂(M a − Wᵀ Λ) +
-//! z₂·∂(W a + c) + w·∂(B a), where Aᵀ z₂ = −Eᵀ W M⁻¹ b and z₁ = −M⁻¹ (b + Wᵀ z₂). Each term is computed by running a
-//! tape backwards: M x·z by the tape of the kinetic energy, a quadratic form, B x by that of the motion variables, W
-//! and S by that of the velocities along the rows.
+//! Forces Λ add the rates B a to the motion variables, where B holds the slopes of these variables with respect to the
+//! speeds. M a = Wᵀ Λ, and W a + c = 0 along the held rows. Here c = S ẏ without forces, where S holds the slopes of
+//! the velocities along the rows. Let w be weights of the added rates, and b = Bᵀ w. Let A = W M⁻¹ Wᵀ E, where E holds
+//! the friction of slipping contacts. The derivative of w·B a is that of the residuals with a and Λ held fixed: z₁·∂(M
+//! a − Wᵀ Λ) + z₂·∂(W a + c) + w·∂(B a), where Aᵀ z₂ = −Eᵀ W M⁻¹ b and z₁ = −M⁻¹ (b + Wᵀ z₂). Each term is computed by
+//! running a tape backwards: M x·z by the tape of the kinetic energy, a quadratic form, B x by that of the motion
+//! variables, W and S by that of the velocities along the rows.
 
 use super::products::{Products, Tapes};
 use crate::error::{Error, refused};
@@ -50,8 +50,8 @@ struct Weights<'a> {
 }
 
 impl<'a> Motion<'a> {
-    /// Prepares the equations of a problem while contacts are held. In the slopes by parameters, the restitutions of
-    /// the contacts and their coefficients of friction follow the parameters.
+    /// Prepares the equations of a problem while contacts are held. In the slopes with respect to parameters, the
+    /// restitutions of the contacts and their coefficients of friction follow the parameters.
     ///
     /// # Errors
     /// [`Error::Request`] for equations that were not solved for their accelerations.
@@ -218,7 +218,8 @@ impl Weights<'_> {
         rest.to_vec()
     }
 
-    /// Adds the slopes of w·B x by parameters and state: motion variables of the speeds x minus those of zero speeds.
+    /// Adds the slopes of w·B x with respect to parameters and state: motion variables of the speeds x minus those of
+    /// zero speeds.
     fn pull_motion(&mut self, q: &[f64], x: &DVector<f64>, w: &DVector<f64>, (state, parameters): Pulled<'_>) {
         let tapes = self.tapes;
         let still = vec![0.0; x.len()];
@@ -226,7 +227,8 @@ impl Weights<'_> {
         self.add(&tapes.motions, q, &still, (-w).as_slice(), (state, parameters));
     }
 
-    /// Adds the slopes of z·M x = T(x + z) − T(x) − T(z) + T(0) by parameters and state. z is scaled to the size of x.
+    /// Adds the slopes of z·M x = T(x + z) − T(x) − T(z) + T(0) with respect to parameters and state. z is scaled to
+    /// the size of x.
     fn pull_inertia(&mut self, q: &[f64], x: &DVector<f64>, z: &DVector<f64>, (state, parameters): Pulled<'_>) {
         let (size, own) = (x.norm(), z.norm());
         if !(size > 0.0 && own > 0.0) {

@@ -1,5 +1,5 @@
-//! Gradient of a quantity that a run shows at its end: its derivatives by all parameters and all numbers of the start
-//! at once, by one backward sweep.
+//! Gradient of a quantity that a run shows at its end: its derivatives with respect to all parameters and all numbers
+//! of the start at once, by one backward sweep.
 //!
 //! The run equals the run without a gradient. Then its steps are repeated backwards, each transposed
 //! ([`tripos_sim::adjoint`]). The code that runs computes the rates; tapes run backwards give products with their
@@ -41,6 +41,7 @@ use products::Tapes;
 use recorded_steps::Stepped;
 use sweep::{Swept, Target, Through, sweep};
 use tripos_derive::model::{TIME, Unit};
+use tripos_derive::plain::within;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::adjoint::has_adjoint;
 use tripos_sim::{Method, Options, Second, Stop, TaylorSeries, seconds};
@@ -82,7 +83,7 @@ pub struct Slope {
 }
 
 impl Gradient {
-    /// Finds the derivative by the number with the given name.
+    /// Finds the derivative with respect to the number with the given name.
     ///
     /// # Errors
     /// [`Error::Request`] if there is no number of this name.
@@ -148,8 +149,11 @@ pub fn gradient(
     let parts = Parts { through, target };
     let is_total = stepped.event().is_some();
     if target == Target::End && !is_total && !stepped.solution.stop.is_failure() {
-        let help = "the instant at the end of a span stays; give the scene a terminal event";
-        return Err(Error::request(format!("no event ended the run at t = {} s", stepped.solution.t_end), help));
+        let help = "a gradient of an event's time needs a terminal event: give the scene one";
+        return Err(Error::request(
+            format!("no event ended the run at t = {} s", within(stepped.solution.t_end, None)),
+            help,
+        ));
     }
     let assessed = if stepped.solution.stop.is_failure() { None } else { Some(parts.assess(&problem, &stepped)?) };
     run.notes.splice(..0, notes(mechanism, own, &scene, &numbers));
@@ -248,19 +252,16 @@ fn unit(parts: &Parts<'_>) -> Option<Unit> {
 fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[Number]) -> Vec<String> {
     let mut list = Vec::new();
     if mechanism.loops.is_empty() {
-        list.push("whole equations are run, of which derivatives are taken".to_owned());
+        list.push("whole equations are run, since derivatives need them".to_owned());
     }
     let run = scene.integration.method.name();
     if own.name() != run {
-        list.push(format!(
-            "steps of {} are not swept backwards: the run is by {run}, to the same tolerances",
-            own.name()
-        ));
+        list.push(format!("the method {} has no gradient: the run is by {run}, to the same tolerances", own.name()));
     }
     let moving = numbers.iter().filter(|number| number.seed.as_ref().is_ok_and(|seed| seed.moves_span));
     list.extend(
         moving
-            .map(|number| format!("the span depends on `{}`: its derivative is that at a fixed instant", number.name)),
+            .map(|number| format!("the span depends on `{}`: the derivative is that at a fixed instant", number.name)),
     );
     list
 }

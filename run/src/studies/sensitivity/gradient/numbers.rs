@@ -14,7 +14,7 @@ use tripos_traits::Tangent;
 /// A number of a scene, with the derivatives of a run's start by it, or the reason why there are none.
 pub struct Number {
     pub name: String,
-    /// Derivatives of the parameters and the start by the number, or the reason why there are none.
+    /// Derivatives of the parameters and the start with respect to the number, or the reason why there are none.
     pub seed: Result<Seed, String>,
 }
 
@@ -45,7 +45,7 @@ pub fn names(model: &Model, scene: &Scene) -> Vec<String> {
     model.parameters.iter().map(|p| p.name.clone()).chain(start).collect()
 }
 
-/// Instants at which the equations of a problem jump, each with its derivatives by all parameters.
+/// Instants at which the equations of a problem jump, each with its derivatives with respect to all parameters.
 pub fn moved(problem: &Problem<'_>) -> Vec<Moved> {
     let parameters = &problem.scene.parameters;
     let mut list: Vec<Moved> = Vec::new();

@@ -33,9 +33,9 @@ pub struct Through<'a> {
     pub equations: Option<&'a Equations>,
 }
 
-/// Derivatives of a target by the integrated state at the start of a run and by each parameter.
+/// Derivatives of a target with respect to the integrated state at the start of a run and by each parameter.
 pub struct Swept {
-    /// Derivatives of the target by the state at the start, after contacts have changed there.
+    /// Derivatives of the target with respect to the state at the start, after contacts have changed there.
     state: Vec<f64>,
     /// Derivatives of the target by each parameter, then by each restitution and each coefficient of friction of the
     /// contacts.
@@ -44,15 +44,15 @@ pub struct Swept {
     pub states: usize,
     /// Derivatives of the state at the start by each number, or the reason why there are none.
     starts: Vec<Result<Vec<f64>, String>>,
-    /// Instant and reason of the end of the derivatives by all numbers; `None` if they reach the start.
+    /// Instant and reason of the end of the derivatives with respect to all numbers; `None` if they reach the start.
     pub ended: Option<Ending>,
     /// True if possibly only some numbers have derivatives, so that each must be checked.
     pub asks: bool,
 }
 
 impl Swept {
-    /// Derivative of the target by the number with the index `at`, and the size of the terms of its sum. Both are NaN
-    /// if there is no derivative.
+    /// Derivative of the target with respect to the number with the index `at`, and the size of the terms of its sum.
+    /// Both are NaN if there is no derivative.
     pub fn by(&self, at: usize, number: &Number) -> (f64, f64) {
         let (Ok(seed), Ok(start), None) = (&number.seed, &self.starts[at], &self.ended) else {
             return (f64::NAN, f64::NAN);
@@ -64,7 +64,7 @@ impl Swept {
         terms.fold((0.0, 0.0), |(sum, size), term| (sum + term, size + term.abs()))
     }
 
-    /// Reason why there is no derivative by the number with the index `at`; `None` if no reason is known.
+    /// Reason why there is no derivative with respect to the number with the index `at`; `None` if no reason is known.
     pub fn missing(&self, at: usize) -> Option<String> {
         self.starts[at].as_ref().err().cloned().or_else(|| self.ended.as_ref().map(Ending::to_string))
     }
@@ -166,8 +166,8 @@ struct RunEnd<'a> {
     event: Option<usize>,
 }
 
-/// Derivatives of a target by the state at the end of a run, and directly by parameters. They are total ones if an
-/// event g = 0 ends the run, as its instant moves by dt = −(g_y dy + g_p dp)/(g_y f).
+/// Derivatives of a target with respect to the state at the end of a run, and directly by parameters. They are total
+/// ones if an event g = 0 ends the run, as its instant moves by dt = −(g_y dy + g_p dp)/(g_y f).
 fn weights(
     problem: &Problem<'_>,
     quantities: &Quantities,

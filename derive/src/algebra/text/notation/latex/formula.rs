@@ -48,7 +48,7 @@ impl Formula<'_, '_> {
         }
         let (span, what) = (self.cursor.here(), self.name_of_mark());
         let help = match self.cursor.peek() {
-            Some(Mark::Char('=')) => "a formula has no `=`: write what stands behind it",
+            Some(Mark::Char('=')) => "a formula has no `=`: write the right side alone",
             Some(Mark::Char(',')) => "only min, max and atan2 have several arguments",
             Some(Mark::Char('^')) => "write one exponent, in braces",
             Some(Mark::Char('_' | '\'')) => "subscripts and primes stand at symbols only",

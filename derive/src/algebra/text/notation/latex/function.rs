@@ -17,7 +17,7 @@ enum Argument {
 }
 
 impl Formula<'_, '_> {
-    /// Reads a fraction whose command \frac is next, or a derivative by time that is written as one.
+    /// Reads a fraction whose command \frac is next, or a derivative with respect to time that is written as one.
     pub(super) fn fraction(&mut self) -> Result<(), ParseError> {
         let place = self.cursor.here();
         let first = self.cursor.at;
@@ -45,8 +45,8 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Reads a derivative by time, such as \frac{d\theta}{dt} or \frac{d}{dt}(…), whose command \frac is next; false if
-    /// the fraction is none.
+    /// Reads a derivative with respect to time, such as \frac{d\theta}{dt} or \frac{d}{dt}(…), whose command \frac is
+    /// next; false if the fraction is none.
     fn derivative(&mut self) -> Result<bool, ParseError> {
         let (first, place) = (self.cursor.at, self.cursor.here());
         self.cursor.at += 1;
@@ -240,7 +240,11 @@ impl Formula<'_, '_> {
             };
         if open {
             let help = format!("write \\{name}(…) with its argument in parentheses");
-            return Err(wrong(self.cursor.here(), format!("does the argument of `{name}` go on here?"), &help));
+            return Err(wrong(
+                self.cursor.here(),
+                format!("the end of the argument of `{name}` is not clear here"),
+                &help,
+            ));
         }
         Ok(())
     }

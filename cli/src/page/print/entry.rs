@@ -1,0 +1,56 @@
+//! Names of printed entries for a reader: the number of the equation, its line and the symbol, made from the id.
+
+use crate::page::markup::html::escape;
+use crate::page::markup::math::{inline, symbol};
+
+/// HTML of the name of a printed entry: `kane-3.2-line1-b1` becomes "Kane (3.2), line 1, b₁". A part of the id that has
+/// none of these forms stays as it is.
+pub fn entry_name(id: &str) -> String {
+    let mut parts = Vec::new();
+    for (at, part) in id.split('-').enumerate() {
+        let words = named(part, at == 0 && id.contains('-'));
+        match parts.last_mut() {
+            // The number of an equation belongs to the word before it.
+            Some(last) if words.starts_with('(') => *last = format!("{last} {words}"),
+            _ => parts.push(words),
+        }
+    }
+    parts.join(", ")
+}
+
+/// HTML of one part of an id.
+fn named(part: &str, is_first: bool) -> String {
+    let letters = part.trim_end_matches(|c: char| c.is_ascii_digit());
+    let digits = &part[letters.len()..];
+    if part.contains('.') && part.chars().all(|c| c.is_ascii_digit() || c == '.') {
+        return format!("({part})");
+    }
+    match (letters, digits) {
+        ("line" | "row" | "step", n) if !n.is_empty() => format!("{letters} {n}"),
+        _ if is_first => {
+            let mut rest = part.chars();
+            rest.next().map_or_else(String::new, |first| escape(&(first.to_uppercase().to_string() + rest.as_str())))
+        }
+        (name, n) if name.len() == 1 && !n.is_empty() => inline(&symbol(part)),
+        _ if part.ends_with('\'') => inline(&symbol(part)),
+        _ => escape(part),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ids_become_numbers_lines_and_symbols() {
+        let text = |id: &str| {
+            let html = entry_name(id);
+            html.split('<').map(|piece| piece.split_once('>').map_or(piece, |(_, text)| text)).collect::<String>()
+        };
+        assert_eq!(text("kane-3.2-line1-b1"), "Kane (3.2), line 1, b1");
+        assert_eq!(text("2.1"), "(2.1)");
+        assert_eq!(text("kane-final-row1"), "Kane, final, row 1");
+        assert_eq!(text("swing"), "swing");
+        assert!(entry_name("4.3-q1'").contains("<math>"));
+    }
+}
