@@ -204,8 +204,8 @@ impl<'a> Plot<'a> {
         self.head.len() as f64 + lines(&self.names)
     }
 
-    /// Draws the plot with its upper left corner at a place of the canvas. `label` is the label of the axis x; `None` if
-    /// a plot below shows it.
+    /// Draws the plot with its upper left corner at a place of the canvas. `label` is the label of the axis x; `None`
+    /// if a plot below shows it.
     fn draw(&self, canvas: &Canvas, corner: (f64, f64), width: f64, label: Option<&str>) -> Result<(), PlotError> {
         let (left, top) = corner;
         let (right, bottom) = (left + width, top + self.height);
