@@ -204,7 +204,10 @@ fn inputs_that_cannot_be() {
         ("[inputs]\nF = \"2*G\"\n", "`G` cannot stand in an input"),
         ("[inputs]\nF = \"3 m\"\n", "`F` is in N, but this number in m"),
         ("[inputs]\nF = \"1/(x - x)\"\n", "division by zero"),
-        ("[inputs]\nF = \"1/(sin(x)^2 + cos(x)^2 - 1)\"\n", "the model cannot be with these inputs: division by zero"),
+        (
+            "[inputs]\nF = \"1/(sin(x)^2 + cos(x)^2 - 1)\"\n",
+            "the model is not possible with these inputs: division by zero",
+        ),
         ("[inputs]\nF = []\n", "an input must be a number"),
         ("[parameters]\nF = 3\n", "`F` is an input"),
         ("[inputs]\nF = { table = \"no.csv\" }\n", "the table cannot be read"),

@@ -131,7 +131,7 @@ fn a_rod_without_inertia_about_itself_is_named() {
          \"J\", \"J\"] }\n",
     );
     assert_eq!(found.indeterminate, ["w"]);
-    assert_eq!(found.notes[0], "`rod` has no inertia about the axis that `w` turns it about");
+    assert_eq!(found.notes[0], "the body `rod` has no inertia about the axis of `w`");
 }
 
 /// A generator of numbers that are the same on every machine.

@@ -338,7 +338,7 @@ fn a_load_does_not_divide_by_what_stands_still() {
     check(
         "\"c*(v(P) @ N [1])^2/v(P) @ N [2]\"",
         &expect![[r#"
-        error: `damper` divides by what is zero at all times, in c*v(P) @ N [1]^2/v(P) @ N [2]
+        error: the load `damper` divides by a term that is always zero, in c*v(P) @ N [1]^2/v(P) @ N [2]
           --> model.toml:41:9
            |
         41 | [forces.damper]
@@ -349,7 +349,7 @@ fn a_load_does_not_divide_by_what_stands_still() {
     check(
         "\"c*(v(P) @ N [1])^2/(v(P) @ N [1] - x')\"",
         &expect![[r#"
-        error: `damper` divides by what is zero at all times, in c*v(P) @ N [1]^2/(x' - v(P) @ N [1])
+        error: the load `damper` divides by a term that is always zero, in c*v(P) @ N [1]^2/(x' - v(P) @ N [1])
           --> model.toml:41:9
            |
         41 | [forces.damper]

@@ -160,7 +160,7 @@ const WRONG: &[Wrong] = &[
         "[[figures]]",
         "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nno_slip = [\"q1\"]\n[[figures]]",
         "q1",
-        "what slips, or does not, is a velocity",
+        "this formula must be a velocity",
     ),
     (
         "[[figures]]",
@@ -184,7 +184,7 @@ const WRONG: &[Wrong] = &[
         "[[figures]]",
         "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nfriction = 0.3\n[[figures]]",
         "0.3",
-        "nothing says along which velocity the friction of `rim` acts",
+        "the friction of `rim` needs the velocity along which it acts",
     ),
     (
         "[[figures]]",
@@ -202,13 +202,13 @@ const WRONG: &[Wrong] = &[
         "[[figures]]",
         "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nfriction = 0.3\nalong = \"q1\"\n[[figures]]",
         "q1",
-        "what slips, or does not, is a velocity",
+        "this formula must be a velocity",
     ),
     (
         "[[figures]]",
         "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nfriction = 0.3\nalong = \"u1*u2\"\n[[figures]]",
         "u1*u2",
-        "a velocity along a contact is linear in speeds",
+        "a velocity along a contact must be linear in speeds",
     ),
     (
         "[[figures]]",

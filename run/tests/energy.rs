@@ -121,6 +121,6 @@ fn a_run_that_loses_its_energy_says_so_though_something_works() {
     };
     let run = scene.simulate(&how).unwrap();
     expect![[r"
-        fewer than three digits are right from t = 0.1695 s on, where `v` may be off by 0.059: so far apart are this run and another, dop853 at tolerances of 1e-12
+        fewer than three digits are right from t = 0.1695 s on, where `v` may be off by 0.059: this is the difference from another run, dop853 at tolerances of 1e-12
         total energy less the work done, constant in this motion, changed by 1.099 J of 8.25 J: fewer than three digits are left"]].assert_eq(&run.warnings.join("\n"));
 }

@@ -213,8 +213,8 @@ fn what_makes_no_sense_is_refused() {
     assert_eq!(short.unwrap_err().first_line(), "`F` has 1 instants and 0 values");
     let back = Overrides { until: Some(-1.0), ..Overrides::default() };
     let back = scene.simulate_sampled(&["F"], &[-0.5], || |_: &Sample<'_>| vec![0.0], &back);
-    assert!(back.unwrap_err().first_line().starts_with("inputs are decided as time goes on"));
+    assert!(back.unwrap_err().first_line().starts_with("inputs need a run forwards in time"));
     let quadrature = Overrides { method: Some(Integrator::Quadrature), ..Overrides::default() };
     let quadrature = scene.simulate_sampled(&["F"], &[0.5], || |_: &Sample<'_>| vec![0.0], &quadrature);
-    assert!(quadrature.unwrap_err().first_line().contains("no quadrature"));
+    assert!(quadrature.unwrap_err().first_line().contains("quadrature and projection are not possible"));
 }

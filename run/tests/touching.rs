@@ -72,5 +72,5 @@ fn what_contacts_would_falsify_is_refused() {
                 \"z1\"\nrestitution = 0.5\n";
     let scene = Scene::parse(Mechanism::new(model), text).unwrap_or_else(|e| panic!("{e}"));
     let error = scene.simulate(&Overrides::default()).err().map(|error| error.to_string()).unwrap_or_default();
-    assert!(error.contains("what holds a closed contact is not in them"), "{error}");
+    assert!(error.contains("they would lack the forces of closed contacts"), "{error}");
 }

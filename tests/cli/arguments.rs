@@ -73,13 +73,16 @@ fn files_of_another_kind_are_told_apart() {
         (&["simulate", "crane"], &["`crane` is a folder, not a scene", "crane/scenes/first.toml"]),
         (&["simulate", "crane/scenes/frist.toml"], &["there is no scene at", "did you mean `first.toml`?"]),
         (&["simulate", "nowhere/first.toml"], &["there is no scene at", "there is no folder `nowhere` either"]),
-        (&["simulate", "crane/scenes/lost.toml"], &["names a model that is not there", "nowhere.toml"]),
+        (&["simulate", "crane/scenes/lost.toml"], &["names a model that does not exist", "nowhere.toml"]),
         (&["new", "arm", "--like", "crane/scenes/first.toml"], &["is no model file"]),
         (
             &["sweep", "crane/scenes/first.toml", "--over", "M=1,2", "--out", "grid.parquet"],
-            &["`grid.parquet` would hold CSV"],
+            &["`grid.parquet` ends in `.parquet`, and this command writes CSV"],
         ),
-        (&["simulate", "crane/scenes/first.toml", "--csv", "run.xlsx"], &["`run.xlsx` would hold CSV"]),
+        (
+            &["simulate", "crane/scenes/first.toml", "--csv", "run.xlsx"],
+            &["`run.xlsx` ends in `.xlsx`, and this command writes CSV"],
+        ),
     ] {
         let said = refused(place, arguments);
         assert!(expected.iter().all(|part| said.contains(part)), "{arguments:?}: {said}");

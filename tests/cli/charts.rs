@@ -134,7 +134,7 @@ fn a_scene_that_states_its_outputs_is_charted_in_them() {
     let output = tripos(&["chart", "models/disk/scenes/lean.toml", "--quick", "--out", out.path().to_str().unwrap()]);
     let said = String::from_utf8(output.stdout).unwrap();
     assert_eq!(output.status.code(), Some(0), "{said}");
-    assert!(said.contains("Errors are those of what the scene wants to see: q2, u1.\n"), "{said}");
+    assert!(said.contains("Errors are those of the scene's outputs: q2, u1.\n"), "{said}");
     let (_, chart) = table(&out.path().join("work_precision.csv"), 4);
     for formulation in ["kane", "lagrange", "newton-euler", "reduced"] {
         // The passages near flat magnify rounding by 1e5; the tolerance is reached but for that.
@@ -151,7 +151,7 @@ fn outputs_that_need_accelerations_are_not_compared() {
     for (outputs, said) in [
         (
             "\"theta\", \"omega'\", \"total_energy\"",
-            "wants to see: theta, total_energy. Not compared, since whole states do not show accelerations and reactions: omega'.",
+            "outputs: theta, total_energy. Not compared, since whole states do not show accelerations and reactions: omega'.",
         ),
         (
             "\"omega'\"",

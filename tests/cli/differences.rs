@@ -210,7 +210,7 @@ fn the_coordinates_of_a_publication_are_found() {
     assert!(out.contains(table) && out.contains("2 of 2 are right, 0 before"), "{out}");
     // The table in the publication gives the same verdict.
     let (status, out, _) = find(&format!("{table}{both}"), "publication.toml");
-    assert!(status == 0 && out.contains("None makes more formulas right"), "{out}");
+    assert!(status == 0 && out.contains("No other choice of coordinates makes more formulas right"), "{out}");
     // The potential alone does not tell the sign of the angle.
     let (status, out, _) = find(potential, "publication.toml");
     assert!(status == 1 && out.contains("in each of 2 choices") && out.contains("None of them is better"), "{out}");

@@ -70,7 +70,7 @@ fn an_edited_model_runs_at_once_and_is_stale_until_regenerated() {
     );
     assert_eq!(std::fs::read_to_string(workspace.path("generated/src/pendulum/kane.rs")).unwrap(), others);
     let (_, out, _) = workspace.tripos(&["regenerate", "--check", "disk"]);
-    let stale = "stale    models/disk/reference.json: it is of another model text\n";
+    let stale = "stale    models/disk/reference.json: the file was made from another model text\n";
     assert_eq!(out, format!("generated/ is fresh: 1 model\n{stale}"), "SymPy has not seen them");
     let (again, compiled, _) = workspace.final_lean();
     assert!(!compiled && again.to_bits() == after.to_bits(), "compiled by the next build, not before");

@@ -138,7 +138,7 @@ fn bad_requests_are_answered_with_what_to_do() {
     let kane = ["--language", "matlab", "--formulation", "kane", "--functions", "reactions"];
     refused(&model, &out, &kane, "reactions are unknowns of `--formulation newton-euler`");
     refused(&model, &folder.path().join("a-b"), &[], "`a-b` cannot be a Rust module");
-    refused(&model, Path::new("/"), &[], "has no name that a module could have");
+    refused(&model, Path::new("/"), &[], "cannot be a module's name");
     refused(&folder.path().join("none.toml"), &out, &[], "cannot read the file");
     refused(&model, &model.join("swing"), &[], "cannot write");
     let elbow = root().join("derive/tests/models/k06a.toml");

@@ -109,7 +109,7 @@ fn nothing_is_written_over_what_is_read() {
         ] {
             let output = run_in(folder.path(), arguments);
             assert_eq!(status(&output), 2, "{arguments:?}");
-            assert!(stderr(&output).contains("would be written over"), "{}", stderr(&output));
+            assert!(stderr(&output).contains("would overwrite the input"), "{}", stderr(&output));
         }
     }
     assert_eq!(
@@ -129,7 +129,7 @@ fn nothing_is_written_over_what_is_read() {
     // A page that is the model under another name.
     std::os::unix::fs::symlink("model.toml", folder.path().join("index.html")).unwrap();
     let output = run_in(folder.path(), &["page", ".", "--out", "."]);
-    assert!(status(&output) == 2 && stderr(&output).contains("would be written over"), "{}", stderr(&output));
+    assert!(status(&output) == 2 && stderr(&output).contains("would overwrite the input"), "{}", stderr(&output));
     assert_eq!(text(folder.path().join("model.toml")), SLIDER);
 }
 

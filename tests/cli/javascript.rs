@@ -372,7 +372,7 @@ fn languages_leave_one_another_alone() {
     assert!(out.join("kane.rs").is_file());
     std::fs::write(out.join("kane.mjs"), "// Mine.\n").unwrap();
     let (code, _, error) = emit(&model, &out, &[]);
-    assert!(code == 2 && error.contains("is not a file that `tripos emit` wrote"), "{error}");
+    assert!(code == 2 && error.contains("was not written by `tripos emit`"), "{error}");
     let arguments = ["emit", model.to_str().unwrap(), "--out", out.to_str().unwrap(), "--language", "javascript"];
     let (code, _, error) = tripos_in(&root(), &arguments);
     assert!(code == 2 && error.contains("equations are not written in `javascript`"), "{error}");

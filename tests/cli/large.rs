@@ -86,7 +86,7 @@ fn scenes_of_large_models_run_by_whole_equations() {
         std::fs::write(&scene, text).unwrap();
         let (status, out, err) = tripos_in(&root(), &["simulate", scene.to_str().unwrap(), "--method", "dop853"]);
         assert_eq!(status, 0, "{err}");
-        assert_eq!(err.contains("whole equations are run: those of this model are too large"), whole, "{n}: {err}");
+        assert_eq!(err.contains("whole equations are run: this model is too large"), whole, "{n}: {err}");
         assert_eq!(out.contains("Kane's method"), whole, "{n}: {out}");
         assert!(out.contains("largest change of total energy") && !err.contains("warning"), "{n}: {out}{err}");
     }

@@ -131,7 +131,10 @@ fn what_is_not_renewed_is_said_and_found_by_check() {
     let text = std::fs::read_to_string(workspace.path("models/disk/model.toml")).unwrap();
     std::fs::write(workspace.path("models/disk/model.toml"), format!("# A comment.\n{text}")).unwrap();
     let (status, out, _) = workspace.regenerate(&["--check"]);
-    assert!(status == 1 && out.contains("stale    models/disk/reference.json: it is of another model text"), "{out}");
+    assert!(
+        status == 1 && out.contains("stale    models/disk/reference.json: the file was made from another model text"),
+        "{out}"
+    );
     std::fs::write(workspace.path("models/disk/reference.json"), "[]").unwrap();
     let (status, out, _) = workspace.regenerate(&["--check"]);
     assert!(status == 1 && out.contains("broken   models/disk/reference.json: "), "{out}");

@@ -133,7 +133,7 @@ fn states_are_drawn_and_what_is_no_state_or_picture_is_refused() {
     refused(&["sketch", "nowhere"], "there is no model at `nowhere`");
     assert!(!folder.path().join("sketch.svg").exists());
     let own = write("model.svg", SLIDER);
-    refused(&["sketch", &own, "--out", &own], "would be written over");
+    refused(&["sketch", &own, "--out", &own], "would overwrite the input");
 }
 
 /// Goal: no text of a file becomes markup. Method: hostile titles, descriptions and names of bodies, as SVG, as LaTeX

@@ -149,7 +149,7 @@ fn another_sweep_does_not_go_on_with_it() {
     }
     std::fs::remove_file(killed.folder.path().join("out.csv.part.json")).unwrap();
     let (status, said) = killed.resume(name, &grid);
-    assert!(status == 2 && said.contains("nothing says how `"), "{said}");
+    assert!(status == 2 && said.contains("cannot be resumed: its record `"), "{said}");
 }
 
 /// Ctrl-C keeps what is finished, and says how to go on; a sweep that has left nothing is run from its first point.

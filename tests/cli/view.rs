@@ -208,12 +208,12 @@ fn a_view_says_whether_its_numbers_can_be_changed() {
 fn wrong_requests_are_refused_with_a_way_out() {
     let scene = "models/pendulum/scenes/over.toml";
     let (status, _, error) = view(scene, &["--against", "models/disk/scenes/report.toml"]);
-    assert!(status == 2 && error.contains("is a scene of another model than"), "{error}");
+    assert!(status == 2 && error.contains("belongs to another model than the scene"), "{error}");
     let (status, _, error) = view(scene, &["--against", "lagrang"]);
     assert!(status == 2 && error.contains("did you mean `lagrange`?"), "{error}");
     let output = tripos(&["view", scene, "--out", "models/pendulum/model.toml"]);
     assert!(
-        output.status.code() == Some(2) && stderr(&output).contains("would be written over"),
+        output.status.code() == Some(2) && stderr(&output).contains("would overwrite the input"),
         "{}",
         stderr(&output)
     );

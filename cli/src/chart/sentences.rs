@@ -287,6 +287,6 @@ mod tests {
     #[test]
     fn where_nothing_arrives_it_is_said() {
         let list = [run(KANE, Solve::Eliminated, Method::Dop853, 1e-3, None)];
-        assert!(lead(&list).starts_with("Nothing that was measured") && caption(&list, 1.0).ends_with("front."));
+        assert!(lead(&list).starts_with("No measured run") && caption(&list, 1.0).ends_with("front."));
     }
 }

@@ -181,7 +181,7 @@ fn digits_in_words(run: &Run) -> String {
     let (least, t, name) = (fewest.digits, digits.t[fewest.instant], &run.names[fewest.value]);
     format!(
         "{at_end}{least:.1} at least on the way (`{name}` at t = {} s), by comparison with {}\n",
-        within(t, None),
+        significant(t, 4),
         digits.by
     )
 }

@@ -64,7 +64,7 @@ fn few(digits: &Digits, names: &[String]) -> Option<String> {
     if error.is_nan() {
         return Some(format!(
             "`{name}` has no value at t = {} s, in this run or in another, {}",
-            within(t, None),
+            significant(t, 4),
             digits.by
         ));
     }
@@ -72,7 +72,7 @@ fn few(digits: &Digits, names: &[String]) -> Option<String> {
         digits.end().filter(|left| *left >= FEW).map(|left| format!("; at the end {left:.0} digits are right again"));
     Some(format!(
         "fewer than three digits are right from t = {} s on, where `{name}` may be off by {}: this is the difference from another run, {}{}",
-        within(t, None),
+        significant(t, 4),
         significant(error, 2),
         digits.by,
         end.unwrap_or_default()
@@ -165,7 +165,7 @@ fn worst<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a Watch) -> Ve
 
 /// Objection that reports the excursion of a first integral.
 fn excursion_in_words((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
-    let (name, unit, t) = (integral.name(), &integral.unit, within(*t, None));
+    let (name, unit, t) = (integral.name(), &integral.unit, significant(*t, 4));
     if change.is_nan() {
         return format!("{name}, constant in this motion, has no value at t = {t} s: do not trust this run");
     }

@@ -189,13 +189,13 @@ fn jumps_without_a_derivative_are_refused() {
         }
     };
     let text = driven(&values, "");
-    assert!(refused(DRIVEN, &text, "c", "rk4").contains("equal steps go across"));
+    assert!(refused(DRIVEN, &text, "c", "rk4").contains("steps of equal length cross this instant"));
     let end = refused(DRIVEN, &text.replace("[0, 3]", "[0, 2]"), "c", "dop853");
     assert!(end.contains("into the span or out of it"), "{end}");
     let two = DRIVEN.replace("a*sign(c*t - 10)", "a*sign(c*t - 10) + a*sign(5*t - 10)").replace("5*t - 10", "t - m");
     let two = two.replace("t - m", "t - T").replace("[coordinates]", "T = { unit = \"s\", value = 2 }\n[coordinates]");
     let apart = refused(&two, &text, "c", "dop853");
-    assert!(apart.contains("moves them apart"), "{apart}");
+    assert!(apart.contains("separates the jumps"), "{apart}");
     let scene = scene_of(&two, &text);
     assert!(scene.sensitivities(&["k", "a"], At::End, &Overrides::default()).is_ok(), "neither moves a jump");
 }

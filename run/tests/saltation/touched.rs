@@ -6,7 +6,7 @@ use crate::saltation::balls::BALL;
 use crate::sensitivity::near;
 use tripos::{At, Overrides, Scene};
 
-const WHY: &str = "is touched there without a velocity that closes it";
+const WHY: &str = "is touched without a closing velocity";
 
 /// A pendulum whose bob is stopped at an angle.
 const PENDULUM: &str = r#"

@@ -59,7 +59,9 @@ fn systems(difference: &Difference) -> Option<String> {
         (wrong, right, all) => {
             let open = all - wrong - right;
             let open = if open == 0 { String::new() } else { format!(", {open} undecided ones") };
-            format!("Of {all} printed systems, {right} give right and {wrong} give wrong accelerations{open}")
+            let give = |n: usize| if n == 1 { "gives" } else { "give" };
+            let (one, other) = (give(right), give(wrong));
+            format!("Of {all} printed systems, {right} {one} right and {wrong} {other} wrong accelerations{open}")
         }
     };
     let energy = match of(&breaks) {

@@ -261,7 +261,7 @@ impl<'a> ValueReader<'a, '_> {
         let moving: Vec<Expr> = model.coordinates.iter().map(|c| c.rate).chain(model.u()).collect();
         let arena = &mut model.arena;
         if !moving.iter().any(|symbol| arena.mentions(slip, *symbol)) {
-            let message = "`along` must be a velocity, and this formula contains no speed";
+            let message = "this formula must be a velocity, and contains no speed";
             self.reader.error(formula.span.clone(), message, "write a velocity, such as \"v(A) @ N [1]\"");
             return None;
         }
