@@ -116,12 +116,12 @@ fn two_bodies_keep_their_distance_and_its_rate() {
         vy | no output and nothing that outputs need depends on vy | no formula that is left mentions it
         vz | vz = P_n3/(m + M) + H_n1_scaled/(m*Y_from_y), from what is constant: linear momentum along n3; -1 times the angular momentum about n1 through the mass centre | Kane's equations of the whole model hold with it, by identity (in doubt by less than 2^-63)
         X_from_x, Z_from_z, VX_from_vx | zero in a frame that moves by a rotation about n1 through the mass centre and by a rotation about n2 through the mass centre and by a rotation about n3 through the mass centre, which changes nothing that is shown | each commutes with the motion of the whole model and leaves what is shown and watched, by identity (in doubt by less than 2^-63)
-        X | X_from_x stands for it | a symmetry moves X and x together, by identity
-        VX | VX_from_vx stands for it | a symmetry moves VX and vx together, by identity
-        Y | Y_from_y stands for it | a symmetry moves Y and y together, by identity
-        VY | VY_from_vy stands for it | a symmetry moves VY and vy together, by identity
-        Z | Z_from_z stands for it | a symmetry moves Z and z together, by identity
-        VZ | VZ_from_vz stands for it | a symmetry moves VZ and vz together, by identity
+        X | X_from_x stands for it | an identity shows that a symmetry moves X and x together
+        VX | VX_from_vx stands for it | an identity shows that a symmetry moves VX and vx together
+        Y | Y_from_y stands for it | an identity shows that a symmetry moves Y and y together
+        VY | VY_from_vy stands for it | an identity shows that a symmetry moves VY and vy together
+        Z | Z_from_z stands for it | an identity shows that a symmetry moves Z and z together
+        VZ | VZ_from_vz stands for it | an identity shows that a symmetry moves VZ and vz together
         x | no output and nothing that outputs need depends on x | no formula that is left mentions it
         y | no output and nothing that outputs need depends on y | no formula that is left mentions it
         z | no output and nothing that outputs need depends on z | no formula that is left mentions it

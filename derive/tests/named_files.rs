@@ -215,7 +215,7 @@ fn what_a_condition_decides_is_not_taken() {
             25 |     w = np.linalg.norm(v)
                |         ^^^^^^^^^^^^^^
                |
-               = help: say in [symbols] what it stands for, as in "linalg.norm" = "u1""#]],
+               = help: give the meaning of the symbol in [symbols], as in "linalg.norm" = "u1""#]],
     );
 }
 

@@ -162,7 +162,7 @@ fn energies_are_stated_to_second_order() {
         printed = "u1 + length*u2"
         "#,
         &expect![[r#"
-            V equal | its zero is elsewhere: printed − derived = m*length*g, a constant; to second order about x = 0, q = 0
+            V equal | the zero of the quantity is elsewhere: printed − derived = m*length*g, a constant; to second order about x = 0, q = 0
             T equal | to second order about x = 0, q = 0
             T-wrong different | the term 2*m*length*x'*q' should be m*length*x'*q' | the term 2*m*length*x'*q' should be m*length*x'*q'; to second order about x = 0, q = 0
             v equal | to first order about x = 0, q = 0

@@ -219,7 +219,7 @@ fn a_coordinate_that_moves_no_mass_is_named() {
     check(
         &edited(&[("mass = \"m\"", "mass = 0"), ("mass = \"m\"", "mass = 0")], ""),
         &expect![[r#"
-            error: `u1` moves no mass of its own: the mass matrix is singular in every configuration
+            error: the speed `u1` moves no mass: the mass matrix is singular in every configuration
               --> model.toml:14:1
                |
             14 | u1 = "x'"
@@ -275,7 +275,7 @@ fn a_torque_on_a_particle_is_refused() {
     check(
         &edited(&[], "[torques.motor]\non = \"cart\"\nframe = \"N\"\nvector = [0, 0, \"m*g*length\"]\n"),
         &expect![[r#"
-            error: `cart` is a particle: no torque can act on it
+            error: the body `cart` is a particle: no torque can act on a particle
               --> model.toml:41:7
                |
             41 | on = "cart"

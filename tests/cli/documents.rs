@@ -95,7 +95,7 @@ fn typst_knows_every_word_of_the_formulas() {
     let greek = "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi rho sigma tau phi chi psi omega Gamma Delta Theta \
                  Lambda Xi Sigma Phi Psi Omega";
     let known: BTreeSet<&str> =
-        TYPST_WORDS.into_iter().chain(greek.split_whitespace()).chain(["quad", "tl", "tr", "dots"]).collect();
+        TYPST_WORDS.into_iter().chain(greek.split_whitespace()).chain(["quad", "times", "tl", "tr", "dots"]).collect();
     for (model, text) in library_as("typst") {
         for formula in typst_formulas(&text) {
             let bare: String = formula.split('"').step_by(2).collect::<Vec<_>>().join(" ");
@@ -147,7 +147,7 @@ impl Reading<'_> {
                 return out;
             }
             match () {
-                () if self.take("thin ") => out.push('*'),
+                () if self.take("thin ") || self.take("times ") => out.push('*'),
                 () if self.take("+") => out.push('+'),
                 () if self.take("-") => out.push('-'),
                 () if self.take("^") => out.push('^'),

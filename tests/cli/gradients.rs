@@ -48,7 +48,7 @@ fn a_gradient_is_printed_a_line_for_each_number() {
     let (status, out, err) = tripos_in(folder.path(), &["simulate", "scene.toml", "--gradient", "t"]);
     assert_eq!(status, 0, "{err}");
     let at = std::f64::consts::FRAC_PI_2;
-    assert!(out.contains(&format!("gradient of t at t = {}", &at.to_string()[..11])), "{out}");
+    assert!(out.contains(&format!("gradient of t at t = {}", &at.to_string()[..6])), "{out}");
     let text = gradient(&out).split_once('\n').unwrap().1.to_owned();
     // π/4, −π/4, 0 and 1.
     expect![[r"
@@ -72,13 +72,13 @@ fn a_gradient_through_an_impact_is_printed_and_what_has_none_says_why() {
     let (status, out, err) = tripos_in(folder.path(), &["simulate", "scene.toml", "--gradient", "x"]);
     assert_eq!(status, 0, "{err}");
     // −t sin(t)/4, its opposite, −cos(t)/2 and −sin(t)/2.
-    expect![[r"
+    expect![[r#"
         gradient of x at t = 2.5 s, at that instant
           by m  -0.374045090 ± … m/kg
           by k  0.374045090 ± … m*s^2/kg
           by x  0.400571808 ± …
           by u  -0.299236072 ± … s
-        their errors by comparison with dop853 at a tenth of the tolerances"]]
+        errors of the derivatives, by comparison with dop853 at a tenth of the tolerances"#]]
     .assert_eq(&gradient(&out));
     let folder = slider(&(scene.replace("x = 1\nu = 0", "x = 0\nu = -1") + wall));
     let (status, out, err) = tripos_in(folder.path(), &["simulate", "scene.toml", "--gradient", "x"]);
@@ -95,10 +95,7 @@ fn a_gradient_is_a_list_in_json() {
     let run: Value = serde_json::from_str(&out).unwrap_or_else(|_| panic!("{status} {err}"));
     assert!((&run["gradient_of"], &run["gradient_is_total"]) == (&Value::from("x"), &Value::from(false)), "{run}");
     assert_eq!(run["method"], "dop853", "what was run");
-    assert!(
-        err.contains("steps of gauss6 are not swept backwards: the run is by dop853, to the same tolerances"),
-        "{err}"
-    );
+    assert!(err.contains("the method gauss6 has no gradient: the run is by dop853, to the same tolerances"), "{err}");
     let (s, c) = 2_f64.sin_cos();
     let list = run["gradient"].as_array().unwrap();
     assert_eq!(list.len(), 4);

@@ -47,6 +47,7 @@ mod sweep_resume;
 #[path = "../support/sympy.rs"]
 mod sympy;
 mod sympy_scripts;
+mod tried;
 mod trust;
 mod tutorials;
 mod view;

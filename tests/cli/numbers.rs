@@ -360,7 +360,7 @@ fn what_overflows_or_has_no_value_is_a_failure() {
     let (_folder, path) = scene_of("pendulum", text);
     let charts = folder.path().join("charts");
     let (status, _, err) = answer(&["chart", &path, "--quick", "--out", charts.to_str().unwrap()]);
-    assert!(status == 3 && err.contains("has no value at t = 5 s: there is nothing to compare"), "{err}");
+    assert!(status == 3 && err.contains("have no value at t = 5 s: there is nothing to compare"), "{err}");
 }
 
 /// Goal: a mechanism that a motor alone turns has no speed, and is evaluated. Method: a wheel of 0.3 kg m² at 2 rad/s,

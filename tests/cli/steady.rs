@@ -117,7 +117,7 @@ fn wrong_questions_are_refused() {
         ("[names]\nl = 1\n[state]\ntheta = 0\nomega = 0\n", vec![], "`l` is a name of the model"),
         ("[state]\ntheta = 0\nomega = 0\n", vec!["--input", "force"], "no input `force`"),
         ("[state]\ntheta = 0\nomega = 0\n", vec!["--output", "thta"], "unknown name `thta`"),
-        ("[state]\ntheta = 0\nomega = 0\n", vec!["--symbolic", "x"], "there is no `x`"),
+        ("[state]\ntheta = 0\nomega = 0\n", vec!["--symbolic", "x"], "`x` is neither a parameter nor a name"),
     ];
     for (text, more, expected) in cases {
         let path = file(text);

@@ -60,6 +60,12 @@ pub fn emit(request: &Emit, output: Output) -> Result<u8, Failure> {
         let what = "functions can be chosen in C, Python, MATLAB and for CasADi".to_owned();
         return Err(Failure::request(what, "leave `--functions` out, or give one of these languages".to_owned()));
     }
+    let is_known = LANGUAGES.contains(&language.as_str());
+    if dialect.is_none() && is_known && Source::read(&model_file(model)).is_ok_and(|source| is_scene(&source)) {
+        let what = format!("the outputs and events of a scene are not written in `{language}`");
+        let help = "give the model file in place of the scene, or --language c, python, matlab or casadi";
+        return Err(Failure::request(what, help.to_owned()));
+    }
     let (emission, then) = match (dialect, language.as_str()) {
         (Some(dialect), _) => other(request, dialect, &formulations)?,
         (None, "rust") => rust(model, out, &formulations, extras)?,

@@ -95,18 +95,21 @@ fn compiled(unit: &Fmu) -> Result<Vec<u8>, Failure> {
         std::fs::write(folder.path().join(name), text).map_err(failed)?;
     }
     let compiler = std::env::var_os("CC").filter(|name| !name.is_empty()).unwrap_or_else(|| OsString::from("cc"));
-    let mut command = Command::new(&compiler);
+    // Arguments after the name of the compiler are customary, as in `CC="ccache gcc"`.
+    let name = compiler.to_string_lossy().into_owned();
+    let mut words = name.split_whitespace();
+    let mut command = Command::new(words.next().unwrap_or("cc"));
+    command.args(words);
     command.current_dir(folder.path()).args(["-std=c99", "-O2", "-fPIC", "-shared", "-fvisibility=hidden"]);
     command.args(unit.sources.iter().map(|(name, _)| name).filter(|name| is_source(name)));
     command.args(["-lm", "-o", "unit"]);
-    let name = compiler.to_string_lossy().into_owned();
     let help = "install a C compiler, name it by the environment variable CC, or give --only-sources";
     let result = command
         .output()
         .map_err(|error| Failure::request(format!("the C compiler `{name}` cannot be run: {error}"), help))?;
     if !result.status.success() {
         let said = String::from_utf8_lossy(&result.stderr).into_owned();
-        let first = said.lines().next().unwrap_or_default().to_owned();
+        let first = said.lines().next().map_or_else(|| result.status.to_string(), str::to_owned);
         return Err(Failure::request(format!("the C compiler `{name}` refuses the sources: {first}"), help));
     }
     std::fs::read(folder.path().join("unit")).map_err(failed)

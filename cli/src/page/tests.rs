@@ -281,7 +281,7 @@ fn loose_is_not_wrong_and_wrong_is_wrong_however_it_ends() {
     let page = page_with_publication();
     let rows = part(&page, "<table class=\"runs\">\n<caption>Runs</caption>", "</table>");
     let (derived, printed) = rows.split_once("<tr class=\"group\">").unwrap();
-    let error = "right equations, coarse tolerances: ode45 with rtol 1e−3 leaves an error of 0.25";
+    let error = "right equations, loosely integrated: ode45 with rtol 1e−3 leaves an error of 0.25";
     let unknown = derived.contains("s is not known: no &lt;way&gt; there");
     assert!(unknown && derived.contains(error) && !derived.contains("wrong"), "{derived}");
     assert!(printed.contains("1 of 2 are wrong, they do not give the derived accelerations"), "{printed}");

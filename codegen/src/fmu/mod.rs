@@ -115,7 +115,8 @@ impl Fmu {
             Version::Two => fmi2::text(&identifier, &module, scene, &functions, &variables),
             Version::Three => description::text(&identifier, &module, scene, &functions, &variables),
         };
-        let (left_out, has_slopes) = (functions.left_out(), functions.has_slopes(&plan));
+        let left_out = functions.left_out().into_iter().chain(plan.unchecked.clone()).collect();
+        let has_slopes = functions.has_slopes(&plan);
         Ok(Self { identifier, description, sources, left_out, has_slopes })
     }
 }

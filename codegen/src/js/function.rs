@@ -87,7 +87,10 @@ fn result(returns: Returns, entries: &[Entry]) -> String {
     match returns {
         Returns::Number => names.concat(),
         Returns::Vector => array(&names),
-        Returns::Pair(first) => format!("[{}, {}]", array(&names[..first]), array(&names[first..])),
+        Returns::Pair(_) | Returns::System(_) => {
+            let (front, back) = names.split_at(returns.first().unwrap_or_default());
+            format!("[{}, {}]", array(front), array(back))
+        }
         Returns::Matrix { .. } => rows(names.len().isqrt()),
         Returns::Table { columns } => rows(columns),
     }

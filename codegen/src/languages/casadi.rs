@@ -147,6 +147,12 @@ fn function(writer: &mut Writer<'_>, planned: &Function) {
     let entries: Vec<String> = planned.entries.iter().map(text).collect();
     match (planned.returns, table(planned)) {
         (Returns::Number, _) => value(&mut writer.out, "    ", "return ", &entries.concat()),
+        (Returns::System(side), _) => {
+            let (matrix, right) = entries.split_at(side * side);
+            array_of_entries(writer, &format!("first = _helpers.table({side}, {side}, ["), matrix, "])");
+            array_of_entries(writer, "second = casadi.vertcat(", right, ")");
+            writer.raw("return first, second");
+        }
         (Returns::Pair(first), _) => {
             array_of_entries(writer, "first = casadi.vertcat(", &entries[..first], ")");
             array_of_entries(writer, "second = casadi.vertcat(", &entries[first..], ")");

@@ -116,13 +116,15 @@ impl Module<'_> {
     }
 }
 
-/// Number of rows and columns of the array that a function returns; `None` for a number, a vector or a pair.
+/// Number of rows and columns of the array that a function returns, or of the first of two; `None` for a number and for
+/// vectors.
 #[must_use]
 pub fn table(function: &Function) -> Option<[usize; 2]> {
     let count = function.entries.len();
     match function.returns {
         Returns::Matrix { .. } => Some([count.isqrt(); 2]),
         Returns::Table { columns } => Some([count.checked_div(columns).unwrap_or(0), columns]),
+        Returns::System(side) => Some([side; 2]),
         Returns::Number | Returns::Vector | Returns::Pair(_) => None,
     }
 }

@@ -36,7 +36,8 @@ impl SceneRun {
     /// Run of a scene with the model that it was read with; `None` as for [`Self::first`].
     #[must_use]
     pub fn of(scene: &Scene, bound: &Model) -> Option<Self> {
-        let is_plain = bound.bindings.is_empty() && scene.impacts.is_empty();
+        let ends_early = scene.events.iter().any(|event| event.terminal);
+        let is_plain = bound.bindings.is_empty() && scene.impacts.is_empty() && !ends_early;
         is_plain.then(|| Self {
             name: scene.source.path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default(),
             parameters: scene.parameters.clone(),

@@ -143,9 +143,12 @@ impl Target for Modules<'_> {
         if let Some(regression) = &regression {
             plan.regress(&planner, regression, language);
         }
+        let title = equations.title(model);
+        if self.wants("conditions") {
+            self.hidden.extend(plan.unchecked.iter().map(|name| (name.clone(), title.clone(), Hidden::Reaction)));
+        }
         if let Some(shown) = &shown {
             plan.show(&planner, shown);
-            let title = equations.title(model);
             self.hidden.extend(shown.left_out.iter().map(|(name, why)| (name.clone(), title.clone(), *why)));
         }
         let origin = self.origin.of_model();

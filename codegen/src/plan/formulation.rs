@@ -6,6 +6,7 @@ use super::taylor::TaylorPlan;
 use crate::taylor::Recurrences;
 use std::ops::RangeInclusive;
 use tripos_derive::algebra::solve::elimination::Elimination;
+use tripos_derive::algebra::term::calculus::Substitution;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::{Arena, Expr};
@@ -133,7 +134,7 @@ pub(super) fn linear_system(planner: &Planner<'_>) -> (Vec<Function>, Option<Fun
         format!("Matrix of the linear system {product} row by row, and its right-hand side, which share terms.");
     let together = WORTH_SHARING
         .contains(&operations)
-        .then(|| planned("linear_system", &about, Returns::Pair(n * n), &[entries, forcing].concat()))
+        .then(|| planned("linear_system", &about, Returns::System(n), &[entries, forcing].concat()))
         .filter(|together| 10 * together.cost.operations <= 9 * operations);
     (apart, together)
 }
@@ -298,7 +299,11 @@ pub(super) fn kinematics_and_energies(planner: &Planner<'_>) -> Vec<Function> {
         "Potential energy V: of gravity, and of the applied loads that have a potential."
     };
     let power = [("rate".to_owned(), "d(T + V)/dt".to_owned(), e.power)];
-    let about_power = "The power of the loads that have no potential: the rate of T + V.";
+    let about_power = if has_given_motion(planner) {
+        "The power of the loads that have no potential. Given motions exert power too: this is not the rate of T + V."
+    } else {
+        "The power of the loads that have no potential: the rate of T + V."
+    };
     let power =
         (e.power != Expr::ZERO).then(|| function("power", about_power, Arguments::State, Returns::Number, &power));
     let energies = [
@@ -358,6 +363,16 @@ fn index(i: usize, n: usize) -> String {
 fn vector_text(arena: &Arena, symbols: &[Expr]) -> String {
     let names: Vec<&str> = symbols.iter().filter_map(|s| arena.symbol_name(*s)).collect();
     format!("({})", names.join(", "))
+}
+
+/// True if time moves a part of the mechanism, or a constraint asks for motion even at rest.
+fn has_given_motion(planner: &Planner<'_>) -> bool {
+    let model = planner.model;
+    let moving = model.q_dot().into_iter().chain(model.u());
+    let mut at_rest = Substitution::new(&moving.map(|symbol| (symbol, Expr::ZERO)).collect::<Vec<_>>());
+    let mut arena = planner.arena.clone();
+    let mut asks = |equation: Expr| at_rest.apply(&mut arena, equation) != Expr::ZERO;
+    model.time().is_some() || model.motion_constraints.iter().any(|constraint| asks(constraint.equation))
 }
 
 /// Header lines with the unknowns and the places where the equations are singular.

@@ -92,6 +92,8 @@ pub enum Returns {
     Vector,
     /// Two arrays: the first has this length, the second contains the other entries.
     Pair(usize),
+    /// Square matrix with this many rows, row by row, and as an array of its own a vector of this length.
+    System(usize),
     /// Square array, row by row. A symmetric one is computed from its upper triangle.
     Matrix {
         /// True if the matrix equals its transpose.
@@ -112,6 +114,16 @@ impl Returns {
             Self::Matrix { symmetric: true } => "Entries that are not zero; upper triangle.",
             Self::Matrix { .. } | Self::Table { .. } => "Entries that are not zero.",
             _ => "Values.",
+        }
+    }
+
+    /// Number of entries of the first of two results; `None` if there is one result.
+    #[must_use]
+    pub fn first(self) -> Option<usize> {
+        match self {
+            Self::Pair(first) => Some(first),
+            Self::System(side) => Some(side * side),
+            Self::Number | Self::Vector | Self::Matrix { .. } | Self::Table { .. } => None,
         }
     }
 

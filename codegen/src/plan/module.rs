@@ -11,6 +11,7 @@ use super::regressor::Regression;
 use super::scene_outputs::Shown;
 use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::{Jacobian, Solved};
+use tripos_derive::model::Condition;
 
 /// Accelerations in closed form, with their slopes.
 #[derive(Clone, Debug)]
@@ -32,6 +33,8 @@ pub struct ModulePlan {
     pub constraints: Vec<String>,
     /// Names, for people, of the values that the function `conditions` returns.
     pub conditions: Vec<String>,
+    /// Names of the conditions of the domain that no function returns, because they contain reactions.
+    pub unchecked: Vec<String>,
     /// Names of the unknowns of the linear system: the accelerations, then the reactions or multipliers.
     pub unknowns: Vec<String>,
     /// Names of the entries of further results, each list with its title.
@@ -109,9 +112,10 @@ impl ModulePlan {
             divisors,
             constraints: e.constraints.iter().map(|c| c.name.clone()).collect(),
             conditions,
+            unchecked: unchecked(planner).map(|condition| condition.name.clone()).collect(),
             unknowns: e.unknowns.iter().map(name).collect(),
             further: Vec::new(),
-            facts: facts(planner, solved),
+            facts: facts(planner, solved).into_iter().chain(unchecked(planner).map(fact_of_unchecked)).collect(),
         }
     }
 
@@ -136,6 +140,16 @@ impl ModulePlan {
     pub fn has(&self, name: &str) -> bool {
         self.functions.iter().any(|function| function.name == name)
     }
+}
+
+/// Statement for a header on a condition that no function returns.
+fn fact_of_unchecked(condition: &Condition) -> String {
+    format!("No function checks the condition {} ({}), which contains a reaction.", condition.name, condition.text)
+}
+
+/// Conditions of the domain that contain reactions.
+fn unchecked<'a>(planner: &'a Planner<'_>) -> impl Iterator<Item = &'a Condition> {
+    planner.model.domain.iter().filter(|c| needs_reaction(planner, c.positive))
 }
 
 /// Function `conditions`, which returns the values that are positive in the domain of the model, and their names.

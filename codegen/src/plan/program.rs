@@ -352,9 +352,9 @@ impl Builder<'_> {
 
     /// Lines of the program. Sines and cosines of inputs come first, where a reader looks for them.
     fn ordered(self) -> Vec<Line> {
-        let variables = self.variables;
+        let set: FxHashSet<String> = self.lines.iter().flat_map(Line::names_set).map(str::to_owned).collect();
         let needs_nothing = |line: &Line| match line {
-            Line::Circular { angle: View::Shared(name), .. } => variables.of.values().any(|v| v == name),
+            Line::Circular { angle: View::Shared(name), .. } => !set.contains(name),
             Line::Circular { .. } | Line::Let(_) | Line::Step(_) => false,
         };
         let (mut first, rest): (Vec<Line>, Vec<Line>) = self.lines.into_iter().partition(needs_nothing);

@@ -97,7 +97,9 @@ fn steps(model: &Model, arena: &mut Arena, equations: &Equations, solved: Option
     steps.extend(equations.definitions.iter().filter(|step| !known.contains(&step.symbol)));
     steps.extend(other_variables(model, equations));
     if equations.formulation.is_in_rates() {
+        // The elimination may have computed the rate of a speed already.
         let rates = model.speeds.iter().map(|speed| speed.rate).zip(&equations.generalized_speed_rates);
+        let rates = rates.filter(|(symbol, _)| !known.contains(symbol));
         steps.extend(rates.map(|(symbol, value)| Definition { symbol, value: *value }));
     }
     let total = arena.add(equations.kinetic_energy, equations.potential_energy);

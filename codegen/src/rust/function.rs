@@ -211,7 +211,8 @@ fn result(returns: Returns, entries: &[Entry]) -> (TokenStream, TokenStream) {
     match returns {
         Returns::Number => (quote!(S), quote!(#(#names)*)),
         Returns::Vector => (quote!([S; #count]), quote!([#(#names),*])),
-        Returns::Pair(first) => {
+        Returns::Pair(_) | Returns::System(_) => {
+            let first = returns.first().unwrap_or_default();
             let (front, back) = names.split_at(first);
             let [one, two] = [front.len(), back.len()].map(Literal::usize_unsuffixed);
             (quote!(([S; #one], [S; #two])), quote!(([#(#front),*], [#(#back),*])))

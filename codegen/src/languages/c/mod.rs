@@ -219,7 +219,10 @@ fn results(function: &Function) -> Vec<(&'static str, usize)> {
     let count = function.entries.len();
     match function.returns {
         Returns::Number => Vec::new(),
-        Returns::Pair(first) => vec![("out", first), ("out_2", count - first)],
+        Returns::Pair(_) | Returns::System(_) => {
+            let first = function.returns.first().unwrap_or_default();
+            vec![("out", first), ("out_2", count - first)]
+        }
         Returns::Vector | Returns::Matrix { .. } | Returns::Table { .. } => vec![("out", count)],
     }
 }
@@ -312,8 +315,9 @@ fn composite_body(writer: &mut Writer<'_>, module: &Module<'_>, composite: Compo
     if composite == Composite::Unknowns {
         let _ = write!(
             text,
-            "tripos_real matrix[{}], right[{n}];\n{system}return tripos_solve({n}, matrix, right, out);",
-            n * n
+            "tripos_real matrix[{}], right[{}];\n{system}return tripos_solve({n}, matrix, right, out);",
+            (n * n).max(1),
+            n.max(1)
         );
     } else if composite == Composite::Reactions {
         let _ = write!(

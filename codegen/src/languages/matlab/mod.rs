@@ -5,7 +5,7 @@ mod names;
 use super::module::table;
 use super::{Composite, Dialect, Module, SceneRun};
 use crate::lines::wrap;
-use crate::plan::{Argument, Entry, Function, Language, Returns};
+use crate::plan::{Argument, Entry, Function, Language};
 use crate::syntax::{Comments, Syntax, WIDTH, Writer, constant};
 use std::fmt::Write;
 use tripos_derive::plain::{one_line, visible};
@@ -189,7 +189,7 @@ fn closed(mut writer: Writer<'_>) -> String {
 
 fn function(module: &Module<'_>, stem: &str, planned: &Function) -> String {
     let names: Vec<&str> = planned.arguments.iter().map(Argument::name).collect();
-    let is_pair = matches!(planned.returns, Returns::Pair(_));
+    let is_pair = planned.returns.first().is_some();
     let results = if is_pair { "[out, out_2]" } else { "out" };
     let signature = format!("{results} = {stem}_{}({})", planned.name, names.join(", "));
     let mut writer = opened(module, &signature, &[&planned.about, &format!("{}.", planned.cost)]);
@@ -213,18 +213,19 @@ fn function(module: &Module<'_>, stem: &str, planned: &Function) -> String {
             }
         }
     };
-    match (planned.returns, table(planned)) {
-        (Returns::Pair(first), _) => {
-            filled("out", &entries[..first].iter().enumerate().collect::<Vec<_>>());
-            filled("out_2", &entries[first..].iter().enumerate().collect::<Vec<_>>());
-        }
-        (_, Some([rows, columns])) => {
-            // Entries are stored column by column.
-            let place = |at: usize| at % columns.max(1) * rows + at / columns.max(1);
-            filled("out", &entries.iter().enumerate().map(|(at, entry)| (place(at), entry)).collect::<Vec<_>>());
-            writer.raw(&format!("out = reshape(out, {rows}, {columns}, N);"));
-        }
-        (_, None) => filled("out", &entries.iter().enumerate().collect::<Vec<_>>()),
+    let (first, second) = entries.split_at(planned.returns.first().unwrap_or(entries.len()));
+    let shape = table(planned);
+    // Entries of a matrix are stored column by column.
+    let place = |at: usize| match shape {
+        Some([rows, columns]) => at % columns.max(1) * rows + at / columns.max(1),
+        None => at,
+    };
+    filled("out", &first.iter().enumerate().map(|(at, entry)| (place(at), entry)).collect::<Vec<_>>());
+    if is_pair {
+        filled("out_2", &second.iter().enumerate().collect::<Vec<_>>());
+    }
+    if let Some([rows, columns]) = shape {
+        writer.raw(&format!("out = reshape(out, {rows}, {columns}, N);"));
     }
     closed(writer)
 }
@@ -271,7 +272,7 @@ fn composed(module: &Module<'_>, stem: &str, composite: Composite) -> String {
             format!("[q, {v}] = {stem}_project(p, q, {v})"),
             "State, or guess of a pose, moved onto the constraints by the smallest corrections; NaN where they stay open.",
             format!(
-                "for k = 1:size(q, 2)\n  for correction = 1:30\n    \
+                "all_p = p;\nfor k = 1:size(q, 2)\n  p = all_p(:, min(k, end));\n  for correction = 1:30\n    \
                  step = pinv({stem}_constraint_slopes(p, q(:, k), {v}(:, k)), 1e-8) * {stem}_constraints(p, q(:, k), {v}(:, k));\n    \
                  q(:, k) = q(:, k) - step(1:{n});\n    {v}(:, k) = {v}(:, k) - step({}:end);\n    \
                  if norm(step) <= 1e-15 * (1 + norm([q(:, k); {v}(:, k)]))\n      break\n    end\n  end\n  \
@@ -313,6 +314,8 @@ fn script(module: &Module<'_>, stem: &str, run: &SceneRun) -> String {
     let (start, end) = run.span;
     let f = format!("@(t, state) {stem}_state_derivative(t, state, p)");
     writer.raw(&format!("[t, states] = ode45({f}, [{start:?}, {end:?}], state, options);"));
+    writer.raw(&format!("if t(end) < {end:?} || any(isnan(states(end, :)))"));
+    writer.raw("  error('the run ends at t = %g s', t(end));\nend");
     let names = module.model().coordinates.iter().map(|c| c.name.clone());
     let variables = module.equations().variables.iter();
     let variables = variables.filter_map(|v| module.planner.arena.symbol_name(*v)).map(str::to_owned);

@@ -133,6 +133,12 @@ fn function(writer: &mut Writer<'_>, planned: &Function) {
         array_of_entries(writer, &format!("{start}_arrays.array(xp, shape, {shape}, ["), entries, "])");
     };
     match (planned.returns, table(planned)) {
+        (Returns::System(side), _) => {
+            let (matrix, right) = entries.split_at(side * side);
+            array(writer, "first = ", matrix, &format!("({side}, {side})"));
+            array(writer, "second = ", right, &format!("({side},)"));
+            writer.raw("return first, second");
+        }
         (Returns::Number, _) => {
             let number = format!("xp.broadcast_to(xp.asarray({}), shape)", entries.concat());
             value(&mut writer.out, "    ", "return ", &number);
@@ -204,6 +210,7 @@ fn script(module: &Module<'_>, run: &SceneRun) -> String {
         "run = solve_ivp(model.state_derivative, ({start:?}, {end:?}), state, \"DOP853\", args=(p,), rtol={tolerance:?}, \
          atol={tolerance:?})"
     ));
+    writer.raw("if not run.success:\n    raise SystemExit(f\"the run ends at t = {run.t[-1]} s: {run.message}\")");
     writer.raw("for name, value in zip(model.COORDINATES + model.VARIABLES, run.y[:, -1]):\n    print(name, value)");
     writer.raw("try:\n    import matplotlib.pyplot as plot\nexcept ImportError:\n    plot = None");
     writer.raw(

@@ -29,7 +29,10 @@ def solve(xp, matrix, right):
 
 def project(xp, constraints, slopes, p, q, v, corrections):
     """The states moved onto their constraints, by Newton's method with the smallest correction; nan if they stay open."""
-    q, v = xp.asarray(q, dtype=float), xp.asarray(v, dtype=float)
+    p, q, v = (xp.asarray(values, dtype=float) for values in (p, q, v))
+    widths = [values.shape[1] for values in (p, q, v) if values.ndim > 1]
+    if widths:
+        q, v = (values if values.ndim > 1 else values[:, None] + xp.zeros(max(widths)) for values in (q, v))
     count = q.shape[0]
     for _ in range(corrections):
         residuals = constraints(p, q, v, xp)

@@ -174,10 +174,22 @@ impl Integration<'_> {
         None
     }
 
+    /// True if a slope may be zero over a whole range of x: signs of terms with x add up in it. A quotient by this slope
+    /// has no value there, although both sides of the rule have.
+    fn has_plateau(&self, slope: Expr) -> bool {
+        let is_jump = |e: Expr| match *self.arena.node(e) {
+            Node::Apply(Function::Sign, argument) => self.depends(argument),
+            _ => false,
+        };
+        let is_sum = |e: &Expr| matches!(self.arena.node(*e), Node::Sum(..));
+        let sums: Vec<Expr> = self.arena.reachable(&[slope]).into_iter().filter(is_sum).collect();
+        self.arena.reachable(&sums).into_iter().any(is_jump)
+    }
+
     /// Primitive of r wⁿ b′ with b = wᵈ: r d wⁿ⁺ᵈ/(n + d), or r log |b| if n + d = 0.
     fn power(&mut self, e: Expr, w: Expr, b: Expr, n: i32, d: i32) -> Option<Expr> {
         let slope = self.slope(b)?;
-        if slope == Expr::ZERO {
+        if slope == Expr::ZERO || self.has_plateau(slope) {
             return None;
         }
         let power = self.arena.pow(w, n).ok()?;
@@ -331,6 +343,7 @@ mod tests {
     use super::*;
     use crate::algebra::text::parse::parse_free;
     use crate::algebra::text::print::text;
+    use crate::algebra::value::evaluate::Tape;
 
     /// Primitive, as text, that the rules find for slopes along x, y, z with constants a and b; `None` if they find
     /// none.
@@ -376,6 +389,20 @@ mod tests {
             &["sin(x)*(a*(1 + cos(x)) - b*sqrt(2 + 2*cos(x)))/(1 + cos(x))"],
         ] {
             assert!(found(slopes).is_some(), "{slopes:?}");
+        }
+    }
+
+    /// Two stops with a gap between them: each law is 0 in the gap, and so no potential may divide by its slope there.
+    #[test]
+    fn a_gap_between_stops_has_a_potential() {
+        for slope in ["-a*max(x - b, 0) - a*min(x + b, 0)", "-a*max(x - b, 0)", "max(x - b, 0)^2 - min(x + b, 0)^2"] {
+            let text = found(&[slope]).unwrap_or_else(|| panic!("{slope}"));
+            let (mut arena, x) = (Arena::default(), 0.25);
+            let f = parse_free(&mut arena, &text).unwrap();
+            let inputs = ["x", "a", "b"].map(|name| arena.symbol(name));
+            let tape = Tape::new(&arena, &inputs, &[f]).unwrap();
+            let values = [tape.evaluate(&[x, 2.0, 1.0])[0], tape.evaluate(&[-x, 2.0, 1.0])[0]];
+            assert!(values.iter().all(|value| value.is_finite()) && values[0] == values[1], "{slope}: {text}");
         }
     }
 

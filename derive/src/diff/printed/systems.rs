@@ -112,7 +112,7 @@ impl Judge<'_, '_> {
         let multipliers = self.own_multipliers(&mut order, &rows);
         let total = self.with_total_rates(system, &raw, &order);
         let mut findings: Vec<TracedFinding> = Vec::new();
-        let mut matches = Vec::new();
+        let (mut matches, mut kept) = (Vec::new(), Vec::new());
         for (i, row) in rows.iter().enumerate() {
             let texts = system.matrix_texts[i].iter().chain([&system.right_texts[i]]);
             let has_decimals =
@@ -125,6 +125,11 @@ impl Judge<'_, '_> {
                 None => row_text(entries, &system.unknown_names, right, entry.notation),
             };
             let finding = stated(&id, entry, &shown);
+            if let Some(finding) = self.constraint(&finding, row) {
+                findings.push(finding.with_claim(Claim::Other));
+                continue;
+            }
+            kept.push(i);
             if let Some(right) = total.as_ref().and_then(|total| self.right_with(&total[i], row, &order, i)) {
                 findings.push(self.held_time(finding, row, &right, &order).with_claim(Claim::HeldTime));
                 matches.push(judged.by);
@@ -158,7 +163,9 @@ impl Judge<'_, '_> {
         if let Some(first) = findings.first_mut() {
             first.finding.remarks.extend(multipliers);
         }
-        self.completeness(&mut findings, entry, system, &rows, order.unknowns.len());
+        let ids: Vec<String> = kept.iter().map(|i| system.row_id(&entry.id, *i)).collect();
+        let rows: Vec<Row> = kept.into_iter().map(|i| rows[i].clone()).collect();
+        self.completeness(&mut findings, &ids, system, &rows, &order.unknowns);
         let whole = order.unknowns.iter().all(|u| system.unknowns.contains(u)) && rows.len() == order.unknowns.len();
         let motion = whole.then(|| {
             let matrix = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
@@ -167,6 +174,21 @@ impl Judge<'_, '_> {
         });
         let table = order.beside(system.formulation, rows, matches);
         self.kept(Judged { findings, table: Some(table), motion })
+    }
+
+    /// Finding of a printed row without unknowns that holds in every state of the mechanism, such as the equation of a
+    /// loop. `None` for another row.
+    fn constraint(&mut self, finding: &Finding, row: &Row) -> Option<Finding> {
+        let (right, entries) = row.split_last()?;
+        if *right == Expr::ZERO || entries.iter().any(|entry| *entry != Expr::ZERO) {
+            return None;
+        }
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let (verdict, holds) = self.comparer.compare_where(arena, *right, Expr::ZERO);
+        verdict.is_equal().then(|| {
+            let remark = "a constraint of the model, which stands beside the equations of motion".to_owned();
+            Finding { holds, ..finding.clone().accepted("a constraint of the model", remark) }
+        })
     }
 
     /// Writes the derived rows with the multipliers of the printed rows. Describes the printed multipliers in words if
@@ -240,22 +262,26 @@ impl Judge<'_, '_> {
     fn completeness(
         &self,
         findings: &mut [TracedFinding],
-        entry: &Entry,
+        ids: &[String],
         system: &System,
         rows: &[Row],
-        unknowns: usize,
+        unknowns: &[Expr],
     ) {
         let arena = &self.quantities.derivations.kinematics.arena;
         let Some(first) = findings.first_mut() else { return };
-        if rows.len() < unknowns {
+        let constraints = &self.quantities.model.motion_constraints;
+        // Rows without multipliers, and the constraints, determine the accelerations together.
+        let is_absent = |unknown: &Expr| !system.unknowns.contains(unknown);
+        let absent = constraints.iter().filter(|constraint| is_absent(&constraint.multiplier)).count();
+        let unknowns = unknowns.len();
+        if rows.len() + constraints.len() + absent < unknowns {
             first.finding.remarks.push(format!(
                 "the system has {} of {unknowns} equations: it does not determine the motion",
                 rows.len()
             ));
         }
         let Some(row) = rank(arena, rows).and_then(|found| found.dependent) else { return };
-        let id = system.row_id(&entry.id, row);
-        let Some(TracedFinding { finding, .. }) = findings.iter_mut().find(|found| found.finding.id == id) else {
+        let Some(TracedFinding { finding, .. }) = findings.iter_mut().find(|found| found.finding.id == ids[row]) else {
             return;
         };
         if rows.len() <= unknowns && matches!(finding.judgement, Judgement::Equal | Judgement::Scaled) {

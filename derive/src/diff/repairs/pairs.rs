@@ -9,6 +9,7 @@ use super::change::{Change, Slip, changes};
 use super::formula::{Formula, Place};
 use super::points::{POINTS, SMALL};
 use super::{LONGEST, MOST_NODES, MOST_PROOFS, Repair, Tools, close_changes, pools, proved, states};
+use crate::algebra::term::transfer::Transfer;
 use crate::algebra::text::print::text;
 
 /// Most changes of one formula whose pairs are tried.
@@ -58,7 +59,9 @@ pub fn pair(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: crate::al
         let close = close_changes(tools, &mut rest, &places, derived)?;
         for candidate in close.into_iter().take(MOST_PROOFS) {
             if let Some(second) = proved(tools, &mut rest, candidate, derived) {
-                return Some([own, second]);
+                // The caller knows the arena of the whole formula alone.
+                let changed = Transfer::new(&rest.arena).term(&mut formula.arena, second.changed);
+                return Some([own, Repair { changed, ..second }]);
             }
         }
     }

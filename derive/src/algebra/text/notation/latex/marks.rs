@@ -142,10 +142,15 @@ fn number(text: &str) -> usize {
     text.find(inside).unwrap_or(text.len())
 }
 
-/// Removes `{}` in front of signs, which only makes room.
+/// Removes `{}` in front of signs and products, which only makes room.
 fn without_supports(list: Vec<Placed>) -> Vec<Placed> {
     let is = |at: usize, c: char| list.get(at).is_some_and(|placed| placed.mark == Mark::Char(c));
-    let is_support = |at: usize| is(at, '{') && is(at + 1, '}') && (is(at + 2, '+') || is(at + 2, '-'));
+    let is_product = |at: usize| match list.get(at).map(|placed| &placed.mark) {
+        Some(Mark::Command(name)) => ["cdot", "times", "ast"].contains(&name.as_str()),
+        _ => false,
+    };
+    let is_sign = |at: usize| is(at, '+') || is(at, '-') || is_product(at);
+    let is_support = |at: usize| is(at, '{') && is(at + 1, '}') && is_sign(at + 2);
     let dropped: Vec<bool> = (0..list.len()).map(|at| is_support(at) || (at > 0 && is_support(at - 1))).collect();
     list.into_iter().zip(dropped).filter(|(_, dropped)| !dropped).map(|(placed, _)| placed).collect()
 }
