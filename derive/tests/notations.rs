@@ -120,7 +120,7 @@ fn latex_that_may_be_read_in_two_ways_is_refused_where_it_may() {
             (r"\left(a + b", "(", "never closed", ")"),
             (r"a + {b", "{", "never closed", "}"),
             (r"a + b)", ")", "unexpected `)`", "nothing is open"),
-            (r"x = y", "=", "unexpected `=`", "behind it"),
+            (r"x = y", "=", "unexpected `=`", "the right side alone"),
             (r"a^2_1", "_", "unexpected `_`", "at symbols only"),
             (r"x^2^3", "^", "second exponent", "braces"),
             (r"\dddot{q}", r"\dddot{q}", "more than 2 primes", "second derivative"),

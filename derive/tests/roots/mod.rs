@@ -199,6 +199,6 @@ fn one_factor_in_several_entries_is_one_mistake_and_two_are_two() {
             .map(|r| r.mistake)
             .collect::<Vec<_>>()
     };
-    assert_eq!(roots(["2*m", "2*m"]), ["it is off by the factor 2*m, in several components"]);
+    assert_eq!(roots(["2*m", "2*m"]), ["several components are wrong by the factor 2*m"]);
     assert_eq!(roots(["2*m", "3*m"]), ["it is off by the factor 2*m", "it is off by the factor 3*m"]);
 }
