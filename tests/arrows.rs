@@ -179,6 +179,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/algebra/text/parse/velocity.rs",
             "derive/src/algebra/term/rational.rs",
             "derive/src/diagnostic.rs",
+            "cli/src/page/print/entry.rs",
             "derive/src/publication/row_text.rs",
             "derive/src/diff/printed/listings.rs",
             "derive/src/mechanics/origin.rs",

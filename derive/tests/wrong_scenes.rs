@@ -63,7 +63,7 @@ const WRONG: &[Wrong] = &[
         "\"dop853\"\nsolve = \"eliminated\"\nrtol = 3e-14\natol = { q1 = 1e-14 }\nstep = 0.01",
         "\"quadrature\"\nmax_step = 0.5",
         "0.5",
-        "quadrature takes no steps: leave `max_step` out",
+        "quadrature takes no steps: `max_step` means nothing",
     ),
     ("q1 = 1e-14", "q7 = 1e-14", "q7", "no coordinate or speed `q7`"),
     ("q1 = 1e-14", "q1 = -1", "-1", "`q1` is negative"),

@@ -83,7 +83,8 @@ fn judged(name: &str, publication: &str) -> (i32, String) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("publication.toml");
     std::fs::write(&path, format!("title = \"t\"\nsource = \"s\"\n{publication}")).unwrap();
-    let arguments = ["diff", model(name).to_str().unwrap(), path.to_str().unwrap()];
+    let model = model(name);
+    let arguments = ["diff", model.to_str().unwrap(), path.to_str().unwrap()];
     let (status, text, err) = tripos_in(folder.path(), &arguments);
     (status, text + &err)
 }

@@ -82,7 +82,8 @@ impl Shown {
         list.into_iter().flatten().collect()
     }
 
-    /// Names of the entries of the functions, under the title of each list.
+    /// Names of the entries that the functions `outputs` and `events` return. Each list stands beside the title under
+    /// which the header of a module prints it.
     #[must_use]
     pub fn names(&self) -> [(&'static str, Vec<String>); 2] {
         let outputs = self.outputs.iter().map(|output| output.name.clone()).collect();

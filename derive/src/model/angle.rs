@@ -16,7 +16,7 @@ enum Measure {
     HalfTurns,
 }
 
-/// Measures and factors of a term, as far as they are known.
+/// Role of a term in an angle: a multiple of a measure (radians, degrees), a constant, or neither.
 #[derive(Clone, Debug)]
 enum Kind {
     /// An angle in this measure, times a factor.

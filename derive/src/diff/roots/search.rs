@@ -215,7 +215,8 @@ impl<'a, 'b> Search<'a, 'b> {
         reached.is_some_and(|reached| self.is_printed(reached, &value))
     }
 
-    /// True if the printed value is that of the source or its negative, such as −T* for dH/dt.
+    /// True if the printed value at `at` is the printed value at `source`, or its negative. Inertia torques T* = −dH/dt
+    /// are printed with both signs.
     fn is_opposite(&mut self, source: usize, at: usize) -> bool {
         let (Some(a), Some(b)) = (&self.values[source], &self.values[at]) else { return false };
         let (a, b) = (a.printed, b.printed);

@@ -139,8 +139,8 @@ impl Tree {
         Some(tree)
     }
 
-    /// Index of the node of a body's mass centre in its own frame. `None` if the body is not placed along the path of
-    /// its frames.
+    /// Index of the tree node that carries the body: the mass centre of the body, seen from the body's frame. `None` if
+    /// the points up to the mass centre do not follow the frames of the body.
     fn reach(
         &mut self,
         kinematics: &mut Kinematics,

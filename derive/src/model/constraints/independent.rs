@@ -127,7 +127,7 @@ impl Taken {
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Reach {
     EveryPose,
-    /// Poses in which the other constraints are independent.
+    /// All poses except those in which the constraints that it follows from are dependent themselves.
     MostPoses,
 }
 

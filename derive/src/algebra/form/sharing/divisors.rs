@@ -112,8 +112,8 @@ impl Extraction {
         self.network
     }
 
-    /// Enters the common divisors of a new term and the `others` of its sum. `own` is the divisor that the sum defines,
-    /// which is not entered.
+    /// Adds to the table the divisors that a new term has in common with each of the terms `others` of its sum. The
+    /// divisor `own` is left out: the sum itself defines it.
     fn register(&mut self, sum: Atom, at: usize, others: &[usize], own: Option<usize>) {
         let term = self.term(sum, at).clone();
         self.register_products(&term, Place { sum, i: at, j: at }, own);

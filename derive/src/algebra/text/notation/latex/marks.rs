@@ -7,7 +7,7 @@ use crate::algebra::text::parse::ParseError;
 use crate::algebra::text::print::greek_name;
 use std::ops::Range;
 
-/// Mark of a formula in LaTeX.
+/// Smallest unit of a formula in LaTeX: a number, a letter, a command such as `\frac`, or another character.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Mark {
     /// Digits of a number, perhaps with a point.
