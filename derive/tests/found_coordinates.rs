@@ -113,7 +113,7 @@ fn textbook() -> String {
 fn absolute_angles_are_found() {
     check(
         &textbook(),
-        &expect![[r#"
+        &expect![[r"
         4 of 4 right, 0 before
         theta2 = theta1 + theta2
         w2 = w1 + w2
@@ -121,7 +121,7 @@ fn absolute_angles_are_found() {
         T equal
         row1 scaled
         row2 scaled
-    "#]],
+    "]],
     );
 }
 
@@ -136,7 +136,7 @@ fn angles_from_another_axis_with_other_names_are_found() {
     let swapped = text.replace("theta1", "first").replace("theta2", "theta1").replace("first", "theta2");
     check(
         &swapped,
-        &expect![[r#"
+        &expect![[r"
         4 of 4 right, 0 before
         theta1 = theta1 - pi/2 + theta2
         w1 = w1 + w2
@@ -146,7 +146,7 @@ fn angles_from_another_axis_with_other_names_are_found() {
         T equal
         row1 scaled
         row2 scaled
-    "#]],
+    "]],
     );
 }
 
@@ -154,7 +154,7 @@ fn angles_from_another_axis_with_other_names_are_found() {
 fn a_wrong_term_stays_wrong_in_the_best_coordinates() {
     check(
         &textbook().replace("- l1*theta1'^2", "+ l1*theta1'^2"),
-        &expect![[r#"
+        &expect![[r"
         3 of 4 right, 0 before
         theta2 = theta1 + theta2
         w2 = w1 + w2
@@ -162,7 +162,7 @@ fn a_wrong_term_stays_wrong_in_the_best_coordinates() {
         T equal
         row1 scaled
         row2 different
-    "#]],
+    "]],
     );
 }
 
@@ -189,7 +189,7 @@ fn solved_forms_and_listings_are_judged_in_the_coordinates_found() {
     ];
     check(
         &text.concat(),
-        &expect![[r#"
+        &expect![[r"
         8 of 8 right, 3 before
         theta1 = pi + theta1
         V equal
@@ -205,11 +205,11 @@ fn solved_forms_and_listings_are_judged_in_the_coordinates_found() {
         code-E21 equal
         code-E22 equal
         code-dz4 equal
-    "#]],
+    "]],
     );
     let turned = [("theta1", "pi - theta1"), ("theta2", "-theta2"), ("w1", "-w1"), ("w2", "-w2")];
     let turned = turned.map(|(name, formula)| (name.to_owned(), formula.to_owned()));
-    expect![[r#"
+    expect![[r"
         V equal
         rate equal
         M11 equal
@@ -223,7 +223,7 @@ fn solved_forms_and_listings_are_judged_in_the_coordinates_found() {
         code-E21 scaled
         code-E22 scaled
         code-dz4 scaled
-    "#]]
+    "]]
     .assert_eq(&judged(&text.concat(), &turned));
 }
 
@@ -250,9 +250,9 @@ fn right_equations_need_no_other_coordinates() {
     let text = entry("V", "quantity = \"V\"\nprinted = \"-(m1 + m2)*g*l1*cos(theta1) - m2*g*l2*cos(theta1 + theta2)\"");
     check(
         &text,
-        &expect![[r#"
+        &expect![[r"
         1 of 1 right, 1 before
-    "#]],
+    "]],
     );
 }
 
@@ -266,7 +266,7 @@ fn coordinates_of_the_publication_are_changed_too() {
             .replace("(theta1", "(alpha")
             .replace("(theta2", "(beta")
             .replace("- theta2", "- beta"),
-        &expect![[r#"
+        &expect![[r"
             4 of 4 right, 0 before
             theta2 = theta1 + theta2
             w2 = w1 + w2
@@ -276,6 +276,6 @@ fn coordinates_of_the_publication_are_changed_too() {
             T equal
             row1 scaled
             row2 scaled
-        "#]],
+        "]],
     );
 }

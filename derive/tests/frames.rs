@@ -67,7 +67,7 @@ pub const TWO_BODIES: &str = r#"
 #[test]
 fn a_central_force_keeps_the_distance_and_its_rate() {
     let r = reduced(CENTRAL, "outputs = [{ name = \"r\", value = \"sqrt(x^2 + y^2)\" }]\nfree = [\"m\", \"k\"]");
-    expect![[r#"
+    expect![[r"
         states: x, vx
         H_n3 [kg*m^2/s] = m*x*vy
         k_per_m [m^3/s^2] = k/m
@@ -78,7 +78,7 @@ fn a_central_force_keeps_the_distance_and_its_rate() {
         energy known; divided by: x
         vy | vy = H_n3/(m*x), from what is constant: angular momentum about n3 through O | Kane's equations of the whole model hold with it, by identity (in doubt by less than 2^-63)
         y | zero in a frame that moves by a rotation about n3 through O, which changes nothing that is shown | each commutes with the motion of the whole model and leaves what is shown and watched, by identity (in doubt by less than 2^-63)
-    "#]].assert_eq(&(show(&r) + &ledger(&r)));
+    "]].assert_eq(&(show(&r) + &ledger(&r)));
 }
 
 #[test]
@@ -99,7 +99,7 @@ fn what_has_no_symmetry_keeps_its_states() {
 fn two_bodies_keep_their_distance_and_its_rate() {
     let r =
         reduced(TWO_BODIES, "outputs = [{ name = \"d\", value = \"distance(A, B)\" }]\nfree = [\"m\", \"M\", \"k\"]");
-    expect![[r#"
+    expect![[r"
         states: Y_from_y, VY_from_vy
         P_n3 [kg*m/s] = m*vz + M*VZ
         H_n1_scaled [kg*m^2/s] = m*M*(Y - y)*(vz - VZ)/(m + M)
@@ -125,14 +125,14 @@ fn two_bodies_keep_their_distance_and_its_rate() {
         x | no output and nothing that outputs need depends on x | no formula that is left mentions it
         y | no output and nothing that outputs need depends on y | no formula that is left mentions it
         z | no output and nothing that outputs need depends on z | no formula that is left mentions it
-    "#]].assert_eq(&(show(&r) + &ledger(&r)));
+    "]].assert_eq(&(show(&r) + &ledger(&r)));
 }
 
 /// Cardan's angles of a symmetric top turn together about the vertical, and none alone.
 #[test]
 fn a_top_in_cardans_angles_has_one_degree_of_freedom() {
     let r = top("outputs = [{ name = \"height\", value = \"cos(q1)*cos(q2)\" }]");
-    expect![[r#"
+    expect![[r"
         states: q1, u1
         p_q3 [kg*m^2/s] = I3*u3
         H_n3 [kg*m^2/s] = I1*u2*sin(q1) + I3*u3*cos(q1)
@@ -148,7 +148,7 @@ fn a_top_in_cardans_angles_has_one_degree_of_freedom() {
         q2 | zero in a frame that moves by a rotation about n3 through O, which changes nothing that is shown | each commutes with the motion of the whole model and leaves what is shown and watched, by identity (in doubt by less than 2^-98)
         q3 | no output and nothing that outputs need depends on q3 | no formula that is left mentions it
         hold1, hold2, hold3 | no output or event asks for it | reactions enter no equation of motion
-    "#]].assert_eq(&(show(&r) + &ledger(&r)));
+    "]].assert_eq(&(show(&r) + &ledger(&r)));
 }
 
 /// The domain of the library's top depends on an angle that its frame would turn.

@@ -337,25 +337,25 @@ fn a_velocity_has_its_unit() {
 fn a_load_does_not_divide_by_what_stands_still() {
     check(
         "\"c*(v(P) @ N [1])^2/v(P) @ N [2]\"",
-        &expect![[r#"
+        &expect![[r"
         error: the load `damper` divides by a term that is always zero, in c*v(P) @ N [1]^2/v(P) @ N [2]
           --> model.toml:41:9
            |
         41 | [forces.damper]
            |         ^^^^^^
            |
-           = help: divide by what can differ from zero, such as the speed of a point that moves"#]],
+           = help: divide by what can differ from zero, such as the speed of a point that moves"]],
     );
     check(
         "\"c*(v(P) @ N [1])^2/(v(P) @ N [1] - x')\"",
-        &expect![[r#"
+        &expect![[r"
         error: the load `damper` divides by a term that is always zero, in c*v(P) @ N [1]^2/(x' - v(P) @ N [1])
           --> model.toml:41:9
            |
         41 | [forces.damper]
            |         ^^^^^^
            |
-           = help: divide by what can differ from zero, such as the speed of a point that moves"#]],
+           = help: divide by what can differ from zero, such as the speed of a point that moves"]],
     );
 }
 

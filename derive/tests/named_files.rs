@@ -144,7 +144,7 @@ fn equations_of_a_paper_are_found_by_their_labels() {
     ];
     check(
         &text.concat(),
-        &expect![[r#"
+        &expect![[r"
         T equal
         cart equal
         rod equal
@@ -157,7 +157,7 @@ fn equations_of_a_paper_are_found_by_their_labels() {
         both-row1 equal
         both-row2 different: in the right-hand side, m*l*g*sin(theta) should be -m*l*g*sin(theta)
         two-row1 equal
-        two-row2 equal"#]],
+        two-row2 equal"]],
     );
 }
 
@@ -182,14 +182,14 @@ fn assignments_of_a_program_are_its_abbreviations() {
     ];
     check(
         &text.concat(),
-        &expect![[r#"
+        &expect![[r"
         energy equal
         lines equal
         c equal
         cart-dz1 equal
         cart-dz2 equal
         cart-dz3 equal
-        cart-dz4 different: -m*l*cos(theta)*(m*l*omega^2*sin(theta) + F) should be m*l*cos(theta)*(m*l*omega^2*sin(theta) + F)"#]],
+        cart-dz4 different: -m*l*cos(theta)*(m*l*omega^2*sin(theta) + F) should be m*l*cos(theta)*(m*l*omega^2*sin(theta) + F)"]],
     );
 }
 
@@ -197,14 +197,14 @@ fn assignments_of_a_program_are_its_abbreviations() {
 fn what_a_condition_decides_is_not_taken() {
     check_error(
         &equation("1", "file = \"cart.py\"\npart = \"rhs\"\nquantity = \"T\"\nprinted = \"c + return[0]\""),
-        &expect![[r#"
+        &expect![[r"
             error: the assignment of `c` was not read: a condition or a loop decides about it
               --> cart.py:12:9
                |
             12 |         c = 0
                |         ^^^^^
                |
-               = help: name the part of the program that decides"#]],
+               = help: name the part of the program that decides"]],
     );
     check_error(
         &equation("1", "file = \"cart.py\"\npart = \"energy\"\nquantity = \"T\"\nprinted = \"w\""),

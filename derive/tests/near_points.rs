@@ -53,25 +53,25 @@ fn linear_equations_are_right_about_their_point() {
     };
     said(
         &text("-m*g*length*q"),
-        &expect![[r#"
+        &expect![[r"
         linear-row1 equal | to first order about x = 0, q = 0
         linear-row2 equal
-    "#]],
+    "]],
     );
     // Beyond first order anything may stand.
     said(
         &text("-m*g*length*(q + q^3 - q'^2)"),
-        &expect![[r#"
+        &expect![[r"
         linear-row1 equal | to first order about x = 0, q = 0
         linear-row2 equal
-    "#]],
+    "]],
     );
     said(
         &text("-2*m*g*length*q"),
-        &expect![[r#"
+        &expect![[r"
             linear-row1 equal | to first order about x = 0, q = 0
             linear-row2 different | in the right-hand side, -2*m*length*g*q should be -m*length*g*q | wrong: in the right-hand side, -2*m*length*g*q should be -m*length*g*q
-        "#]],
+        "]],
     );
 }
 
@@ -119,11 +119,11 @@ fn the_point_need_not_be_zero() {
         printed = "u1 + length*cos(q)*u2"
         about = {}
         "#,
-        &expect![[r#"
+        &expect![[r"
             upright-row1 equal | to first order about q = pi
             upright-row2 equal
             exact equal
-        "#]],
+        "]],
     );
 }
 
@@ -161,12 +161,12 @@ fn energies_are_stated_to_second_order() {
         order = 1
         printed = "u1 + length*u2"
         "#,
-        &expect![[r#"
+        &expect![[r"
             V equal | the zero of the quantity is elsewhere: printed − derived = m*length*g, a constant; to second order about x = 0, q = 0
             T equal | to second order about x = 0, q = 0
             T-wrong different | the term 2*m*length*x'*q' should be m*length*x'*q' | the term 2*m*length*x'*q' should be m*length*x'*q'; to second order about x = 0, q = 0
             v equal | to first order about x = 0, q = 0
-        "#]],
+        "]],
     );
 }
 
@@ -224,7 +224,7 @@ fn solved_forms_and_programs_are_judged_to_the_order() {
         derivative = ["u1", "u2", 0, "-m*g*length*q"]
         matrix = [["2*m", "m*length"], ["m*length", "I + m*length^2"]]
         "#,
-        &expect![[r#"
+        &expect![[r"
             solved equal | to first order about q = 0
             code-dz1 equal | to first order about q = 0
             code-dz2 equal
@@ -234,7 +234,7 @@ fn solved_forms_and_programs_are_judged_to_the_order() {
             code-E21 equal
             code-E22 equal
             code-dz4 equal
-        "#]],
+        "]],
     );
 }
 
@@ -257,10 +257,10 @@ fn what_has_no_series_is_undecided() {
         quantity = "v(C) @ N [1]"
         printed = "u1 + length*u2*q/sin(q)"
         "#,
-        &expect![[r#"
+        &expect![[r"
             bend undecided: it has a bend there, and no series to first order about q = 0 | to first order about q = 0
             pole undecided: it has no value there, and no series to first order about q = 0 | to first order about q = 0
-        "#]],
+        "]],
     );
 }
 
@@ -280,14 +280,14 @@ fn wrong_points_and_orders_are_refused() {
     );
     check(
         &format!("about = {{ q = 0 }}\norder = 0{entry}"),
-        &expect![[r#"
+        &expect![[r"
         error: `order` must be a whole number from 1 to 4
          --> publication.toml:2:9
           |
         2 | order = 0
           |         ^
           |
-          = help: 1 for linear formulas, 2 for energies of linear equations"#]],
+          = help: 1 for linear formulas, 2 for energies of linear equations"]],
     );
     check(
         &format!("about = {{ p = 0, q = \"2*u1\", m = 1 }}{entry}"),
@@ -348,15 +348,15 @@ fn formulas_may_hold_to_an_order_in_small_parameters() {
     let inverse = "m^2*length^4/(m*length^2 - I)";
     said(
         &text(inverse, ""),
-        &expect![[r#"
+        &expect![[r"
             1 equal | to first order about I = 0
-        "#]],
+        "]],
     );
     said(
         &text(inverse, "order = 2"),
-        &expect![[r#"
+        &expect![[r"
             1 different | to second order about I = 0
-        "#]],
+        "]],
     );
     check(
         &text("m", "").replace("[\"I\"]", "[\"q\"]"),

@@ -63,14 +63,14 @@ fn an_absolute_value_is_not_linear() {
 fn too_few_speeds_point_at_the_section() {
     check(
         &edited(&[("u2 = \"q'\"\n", "")], ""),
-        &expect![[r#"
+        &expect![[r"
             error: 1 speed for 2 generalized coordinates: the numbers must agree
               --> model.toml:13:2
                |
             13 | [speeds]
                |  ^^^^^^
                |
-               = help: define one speed for each coordinate that no constraint fixes (x, q); constraints on velocities, each of which takes a speed away, stand under [constraints] and [rolling]"#]],
+               = help: define one speed for each coordinate that no constraint fixes (x, q); constraints on velocities, each of which takes a speed away, stand under [constraints] and [rolling]"]],
     );
 }
 

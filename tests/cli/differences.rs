@@ -261,7 +261,7 @@ fn other_variables_are_recognised_and_a_longer_rod_is_not() {
         std::fs::write(folder.path().join(name).join("model.toml"), text).unwrap();
     }
     let (status, text) = diff(folder.path());
-    expect![[r#"
+    expect![[r"
         old/model.toml -> new/model.toml
         equations of motion: proved the same in other variables; 42 of 46 entries read otherwise
           old parameter m1 is mu
@@ -272,7 +272,7 @@ fn other_variables_are_recognised_and_a_longer_rod_is_not() {
         added: parameter mu; parameter nu; coordinate alpha; coordinate beta
         removed: parameter m1; parameter m2; coordinate theta1; coordinate theta2
         defined otherwise: omega1 theta1' -> alpha'; omega2 theta2' -> 2*beta' - alpha'; A from N about axis 3 (theta1) -> from N about axis 3 (alpha); B from N about axis 3 (theta2) -> from N about axis 3 (pi/2 - beta); upper particle at P (m1) -> particle at P (mu); lower particle at Q (m2) -> particle at Q (nu)
-    "#]].assert_eq(&text);
+    "]].assert_eq(&text);
     assert_eq!(status, 1);
     let value = diff_json(folder.path());
     assert_eq!(value["same"], false, "the declarations differ: {value}");

@@ -72,13 +72,13 @@ fn a_gradient_through_an_impact_is_printed_and_what_has_none_says_why() {
     let (status, out, err) = tripos_in(folder.path(), &["simulate", "scene.toml", "--gradient", "x"]);
     assert_eq!(status, 0, "{err}");
     // −t sin(t)/4, its opposite, −cos(t)/2 and −sin(t)/2.
-    expect![[r#"
+    expect![[r"
         gradient of x at t = 2.5 s, at that instant
           by m  -0.374045090 ± … m/kg
           by k  0.374045090 ± … m*s^2/kg
           by x  0.400571808 ± …
           by u  -0.299236072 ± … s
-        errors of the derivatives, by comparison with dop853 at a tenth of the tolerances"#]]
+        errors of the derivatives, by comparison with dop853 at a tenth of the tolerances"]]
     .assert_eq(&gradient(&out));
     let folder = slider(&(scene.replace("x = 1\nu = 0", "x = 0\nu = -1") + wall));
     let (status, out, err) = tripos_in(folder.path(), &["simulate", "scene.toml", "--gradient", "x"]);

@@ -287,7 +287,7 @@ fn wrong_requests_are_refused_before_anything_is_written() {
         );
         stderr(&output)
     };
-    expect![[r#"
+    expect![[r"
         error: `0` is no number of values
          --> --over:1:8
           |
@@ -327,7 +327,7 @@ fn wrong_requests_are_refused_before_anything_is_written() {
           | ^
           |
           = help: give all its values at once, as a list NAME=a,b,c if need be
-    "#]]
+    "]]
     .assert_eq(&refused(&["q2=0:1:0", "q7=1,2", "u1=1", "z=1", "M=1", "M=2"].map(|axis| ["--over", axis]).concat()));
     let one = ["--over", "q2=0.1,0.2"];
     for (more, needle) in [

@@ -62,7 +62,7 @@ fn outline(difference: &Difference) -> String {
 #[test]
 fn the_errors_of_the_course_report_come_of_few_mistakes() {
     let difference = disk("../models/disk/publication.toml");
-    expect![[r#"
+    expect![[r"
         kane-3.2-line1-b1: omega(B) is printed instead of omega(C) in omega x H (17)
           kane-3.2-line1-b2 repeated kane-3.2-line1-b1
           kane-3.2-line3-b2 repeated kane-3.2-line1-b2
@@ -113,7 +113,7 @@ fn the_errors_of_the_course_report_come_of_few_mistakes() {
         listing-5.7-I11: several components are wrong by the factor 1/R (3)
           listing-5.7-I22 repeated listing-5.7-I11
           listing-5.7-I33 repeated listing-5.7-I22
-    "#]].assert_eq(&outline(&difference));
+    "]].assert_eq(&outline(&difference));
 }
 
 /// Goal: groups are of meanings. Method: the same publication as LaTeX and MATLAB.
