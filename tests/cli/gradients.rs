@@ -56,7 +56,7 @@ fn a_gradient_is_printed_a_line_for_each_number() {
           by k  -0.785398163 ± … s^3/kg
           by x  0.000000000 ± … s/m
           by u  1.000000000 ± … s^2/m
-        their errors by comparison with dop853 at a tenth of the tolerances"]]
+        errors of the derivatives, by comparison with dop853 at a tenth of the tolerances"]]
     .assert_eq(&text);
     let (_, plain, _) = tripos_in(folder.path(), &["simulate", "scene.toml", "--by", "kane"]);
     assert!(out.starts_with(plain.trim_end()), "the run is that without:\n{plain}\n{out}");
