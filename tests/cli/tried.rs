@@ -89,8 +89,8 @@ fn judged(name: &str, publication: &str) -> (i32, String) {
     (status, text + &err)
 }
 
-/// Goal: two mistakes in abbreviations are named, and never end the program. Method: a platform on a leg whose row takes
-/// the wrong one of two abbreviations under a root.
+/// Goal: two mistakes in abbreviations are named, and never end the program. Method: a platform on a leg whose row
+/// takes the wrong one of two abbreviations under a root.
 #[test]
 fn two_mistakes_through_abbreviations_are_judged() {
     let text = "[abbreviations]\nl1 = \"sqrt(x^2+y^2+a^2-2*a*(x*cos(phi)+y*sin(phi)))\"\nJ1x = \"(x-a*cos(phi))/l1\"\n\

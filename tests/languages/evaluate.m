@@ -37,12 +37,14 @@ function evaluate(folder, stem, input, output, functions, times)
     if nargin > 5
       measured(k + 1) = seconds(f, given, parts) / counts(1);
     end
-    out = vertcat(out{:});
-    if ndims(out) == 3 || (size(out, 2) ~= size(q, 2))
-      % Matrices are stored column by column.
-      out = permute(out, [2, 1, 3]);
+    for part = 1:parts
+      if ndims(out{part}) == 3 || (size(out{part}, 2) ~= size(q, 2))
+        % Matrices are stored column by column.
+        out{part} = permute(out{part}, [2, 1, 3]);
+      end
+      out{part} = reshape(out{part}, [], size(q, 2));
     end
-    fwrite(file, reshape(out, [], size(q, 2)), 'double');
+    fwrite(file, vertcat(out{:}), 'double');
   end
   fclose(file);
   if nargin > 5

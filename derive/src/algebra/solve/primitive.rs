@@ -174,8 +174,8 @@ impl Integration<'_> {
         None
     }
 
-    /// True if a slope may be zero over a whole range of x: signs of terms with x add up in it. A quotient by this slope
-    /// has no value there, although both sides of the rule have.
+    /// True if a slope may be zero over a whole range of x: signs of terms with x add up in it. A quotient by this
+    /// slope has no value there, although both sides of the rule have.
     fn has_plateau(&self, slope: Expr) -> bool {
         let is_jump = |e: Expr| match *self.arena.node(e) {
             Node::Apply(Function::Sign, argument) => self.depends(argument),
