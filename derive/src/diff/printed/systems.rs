@@ -9,6 +9,7 @@ use crate::diff::formulas::entries::{Judge, Printed, Reading};
 use crate::diff::formulas::finding::{Finding, Judgement, TracedFinding};
 
 use crate::algebra::Expr;
+use crate::algebra::meaning::permitted::Holds;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::value::rank::rank;
 use crate::mechanics::{Formulation, Kinematics, Quantities};
@@ -176,8 +177,8 @@ impl Judge<'_, '_> {
         self.kept(Judged { findings, table: Some(table), motion })
     }
 
-    /// Finding of a printed row without unknowns that holds in every state of the mechanism, such as the equation of a
-    /// loop. `None` for another row.
+    /// Finding of a printed row without unknowns that holds in the states of the mechanism alone, such as the equation
+    /// of a loop. `None` for another row; an identity, which holds anywhere, says nothing of the mechanism.
     fn constraint(&mut self, finding: &Finding, row: &Row) -> Option<Finding> {
         let (right, entries) = row.split_last()?;
         if *right == Expr::ZERO || entries.iter().any(|entry| *entry != Expr::ZERO) {
@@ -185,7 +186,7 @@ impl Judge<'_, '_> {
         }
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let (verdict, holds) = self.comparer.compare_where(arena, *right, Expr::ZERO);
-        verdict.is_equal().then(|| {
+        (verdict.is_equal() && holds != Holds::EVERYWHERE).then(|| {
             let remark = "a constraint of the model, which stands beside the equations of motion".to_owned();
             Finding { holds, ..finding.clone().accepted("a constraint of the model", remark) }
         })
