@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 use tripos_derive::algebra::text::parse::parse_free;
+use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::{Arena, Expr, Rational};
 
 fn error(text: &str) -> (Range<usize>, String) {
@@ -84,4 +85,15 @@ fn big_numbers_stay_exact() {
     let mut arena = Arena::new();
     let e = parse_free(&mut arena, "9223372036854775808 - 9223372036854775807 + 10^400 - 10^400").unwrap();
     assert_eq!(e, Expr::ONE);
+}
+
+#[test]
+fn a_root_without_a_value_is_printed_as_it_was_written() {
+    let mut arena = Arena::new();
+    let m = arena.symbol("m");
+    arena.assume_positive(m);
+    for written in ["sqrt(-m^2)", "x*sqrt(-3*m^4)"] {
+        let e = parse_free(&mut arena, written).unwrap();
+        assert_eq!(text(&arena, e), written);
+    }
 }

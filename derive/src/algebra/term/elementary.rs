@@ -223,6 +223,10 @@ fn square_root(arena: &mut Arena, argument: Expr) -> Expr {
     }
     inside.push((argument, 1));
     let inside = arena.try_product(&inside).expect("positive symbols and numbers are not zero");
+    if arena.as_number(inside).is_some_and(Rational::is_negative) {
+        // √(−M²) has no value. It stays as it was written: √(−1), apart from M, would be refused where it is read back.
+        return arena.intern_apply(Function::Sqrt, argument);
+    }
     let root = if inside == Expr::ONE { Expr::ONE } else { arena.intern_apply(Function::Sqrt, inside) };
     outside.push((root, 1));
     arena.try_product(&outside).expect("positive symbols and numbers are not zero")
