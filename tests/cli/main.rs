@@ -50,4 +50,5 @@ mod sympy_scripts;
 mod tried;
 mod trust;
 mod tutorials;
+mod verdicts;
 mod view;

@@ -83,29 +83,56 @@ impl Difference {
 pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publication, proof: &Proof) -> Difference {
     let mut quantities = Quantities::new(model, derivations);
     let permitted = states::permitted(&mut quantities);
-    let mut comparer = Comparer::within(permitted.clone());
-    let mut anywhere = Comparer::default();
+    let comparer = Comparer::within(permitted.clone());
     let names = Names::new(publication, &mut quantities);
     let numbers = numbers(model, &mut quantities, publication);
-    let mut changes_left = repairs::MOST_CHANGES;
     let mut book = repairs::Book::new(&publication.shorthand);
+    let mut tools = Tools { quantities, comparer, names, numbers };
+    let mut found = judged(model, publication, &mut tools, &mut book);
+    if book.learn() {
+        // Mistakes in abbreviations are known now, for entries that stand before the one that showed them too.
+        found = judged(model, publication, &mut tools, &mut book);
+    }
+    let Tools { mut quantities, mut comparer, .. } = tools;
+    let Found { findings, claims, tables, motions } = found;
+    let swapped = formulas::swapped_lists::swapped_lists(model, publication);
+    let roots = roots::find(&mut quantities, &permitted, &findings, &claims, &tables, &swapped);
+    let (consequences, agreements) = printed::consequences::draw(model, derivations, &mut comparer, proof, &motions);
+    Difference { findings, roots, consequences, agreements }
+}
+
+/// Tools with which the entries of a publication are judged.
+struct Tools<'a> {
+    quantities: Quantities<'a>,
+    /// Comparer of terms in permitted states.
+    comparer: Comparer,
+    names: Names,
+    numbers: Vec<(Expr, Expr)>,
+}
+
+/// Judges the entries of a publication one by one.
+fn judged(model: &Model, publication: &Publication, tools: &mut Tools<'_>, book: &mut repairs::Book) -> Found {
+    let Tools { quantities, comparer, names, numbers } = tools;
+    let mut anywhere = Comparer::default();
+    let mut changes_left = repairs::MOST_CHANGES;
+    let mut multipliers = None;
     let mut found = Found::default();
     for entry in &publication.entries {
         let first = found.findings.len();
         let earlier = found.tables.as_slice();
-        let near = entry.near.as_ref().map(|near| Near::new(&mut quantities, near));
+        let near = entry.near.as_ref().map(|near| Near::new(quantities, near));
         let words = near.as_ref().map(|near| near.words.clone());
         // A formula that is printed up to an order near a point is compared as printed, not in permitted states.
-        let comparer = if near.is_some() { &mut anywhere } else { &mut comparer };
-        let numbers = numbers.as_slice();
+        let comparer = if near.is_some() { &mut anywhere } else { &mut *comparer };
         let mut judge = formulas::entries::Judge {
-            quantities: &mut quantities,
+            quantities: &mut *quantities,
             comparer,
-            names: &names,
+            names,
             earlier,
             near,
             changes_left: &mut changes_left,
-            book: &mut book,
+            book: &mut *book,
+            multipliers: &mut multipliers,
             numbers,
         };
         match &entry.kind {
@@ -128,11 +155,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
             finding.remarks.extend(entry.note.clone());
         }
     }
-    let Found { findings, claims, tables, motions } = found;
-    let swapped = formulas::swapped_lists::swapped_lists(model, publication);
-    let roots = roots::find(&mut quantities, &permitted, &findings, &claims, &tables, &swapped);
-    let (consequences, agreements) = printed::consequences::draw(model, derivations, &mut comparer, proof, &motions);
-    Difference { findings, roots, consequences, agreements }
+    found
 }
 
 /// Parameters with their numbers: those that the publication states first, or else those of the model, or 0 for

@@ -369,7 +369,12 @@ impl<'a> Loading<'a, '_> {
         if quantity.map_or(is_equation, is_zero) {
             return self.equation_of_motion(item, &printed?).map(EntryKind::System);
         }
-        let quantity = self.required_text(item, "quantity").and_then(|name| self.quantity(&name));
+        let name = self.required_text(item, "quantity");
+        if let Some((formulation, symbol)) = name.as_ref().and_then(|name| self.unknown_named(&name.text)) {
+            let value = right_side(&printed?);
+            return self.value_of_unknown(item, (formulation, symbol), &value).map(EntryKind::System);
+        }
+        let quantity = name.and_then(|name| self.quantity(&name));
         let printed = printed.map(|formula| right_side(&formula));
         let formula = printed.as_ref().and_then(|f| self.formula(f, item.notation));
         let (quantity, value) = self.in_own_coordinates(item, &quantity?, formula?)?;

@@ -5,9 +5,9 @@ use super::entries::Item;
 use super::printed::Choice;
 use super::read::Loading;
 use super::row_text::row_text;
-use crate::algebra::Expr;
-use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::solve::linear::{LinearForm, row_term};
 use crate::algebra::text::notation::Notation;
+use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, nearest, shown};
 use crate::mechanics::Formulation;
 use crate::read::Located;
@@ -88,17 +88,17 @@ impl<'a> Loading<'a, '_> {
             matrix_ids: matrix_ids.ok()?,
             right_ids: right_ids.ok()?,
         };
-        self.in_its_unknowns(system, item)
+        Some(self.in_its_unknowns(system, item))
     }
 
     /// System whose right-hand sides contain none of its unknowns: their terms move to the matrix. Accelerations of
     /// the publication's own coordinates are written in those of the model.
-    fn in_its_unknowns(&mut self, system: System, item: &Item<'a>) -> Option<System> {
+    fn in_its_unknowns(&mut self, system: System, item: &Item<'a>) -> System {
         let arena = &mut self.model.arena;
         let parts = arena.reachable(&system.right);
         let is_plain = |u: &Expr| arena.symbol_name(*u).is_some() && parts.binary_search(u).is_err();
         if system.unknowns.iter().all(is_plain) {
-            return Some(system);
+            return system;
         }
         let known = system.formulation.unknowns(self.model);
         let arena = &mut self.model.arena;
@@ -106,15 +106,8 @@ impl<'a> Loading<'a, '_> {
         let mut form = LinearForm::new(&symbols);
         let (mut matrix, mut rests) = (Vec::new(), Vec::new());
         for (row, right) in system.matrix.iter().zip(&system.right) {
-            let mut terms: Vec<Expr> = row.iter().zip(&system.unknowns).map(|(a, x)| arena.mul(*a, *x)).collect();
-            terms.push(arena.neg(*right));
-            let residual = arena.sum(&terms);
-            let Ok((entries, rest)) = form.coefficients(arena, residual) else {
-                let span = self.reader.get(item.table, "right").map_or_else(|| item.span.clone(), toml::Spanned::span);
-                let message = format!("row {} is not linear in accelerations and reactions", matrix.len() + 1);
-                self.reader.error(span, message, "a row reads Σ entry·unknown = right");
-                return None;
-            };
+            let residual = row_term(arena, &system.unknowns, &[&row[..], &[*right]].concat());
+            let (entries, rest) = linear_or_whole(&mut form, arena, residual);
             matrix.push(entries);
             rests.push(arena.neg(rest));
         }
@@ -125,7 +118,7 @@ impl<'a> Loading<'a, '_> {
         let row_texts = (0..matrix.len()).map(row).collect();
         let (names, unknowns) = known.into_iter().unzip();
         let row_texts = Some(row_texts);
-        Some(System { unknowns, unknown_names: names, matrix, right: rests, row_texts, matrix_ids: None, ..system })
+        System { unknowns, unknown_names: names, matrix, right: rests, row_texts, matrix_ids: None, ..system }
     }
 
     /// Reads a system that is printed as equations, each linear in the accelerations and reactions.
@@ -148,8 +141,7 @@ impl<'a> Loading<'a, '_> {
             .collect();
         let residuals = residuals.into_iter().collect::<Option<Vec<_>>>()?;
         self.solved_for(item, formulation?, &residuals)?;
-        let span = item.span.clone();
-        self.rows(formulation?, frame.ok()?, residuals, &span)
+        Some(self.rows(formulation?, frame.ok()?, residuals))
     }
 
     /// Equations of a system: those under `equations`, or those of labels in a file. One `label` means all equations
@@ -210,8 +202,49 @@ impl<'a> Loading<'a, '_> {
             Some(_) => self.formulation(item)?,
             None => self.formulation_of(residual),
         };
-        let frame = self.frame(item, Some(formulation)).ok()?;
-        let system = self.rows(formulation, frame, vec![(residual, formula.text.clone())], &formula.span)?;
+        self.single_row(item, formulation, residual, formula.text.clone())
+    }
+
+    /// Formulation in which a name is that of a reaction or a multiplier, and its symbol. `None` for another name.
+    pub fn unknown_named(&self, name: &str) -> Option<(Formulation, Expr)> {
+        let reaction = self.model.reactions.iter().find(|r| r.name == name).map(|r| r.symbol);
+        let is_named = |m: &Expr| self.model.arena.symbol_name(*m) == Some(name);
+        let multiplier = self.model.motion_constraints.iter().map(|c| c.multiplier).find(is_named);
+        let found = reaction.map(|symbol| (Formulation::NewtonEuler, symbol));
+        found.or(multiplier.map(|symbol| (Formulation::Lagrange, symbol)))
+    }
+
+    /// Reads a printed value of a reaction or a multiplier as the equation symbol = value.
+    pub fn value_of_unknown(
+        &mut self,
+        item: &Item<'a>,
+        unknown: (Formulation, Expr),
+        value: &Located,
+    ) -> Option<System> {
+        let (formulation, symbol) = unknown;
+        let right = self.formula(value, item.notation)?;
+        let residual = self.model.arena.sub(symbol, right);
+        self.words.shorthand.keep_difference(&self.model.arena, residual, symbol, right);
+        self.single_row(item, formulation, residual, value.text.clone())
+    }
+
+    /// System of one equation residual = 0. An equation of one unknown alone is the same in all frames, and needs none.
+    fn single_row(
+        &mut self,
+        item: &Item<'a>,
+        formulation: Formulation,
+        residual: Expr,
+        text: String,
+    ) -> Option<System> {
+        let parts = self.model.arena.reachable(&[residual]);
+        let unknowns = formulation.unknowns(self.model);
+        let count = unknowns.iter().filter(|(_, unknown)| parts.binary_search(unknown).is_ok()).count();
+        let needs_none = count == 1 && formulation.carries_reactions();
+        let frame = match self.reader.get(item.table, "frame") {
+            None if needs_none => Some(0),
+            _ => self.frame(item, Some(formulation)).ok()?,
+        };
+        let system = self.rows(formulation, frame, vec![(residual, text)]);
         Some(System { is_single: true, ..system })
     }
 
@@ -245,32 +278,27 @@ impl<'a> Loading<'a, '_> {
         };
         let (left, right) = (part(0..at), part(at + 1..formula.text.len()));
         let (left, right) = (self.formula(&left, notation), self.formula(&right, notation));
-        Some(self.model.arena.sub(left?, right?))
+        let (left, right) = (left?, right?);
+        let residual = self.model.arena.sub(left, right);
+        self.words.shorthand.keep_difference(&self.model.arena, residual, left, right);
+        Some(residual)
     }
 
     /// System of equations residual = 0, each with its text.
-    fn rows(
-        &mut self,
-        formulation: Formulation,
-        frame: Option<usize>,
-        residuals: Vec<(Expr, String)>,
-        span: &Range<usize>,
-    ) -> Option<System> {
+    fn rows(&mut self, formulation: Formulation, frame: Option<usize>, residuals: Vec<(Expr, String)>) -> System {
         let (unknown_names, unknowns): (Vec<String>, Vec<Expr>) = formulation.unknowns(self.model).into_iter().unzip();
         let mut form = LinearForm::new(&unknowns);
         let (mut matrix, mut right, mut texts) = (Vec::new(), Vec::new(), Vec::new());
         for (residual, text) in residuals {
             let arena = &mut self.model.arena;
-            let Ok((entries, rest)) = form.coefficients(arena, residual) else {
-                let message = "the equation is not linear in accelerations and reactions";
-                self.reader.error(span.clone(), message, "an equation of motion reads Σ factor·acceleration = right");
-                return None;
-            };
+            let (entries, rest) = linear_or_whole(&mut form, arena, residual);
+            let negative = arena.neg(rest);
+            self.words.shorthand.keep_row(arena, residual, &unknowns, &[&entries[..], &[negative]].concat());
             matrix.push(entries);
-            right.push(arena.neg(rest));
+            right.push(negative);
             texts.push(text);
         }
-        Some(System {
+        System {
             formulation,
             frame,
             matrix_texts: vec![vec![String::new(); unknowns.len()]; matrix.len()],
@@ -283,7 +311,7 @@ impl<'a> Loading<'a, '_> {
             is_single: false,
             matrix_ids: None,
             right_ids: None,
-        })
+        }
     }
 
     pub(super) fn formulation(&mut self, item: &Item<'a>) -> Option<Formulation> {
@@ -447,6 +475,15 @@ impl<'a> Loading<'a, '_> {
             return Err(Reported);
         }
         Ok(Some(template.text))
+    }
+}
+
+/// Coefficients of the unknowns in an equation, and its rest. An equation that is not linear in them, for instance by a
+/// dot too many, is all rest: it is judged as it is printed.
+fn linear_or_whole(form: &mut LinearForm, arena: &mut Arena, equation: Expr) -> (Vec<Expr>, Expr) {
+    match form.coefficients(arena, equation) {
+        Ok(found) => found,
+        Err(_) => (vec![Expr::ZERO; form.symbols().len()], equation),
     }
 }
 

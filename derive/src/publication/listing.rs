@@ -7,6 +7,7 @@ use super::read::Loading;
 use crate::algebra::Expr;
 use crate::mechanics::{Formulation, MotionVariables};
 use std::ops::Range;
+use std::sync::Arc;
 use toml::Spanned;
 use toml::de::DeValue;
 
@@ -16,7 +17,10 @@ impl<'a> Loading<'a, '_> {
         let formulation = self.formulation(item);
         let state = self.required_array(item, "state", "[\"q1\", \"u1\"]");
         let length = state.as_ref().map(|(array, _)| array.len());
-        let state = state.and_then(|(array, span)| self.state(array, &span, formulation?));
+        let state = state.and_then(|(array, span)| {
+            let found = self.state(array, &span, formulation?)?;
+            self.is_in_order(&span, &found.0).then_some(found)
+        });
         let derivative = self.required_array(item, "derivative", "[\"u1\", \"-g*sin(q1)\"]");
         let derivative = derivative.and_then(|(array, span)| {
             if let Some(states) = length.filter(|n| *n != array.len()) {
@@ -46,6 +50,22 @@ impl<'a> Loading<'a, '_> {
         let (state, derivative, matrix) = self.own_state(&state_names, (state, derivative, matrix), item)?;
         let moving = (0..state.len()).filter(|at| formulation.variables(self.model).contains(&state[*at])).collect();
         Some(Listing { formulation, state, state_names, derivative, derivative_texts, moving, matrix, matrix_texts })
+    }
+
+    /// True if the program takes no vector apart that has the variables of the state in another order. Reports one.
+    fn is_in_order(&mut self, span: &Range<usize>, state: &[Expr]) -> bool {
+        let locals = Arc::clone(&self.words.locals);
+        for names in locals.unpacked().iter().filter(|names| names.len() == state.len()) {
+            let meanings: Option<Vec<Expr>> = names.iter().map(|name| Some(self.words.meaning(name)?.0)).collect();
+            let is_other = |list: &Vec<Expr>| list != state && list.iter().all(|e| state.contains(e));
+            if meanings.as_ref().is_some_and(is_other) {
+                let message = format!("the program takes its state apart as `{}`, in another order", names.join(", "));
+                let help = "list the state as the program does: its derivatives are judged in that order";
+                self.reader.error(span.clone(), message, help);
+                return false;
+            }
+        }
+        true
     }
 
     /// Reads a state: coordinates and speeds in any order, and the indices of the speeds. For Lagrange, rates of

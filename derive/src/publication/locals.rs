@@ -24,6 +24,8 @@ pub struct Locals {
     /// Number of each variable in `values`, by its name in the program.
     numbers: FxHashMap<String, usize>,
     values: Vec<Local>,
+    /// Variables to which the program assigns the entries of one whole together, as in `q, w = state`.
+    unpacked: Vec<Vec<String>>,
 }
 
 /// Value of a variable of a program.
@@ -61,6 +63,16 @@ impl Locals {
     pub fn set(&mut self, name: &str, value: Local) {
         self.numbers.insert(name.to_owned(), self.values.len());
         self.values.push(value);
+    }
+
+    /// Notes variables to which the program assigns the entries of one whole together.
+    pub fn unpack(&mut self, names: &[String]) {
+        self.unpacked.push(names.to_vec());
+    }
+
+    /// Variables to which the program assigns the entries of one whole together, one list for each assignment.
+    pub fn unpacked(&self) -> &[Vec<String>] {
+        &self.unpacked
     }
 
     /// Forgets a variable, so that its name has the meaning that the publication file gives it.

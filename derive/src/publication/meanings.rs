@@ -66,6 +66,8 @@ pub struct Words {
     renamed: Vec<String>,
     /// Names of coordinates, for variables of programs that name their rates.
     coordinates: Vec<String>,
+    /// Names that multipliers of solved constraints would have, each with the constraint and the variable it fixes.
+    solved: Vec<(String, String, String)>,
     /// Abbreviations as symbols, and the formulas that use them.
     pub shorthand: Shorthand,
 }
@@ -83,6 +85,7 @@ impl Words {
             locals: Arc::default(),
             renamed: Vec::new(),
             coordinates: model.coordinates.iter().map(|c| c.name.clone()).collect(),
+            solved: Vec::new(),
             shorthand: Shorthand::default(),
         };
         for p in &model.parameters {
@@ -179,6 +182,8 @@ impl Words {
         rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
         let mut d_dt = Differential::along(&rates);
         for constraint in &model.constraints {
+            let multiplier = format!("lambda_{}", constraint.name);
+            self.solved.push((multiplier, constraint.name.clone(), constraint.fixes.clone()));
             let (mut name, mut value) = (constraint.fixes.clone(), constraint.value);
             for _ in 0..=PRIMES {
                 self.insert(&name, Word::Model("constrained variable", value));
@@ -331,10 +336,10 @@ impl Words {
     }
 
     /// Keeps a variable of a program as an abbreviation, so that a mistake in its assignment is found there. A name
-    /// with an index, and a variable that is assigned again, are written out.
+    /// with an index, and a variable that is assigned again, are written out, with the abbreviations that they use.
     pub fn keep_local(&mut self, arena: &Arena, name: &str, formula: &Located, notation: Notation, e: Expr) {
+        self.keep_as_printed(arena, formula, notation, e);
         if name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
-            self.keep_as_printed(arena, formula, notation, e);
             self.shorthand.enter(arena, name, e);
         }
     }
@@ -436,6 +441,10 @@ impl Words {
                     let message = format!("`{name}` is used before it is declared");
                     Err((message, Some("an abbreviation may use those above it".to_owned())))
                 }
+                None if !locals.entries(name).is_empty() => {
+                    let message = format!("`{}` is a vector or a matrix, of which only entries are read", shown(name));
+                    Err((message, Some("write out its products entry by entry".to_owned())))
+                }
                 None => {
                     course.repeated = true;
                     unknown = Some(name.to_owned());
@@ -453,6 +462,9 @@ impl Words {
     /// Advice for an unknown name, for instance the nearest known name.
     fn advice(&self, name: &str) -> String {
         let plain = name.trim_end_matches('\'');
+        if let Some((_, constraint, fixes)) = self.solved.iter().find(|(multiplier, ..)| multiplier == name) {
+            return format!("the constraint `{constraint}` is solved for `{fixes}`, so it has no multiplier");
+        }
         match (name, self.known.get(plain)) {
             (TIME, _) => "nothing in the model depends on time".to_owned(),
             ("deg" | "degree" | "degrees", _) => "angles are in radians: write 10 degrees as `10*pi/180`".to_owned(),

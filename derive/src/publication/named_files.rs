@@ -214,6 +214,10 @@ impl<'a> Loading<'a, '_> {
             return;
         }
         if targets.len() > 1 {
+            let is_whole = right.text.trim().chars().all(|c| c.is_alphanumeric() || c == '_');
+            if let Some(locals) = Arc::get_mut(&mut self.words.locals).filter(|_| is_whole) {
+                locals.unpack(&targets);
+            }
             for name in &targets {
                 self.take_declared(name, &right.text, || unread(name, "it is assigned together with others"));
             }
@@ -255,6 +259,10 @@ impl<'a> Loading<'a, '_> {
 
     fn set(&mut self, name: &str, value: Local) {
         if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
+            // What is assigned to several entries at once was not read, and this is the reason for each of them.
+            for entry in entries_of_range(name).filter(|_| matches!(value, Local::Unread(_))).into_iter().flatten() {
+                locals.set(&entry, value.clone());
+            }
             locals.set(name, value);
         }
     }
@@ -349,4 +357,21 @@ impl<'a> Loading<'a, '_> {
         }
         true
     }
+}
+
+/// Most entries of a vector that a range of indices names.
+const MOST_ENTRIES: usize = 100;
+
+/// Names of the entries of a vector that a range of indices names: z(1:4) in MATLAB, z[0:4] in Python. `None` for
+/// another name.
+fn entries_of_range(name: &str) -> Option<Vec<String>> {
+    let open = name.find(['(', '['])?;
+    let is_python = name[open..].starts_with('[');
+    let (first, last) = name[open + 1..].strip_suffix([')', ']'])?.split_once(':')?;
+    let first = if is_python && first.is_empty() { 0 } else { first.parse::<usize>().ok()? };
+    let last = last.parse::<usize>().ok()?;
+    let range = if is_python { first..last } else { first..last.saturating_add(1) };
+    let (bracket, close) = if is_python { ('[', ']') } else { ('(', ')') };
+    let whole = &name[..open];
+    (range.len() <= MOST_ENTRIES).then(|| range.map(|at| format!("{whole}{bracket}{at}{close}")).collect())
 }

@@ -4,6 +4,7 @@
 //! mistake in an abbreviation is found in the abbreviation's own formula. The formulas as printed are in an arena of
 //! their own: they must not change the order of terms in that of the model.
 
+use crate::algebra::solve::linear::{LinearForm, row_term};
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::{Arena, Expr, Node};
 use rustc_hash::FxHashMap;
@@ -56,6 +57,21 @@ impl Shorthand {
         self.printed.get(&e).copied()
     }
 
+    /// Abbreviations that a formula as printed uses, also through others, in the order of their declaration.
+    #[must_use]
+    pub fn used(&self, as_printed: Expr) -> Vec<&Abbreviation> {
+        let mut formulas = vec![as_printed];
+        let mut used = Vec::new();
+        for one in self.list.iter().rev() {
+            if formulas.iter().any(|e| self.arena.mentions(*e, one.symbol)) {
+                formulas.push(one.formula);
+                used.push(one);
+            }
+        }
+        used.reverse();
+        used
+    }
+
     /// Enters an abbreviation whose formula in the model's arena is `e`. Other names of symbols, numbers and functions,
     /// such as s1 for sin(q1), are written out everywhere.
     pub(super) fn enter(&mut self, model: &Arena, name: &str, e: Expr) {
@@ -67,6 +83,36 @@ impl Shorthand {
         // A formula that is an abbreviation alone is printed as its name.
         self.printed.insert(e, symbol);
         self.list.push(Abbreviation { name: name.to_owned(), symbol, formula });
+    }
+
+    /// Keeps the difference left − right of an equation as printed, if one of its sides uses an abbreviation.
+    pub(super) fn keep_difference(&mut self, model: &Arena, difference: Expr, left: Expr, right: Expr) {
+        if self.as_printed(left).or(self.as_printed(right)).is_none() {
+            return;
+        }
+        let mut transfer = Transfer::new(model);
+        let [left, right] =
+            [left, right].map(|e| self.as_printed(e).unwrap_or_else(|| transfer.term(&mut self.arena, e)));
+        let as_printed = self.arena.sub(left, right);
+        self.printed.entry(difference).or_insert(as_printed);
+    }
+
+    /// Keeps a row of an equation as printed, its coefficients of the unknowns and then its right-hand side, if the
+    /// equation uses an abbreviation. In `row`, abbreviations are written out.
+    pub(super) fn keep_row(&mut self, model: &mut Arena, equation: Expr, unknowns: &[Expr], row: &[Expr]) {
+        let Some(as_printed) = self.as_printed(equation) else { return };
+        let whole = row_term(model, unknowns, row);
+        self.printed.entry(whole).or_insert(as_printed);
+        let mut transfer = Transfer::new(model);
+        let unknowns: Vec<Expr> = unknowns.iter().map(|e| transfer.term(&mut self.arena, *e)).collect();
+        let Ok((mut own, rest)) = LinearForm::new(&unknowns).coefficients(&mut self.arena, as_printed) else { return };
+        own.push(self.arena.neg(rest));
+        for (written_out, own) in row.iter().zip(own) {
+            let parts = self.arena.reachable(&[own]);
+            if self.list.iter().any(|one| parts.binary_search(&one.symbol).is_ok()) {
+                self.printed.entry(*written_out).or_insert(own);
+            }
+        }
     }
 
     /// True if a formula is printed as the name of an abbreviation alone.

@@ -35,6 +35,12 @@ impl LinearForm {
         }
     }
 
+    /// Symbols whose coefficients are extracted.
+    #[must_use]
+    pub fn symbols(&self) -> &[Expr] {
+        &self.symbols
+    }
+
     /// Splits e = Σ coefficient_i · symbol_i + rest: returns the coefficients and the rest.
     ///
     /// # Errors
@@ -100,6 +106,13 @@ impl LinearForm {
         }
         Ok((coefficients, rest))
     }
+}
+
+/// Row of a linear system as one term: Σ entry · unknown − right. The right-hand side is the last entry of the row.
+pub fn row_term(arena: &mut Arena, unknowns: &[Expr], row: &[Expr]) -> Expr {
+    let mut terms: Vec<Expr> = row.iter().zip(unknowns).map(|(a, x)| arena.mul(*a, *x)).collect();
+    terms.push(arena.neg(row[row.len() - 1]));
+    arena.sum(&terms)
 }
 
 /// A linear system whose matrix has no full rank.

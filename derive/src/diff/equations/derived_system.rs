@@ -5,6 +5,7 @@ use super::rows::{Match, Row};
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
 use crate::mechanics::{Formulation, Kinematics, Quantities, RowName, balances};
+use crate::model::MotionConstraintKind;
 
 /// System in the order of the derived unknowns. Each row is its entries, then its right-hand side.
 pub struct Ordered {
@@ -52,11 +53,31 @@ pub fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Opti
         }
         return Ok(Ordered { names, unknowns, rows });
     }
-    let rows = equations.matrix.into_iter().zip(equations.forcing).map(|(mut row, right)| {
-        row.push(right);
-        row
-    });
-    Ok(Ordered { names: equations.rows, unknowns, rows: rows.collect() })
+    // Time, a coordinate of the model whose rate is 1, is no coordinate of a publication.
+    let time = model.time().map(|at| &model.coordinates[at]);
+    let clocks: Vec<usize> = (0..model.motion_constraints.len())
+        .filter(|at| model.motion_constraints[*at].kind == MotionConstraintKind::Clock)
+        .collect();
+    let is_of_time = |unknown: &Expr| {
+        time.is_some_and(|t| t.second_rate == *unknown)
+            || clocks.iter().any(|at| model.motion_constraints[*at].multiplier == *unknown)
+    };
+    let is_row_of_time = |name: &RowName| match name {
+        RowName::Coordinate(at) => model.time() == Some(*at),
+        RowName::Constraint(at) => clocks.contains(at),
+        _ => false,
+    };
+    let columns: Vec<usize> = (0..unknowns.len()).filter(|at| !is_of_time(&unknowns[*at])).collect();
+    let (mut names, mut rows) = (Vec::new(), Vec::new());
+    for (name, (entries, right)) in equations.rows.into_iter().zip(equations.matrix.into_iter().zip(equations.forcing))
+    {
+        if !is_row_of_time(&name) {
+            let row = columns.iter().map(|at| entries[*at]).chain([right]);
+            rows.push(row.map(|e| quantities.at_clock(e)).collect());
+            names.push(name);
+        }
+    }
+    Ok(Ordered { names, unknowns: columns.into_iter().map(|at| unknowns[at]).collect(), rows })
 }
 
 impl Ordered {

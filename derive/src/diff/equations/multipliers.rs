@@ -1,7 +1,8 @@
 //! Multipliers of printed equations, whose names, signs and sizes are the author's choice.
 //!
 //! Aᵀλ = Aᵀ B μ for λ = B μ. Equations of motion with μ are equivalent to those with λ for every regular B. Rows that
-//! agree with the derived rows up to their multipliers determine B. B is used if it explains more rows than λ = μ does.
+//! agree with the derived rows up to their multipliers determine B. B is used if it explains more rows than λ = μ does,
+//! and holds for later entries of the publication too.
 
 use super::derived_system::Ordered;
 use super::matching::explained;
@@ -12,6 +13,9 @@ use crate::algebra::text::print::text;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::value::rank::echelon;
 
+/// Most choices of rows that determine multipliers.
+const MOST_CHOICES: usize = 50;
+
 /// Coefficients of the multipliers in a derived and a printed row that agree in all other coefficients.
 struct Pair {
     derived: Row,
@@ -19,9 +23,15 @@ struct Pair {
 }
 
 impl Terms<'_> {
-    /// Writes the derived rows with the printed multipliers, and describes these in words. `None` if the printed
-    /// multipliers are the derived ones.
-    pub fn adapt(&mut self, order: &mut Ordered, printed: &[Row], multipliers: &[Expr]) -> Option<String> {
+    /// Writes the derived rows with the printed multipliers, and describes these in words. `known` is the matrix B of
+    /// earlier entries, and becomes that of these rows. `None` if the printed multipliers are the derived ones.
+    pub fn adapt(
+        &mut self,
+        order: &mut Ordered,
+        printed: &[Row],
+        multipliers: &[Expr],
+        known: &mut Option<Vec<Row>>,
+    ) -> Option<String> {
         let at = |m: &Expr| order.unknowns.iter().position(|u| u == m);
         let columns: Vec<usize> = multipliers.iter().filter_map(at).collect();
         if columns.is_empty() {
@@ -29,21 +39,28 @@ impl Terms<'_> {
         }
         let pairs = self.pairs(order, printed, &columns);
         let as_derived = unit(columns.len());
-        let mut best = (self.explained(&pairs, &as_derived), as_derived);
-        if best.0 == pairs.len() {
-            return None;
-        }
-        let own = best.0;
-        // A wrong row gives a wrong B. So rows are left out from the first on, until a B explains the most rows.
-        for start in 0..pairs.len() {
-            let Some(change) = self.change(&pairs[start..], columns.len()) else { break };
-            let count = self.explained(&pairs, &change);
-            if count > best.0 {
-                best = (count, change);
+        let mut best = (self.explained(&pairs, &as_derived), true, as_derived.clone());
+        if let Some(known) = known.as_ref().filter(|known| known.len() == columns.len()) {
+            let count = self.explained(&pairs, known);
+            if count >= best.0 {
+                best = (count, true, known.clone());
             }
         }
-        let (count, change) = best;
-        if count <= own {
+        let mentions = |row: &Row| columns.iter().any(|c| row[*c] != Expr::ZERO);
+        if best.0 < pairs.len() && printed.iter().any(mentions) {
+            for chosen in choices(pairs.len(), columns.len()) {
+                let Some(change) = self.change(&chosen.iter().map(|at| &pairs[*at]).collect::<Vec<_>>()) else {
+                    continue;
+                };
+                let is_plain = change.iter().flatten().all(|e| self.arena.as_number(*e).is_some());
+                let count = self.explained(&pairs, &change);
+                if count > best.0 || (count == best.0 && is_plain && !best.1) {
+                    best = (count, is_plain, change);
+                }
+            }
+        }
+        let change = best.2;
+        if change == as_derived {
             return None;
         }
         for row in &mut order.rows {
@@ -52,7 +69,9 @@ impl Terms<'_> {
                 row[*column] = value;
             }
         }
-        Some(self.words(order, &columns, &change))
+        let words = self.words(order, &columns, &change);
+        *known = Some(change);
+        printed.iter().any(mentions).then_some(words)
     }
 
     /// Coefficients of the multipliers in the printed rows that agree with derived rows up to their multipliers.
@@ -79,15 +98,15 @@ impl Terms<'_> {
         list
     }
 
-    /// Matrix B with derived · B = printed for as many independent rows as there are multipliers. `None` if it is not
-    /// regular.
-    fn change(&mut self, pairs: &[Pair], count: usize) -> Option<Vec<Row>> {
+    /// Matrix B with derived · B = printed for as many pairs as there are multipliers. `None` if it is not determined,
+    /// or not regular.
+    fn change(&mut self, pairs: &[&Pair]) -> Option<Vec<Row>> {
         let rows: Vec<Row> = pairs.iter().map(|pair| seen(self.arena, self.comparer, &pair.derived)).collect();
         let (independent, _) = echelon(self.arena, &rows)?;
-        if independent.len() < count {
+        if independent.len() < pairs.len() {
             return None;
         }
-        let of = |part: fn(&Pair) -> &Row| independent.iter().map(|at| part(&pairs[*at]).clone()).collect::<Vec<_>>();
+        let of = |part: fn(&Pair) -> &Row| pairs.iter().map(|pair| part(pair).clone()).collect::<Vec<_>>();
         let (a, b) = (of(|pair| &pair.derived), of(|pair| &pair.printed));
         let (change, _) = solve(self.arena, self.simplifier, &a, &b).ok()?;
         let regular = determinant(self.arena, self.simplifier, &change);
@@ -127,6 +146,20 @@ impl Terms<'_> {
         }
         format!("multipliers of its own: {}", list.join(", "))
     }
+}
+
+/// Choices of `size` out of `count` indices, in ascending order; the first ones if there are many.
+fn choices(count: usize, size: usize) -> Vec<Vec<usize>> {
+    let mut list: Vec<Vec<usize>> = vec![Vec::new()];
+    for _ in 0..size {
+        let longer = |chosen: &Vec<usize>| {
+            let next = chosen.last().map_or(0, |last| last + 1);
+            (next..count).map(|at| [&chosen[..], &[at]].concat()).collect::<Vec<_>>()
+        };
+        list = list.iter().flat_map(longer).collect();
+        list.truncate(MOST_CHOICES);
+    }
+    list
 }
 
 fn unit(n: usize) -> Vec<Row> {

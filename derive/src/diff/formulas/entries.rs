@@ -7,13 +7,14 @@ use super::ratio::constant_ratio;
 use super::rounding::agrees_as_rounded;
 use super::terms::{WrongTerm, wrong_terms};
 use crate::diff::equations::claim::{Claim, Table};
+use crate::diff::equations::rows::Row;
 use crate::diff::repairs::{Book, Formula, Repair, Slip, Tools, pair, repair};
 
-use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::meaning::permitted::Holds;
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::text::print::text;
+use crate::algebra::{Expr, Node, Rational};
 use crate::mechanics::{Energy, Formulation, Kinematics, Quantities, Quantity, QuantityKind};
 use crate::publication::{Names, has_decimals};
 
@@ -79,6 +80,8 @@ pub struct Judge<'a, 'b> {
     pub changes_left: &'a mut usize,
     /// Abbreviations of the publication, and those that are known to be wrong.
     pub book: &'a mut Book,
+    /// Derived multipliers in the printed ones, λ = B μ, as rows of B; `None` while no entry has shown them.
+    pub multipliers: &'a mut Option<Vec<Row>>,
     /// Parameters with the numbers that the publication, or else the model, gives them.
     pub numbers: &'a [(Expr, Expr)],
 }
@@ -105,7 +108,13 @@ impl Judge<'_, '_> {
         let (printed, derived) = (rewrite(printed), rewrite(derived));
         let derived = self.simplify(derived);
         let printed = Printed { raw, value: printed, reading: Reading { in_rates, is_solved } };
-        let TracedFinding { finding, claim } = self.value(finding, quantity.kind(), printed, derived);
+        let TracedFinding { finding: found, claim } = self.value(finding.clone(), quantity.kind(), printed, derived);
+        let has_a_zero = matches!(quantity.kind(), QuantityKind::Energy(energy) if energy.has_a_zero());
+        let is_told = found.change.is_some_and(|(own, _)| own != printed.value) || found.factor.is_some();
+        let is_unnamed = found.judgement == Judgement::Different && !is_told;
+        let with_other_zero =
+            if has_a_zero && is_unnamed { self.with_other_zero(finding, printed, derived) } else { None };
+        let finding = with_other_zero.unwrap_or(found);
         let finding = match quantity.kind() {
             QuantityKind::Energy(Energy::Lagrangian) => {
                 let finding = self.up_to_its_zero(finding);
@@ -120,6 +129,7 @@ impl Judge<'_, '_> {
     /// Judges a printed value of a quantity against the derived value; both are in the same variables.
     pub fn value(&mut self, finding: Finding, kind: &QuantityKind, printed: Printed, derived: Expr) -> TracedFinding {
         if let Some(near) = &mut self.near {
+            near.keep_products_of(self.quantities, &[printed.value]);
             // A difference beyond the order of an approximation is not traced to other entries.
             let both = near
                 .formula(self.quantities, printed.value)
@@ -132,6 +142,29 @@ impl Judge<'_, '_> {
         }
         let finding = self.compare(finding, printed, derived);
         finding.with_claim(Claim::Value { kind: kind.clone(), printed: printed.value, derived, by: None })
+    }
+
+    /// Finding of a wrong energy by one mistake beside constant terms, which move the zero of the energy. `None` if it
+    /// differs in no constant term, or if no mistake is found so.
+    fn with_other_zero(&mut self, finding: Finding, printed: Printed, derived: Expr) -> Option<Finding> {
+        let difference = self.quantities.derivations.kinematics.arena.sub(printed.value, derived);
+        let difference = self.simplify(difference);
+        let Node::Sum(_, terms) = self.quantities.derivations.kinematics.arena.node(difference).clone() else {
+            return None;
+        };
+        let constants: Vec<(Expr, Rational)> =
+            terms.iter().filter(|(term, _)| is_constant(self.quantities, *term)).cloned().collect();
+        if constants.is_empty() || self.near.is_some() {
+            return None;
+        }
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let zero = arena.linear_combination(&constants);
+        let shifted = arena.add(derived, zero);
+        let shifted = self.simplify(shifted);
+        let mut found = self.compare(finding, printed, shifted);
+        let zero = text(&self.quantities.derivations.kinematics.arena, zero);
+        found.remarks.push(format!("the derived value is shown with the printed zero, {zero} higher"));
+        found.change.is_some_and(|(own, _)| own != printed.value).then_some(found)
     }
 
     /// Accepts a potential energy that differs by a constant: it is the same potential with another zero.
@@ -194,6 +227,9 @@ impl Judge<'_, '_> {
         let is_everywhere = verdict.is_equal() && holds == Holds::EVERYWHERE;
         let derived = if is_everywhere { derived } else { self.shortened(derived) };
         let mut finding = finding.judged(verdict, holds, derived);
+        if is_everywhere {
+            self.book.trust(printed.raw);
+        }
         if finding.judgement == Judgement::Different {
             if has_decimals(&finding.printed)
                 && agrees_as_rounded(self.quantities, self.comparer, self.numbers, printed.value, derived)
@@ -206,10 +242,20 @@ impl Judge<'_, '_> {
             let difference = self.simplify(difference);
             finding.difference = Some(difference);
             finding.factor = constant_ratio(self.quantities, self.comparer, printed.value, derived);
-            if let Some(factor) = finding.factor {
-                finding.slip = Slip::of_factor(&self.quantities.derivations.kinematics.arena, factor);
-            } else {
-                finding.name_mistake(self.mistake(printed, derived, difference));
+            match finding.factor {
+                None => finding.name_mistake(self.mistake(printed, derived, difference)),
+                Some(factor) => {
+                    let arena = &self.quantities.derivations.kinematics.arena;
+                    finding.slip = Slip::of_factor(arena, factor);
+                    // A factor in parameters may come of an abbreviation that the formula is multiplied or divided by.
+                    if arena.as_number(factor).is_none()
+                        && let Some(mistake) = self.mistake_in_abbreviations(printed, derived)
+                        && mistake.abbreviation.is_some()
+                    {
+                        finding.factor = None;
+                        finding.name_mistake(mistake);
+                    }
+                }
             }
         }
         finding
@@ -247,12 +293,14 @@ impl Judge<'_, '_> {
             [WrongTerm::Other(own, right)] => return Mistake::of_one(words, (own, right), slip),
             _ => {}
         }
-        if let Some(Repair { words, parts, slip, .. }) =
-            self.with_tools(printed, |tools, formula, _| repair(tools, formula, derived))
-        {
-            return Mistake { words: vec![words], change: parts, slip: Some(slip), abbreviation: None };
+        if let Some(mistake) = self.changed(printed, derived) {
+            return mistake;
         }
-        let is_listed = !words.is_empty() && words.iter().map(String::len).sum::<usize>() <= LONGEST_LIST;
+        let (model, arena) = (self.quantities.model, &self.quantities.derivations.kinematics.arena);
+        let has_units = |term: &WrongTerm| term.parts().all(|e| model.checked_unit_of(arena, e).is_ok());
+        let is_listed = !words.is_empty()
+            && words.iter().map(String::len).sum::<usize>() <= LONGEST_LIST
+            && terms.iter().all(has_units);
         if !is_listed && let Some(words) = self.two_mistakes(printed, derived) {
             return Mistake { words, ..Mistake::default() };
         }
@@ -272,6 +320,22 @@ impl Judge<'_, '_> {
         Mistake::of_one(vec![format!("{before} should be {after}")], (printed.value, derived), slip)
     }
 
+    /// One change of a printed value that makes it right, also in the formula of an abbreviation; `None` if there is
+    /// none.
+    pub fn single_mistake(&mut self, printed: Printed, derived: Expr) -> Option<Mistake> {
+        if let Some(mistake) = self.mistake_in_abbreviations(printed, derived) {
+            return Some(mistake);
+        }
+        self.changed(printed, derived)
+    }
+
+    /// One change of a printed value, with its abbreviations written out, that makes it right; `None` if there is none.
+    fn changed(&mut self, printed: Printed, derived: Expr) -> Option<Mistake> {
+        let Repair { words, parts, slip, .. } =
+            self.with_tools(printed, |tools, formula, _| repair(tools, formula, derived))?;
+        Some(Mistake { words: vec![words], change: parts, slip: Some(slip), abbreviation: None })
+    }
+
     /// Mistake of a formula that uses abbreviations, found with the abbreviations as symbols; `None` if there are none,
     /// or if no mistake is found.
     fn mistake_in_abbreviations(&mut self, printed: Printed, derived: Expr) -> Option<Mistake> {
@@ -289,18 +353,18 @@ impl Judge<'_, '_> {
         })
     }
 
-    /// Searches for repairs of a formula, with abbreviations written out, or with those of the book. `None` near a
-    /// point, where formulas are not compared as they are printed.
+    /// Searches for repairs of a formula, with abbreviations written out, or with those of the book. Near a point, the
+    /// changed formula is expanded before it is compared.
     fn with_tools<T>(
         &mut self,
         printed: Printed,
         search: impl FnOnce(&mut Tools<'_, '_>, &mut Formula, &mut Book) -> Option<T>,
     ) -> Option<T> {
-        if self.near.is_some() {
-            return None;
-        }
-        let (names, reading) = (self.names, printed.reading);
-        let mut rewriting = |quantities: &mut Quantities<'_>, e: Expr| reading.value(quantities, names, e);
+        let (names, reading, near) = (self.names, printed.reading, &mut self.near);
+        let mut rewriting = |quantities: &mut Quantities<'_>, e: Expr| {
+            let value = reading.value(quantities, names, e)?;
+            near.as_mut().map_or(Ok(value), |near| near.formula(quantities, value))
+        };
         let mut formula = Formula::plain(&self.quantities.derivations.kinematics.arena, printed.raw);
         let (quantities, comparer) = (&mut *self.quantities, &mut *self.comparer);
         let mut tools = Tools { quantities, comparer, rewriting: &mut rewriting, left: self.changes_left };

@@ -3,6 +3,9 @@
 //!
 //! The substitution x = x₀ + ε (x − x₀) for each variable that stays near the point gives Taylor series in ε. Two
 //! formulas are equal to an order if their series are equal to this order, whatever terms follow.
+//!
+//! Small parameters p = δ p count with the deviations, δ = ε. But a text may keep products of both, such as Ω ẋ in the
+//! linear equations of Foucault's pendulum. Its formulas are compared to the order in ε and to the order in δ.
 
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::term::steps::fresh_symbol;
@@ -16,10 +19,14 @@ use crate::publication::Approximation;
 pub struct Near {
     /// Symbols of the variables near the point, each with its value at the point.
     point: Vec<(Expr, Expr)>,
-    /// Substitution x₀ + ε (x − x₀) for each of these symbols.
+    /// Substitution x₀ + ε (x − x₀) for each of these symbols, with δ instead of ε for parameters.
     way: Substitution,
     /// Symbol ε of the size of the deviations.
     epsilon: Expr,
+    /// Symbol δ of the size of the parameters.
+    delta: Expr,
+    /// True if ε and δ are of orders of their own, false if δ = ε.
+    keeps_products: bool,
     /// Order of the deviations up to which formulas hold.
     pub order: u32,
     /// Description of the order and the point, in words.
@@ -78,14 +85,33 @@ impl Near {
                 add(&mut point, speed.rate, Expr::ZERO);
             }
         }
-        let epsilon = fresh_symbol(arena, "deviation");
+        let (epsilon, delta) = (fresh_symbol(arena, "deviation"), fresh_symbol(arena, "parameter"));
         let mut way = Vec::new();
         for (symbol, value) in &point {
+            let is_parameter = model.parameters.iter().any(|p| p.symbol == *symbol);
             let away = arena.sub(*symbol, *value);
-            let away = arena.mul(epsilon, away);
+            let away = arena.mul(if is_parameter { delta } else { epsilon }, away);
             way.push((*symbol, arena.add(*value, away)));
         }
-        Self { point, way: Substitution::new(&way), epsilon, order: stated.order, words }
+        let way = Substitution::new(&way);
+        Self { point, way, epsilon, delta, keeps_products: false, order: stated.order, words }
+    }
+
+    /// Compares what follows to the order in the deviations and to the order in the parameters, if one of these printed
+    /// formulas has a term of both that would be beyond the order otherwise.
+    pub fn keep_products_of(&mut self, quantities: &mut Quantities<'_>, printed: &[Expr]) {
+        for e in printed {
+            self.keeps_products = true;
+            let whole = self.formula(quantities, *e);
+            self.keeps_products = false;
+            let (Ok(whole), Ok(short)) = (whole, self.formula(quantities, *e)) else { continue };
+            let arena = &mut quantities.derivations.kinematics.arena;
+            let beyond = arena.sub(whole, short);
+            if zero_test(arena, beyond) == ZeroTest::NonZero {
+                self.keeps_products = true;
+                return;
+            }
+        }
     }
 
     /// Expands a formula up to `order`.
@@ -110,31 +136,45 @@ impl Near {
 
     fn up_to(&mut self, quantities: &mut Quantities<'_>, e: Expr, order: u32) -> Result<Expr, String> {
         let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;
-        let there = || format!("it has no value there, and no series {}", self.words);
-        let mut term = self.way.apply(arena, e);
+        let moved = self.way.apply(arena, e);
         if self.way.undefined.is_some() {
-            return Err(there());
+            return Err(self.no_value());
         }
-        let mut at_point = Substitution::new(&[(self.epsilon, Expr::ZERO)]);
-        if has_bend(arena, &mut at_point, self.epsilon, term) {
+        let sum = if self.keeps_products {
+            let of_parameters = self.series(arena, moved, self.delta, self.order)?;
+            self.series(arena, of_parameters, self.epsilon, order)?
+        } else {
+            let moved = Substitution::new(&[(self.delta, self.epsilon)]).apply(arena, moved);
+            self.series(arena, moved, self.epsilon, order)?
+        };
+        Ok(simplifier.simplify(arena, sum))
+    }
+
+    /// Sum of the terms of a Taylor series up to an order in a size, with 1 for the size.
+    fn series(&self, arena: &mut Arena, e: Expr, size: Expr, order: u32) -> Result<Expr, String> {
+        let mut at_point = Substitution::new(&[(size, Expr::ZERO)]);
+        if has_bend(arena, &mut at_point, size, e) {
             return Err(format!("it has a bend there, and no series {}", self.words));
         }
-        let mut by_epsilon = Differential::partial(self.epsilon);
-        let (mut sum, mut factorial) = (Vec::new(), 1_i64);
+        let mut slope = Differential::partial(size);
+        let (mut term, mut sum, mut factorial) = (e, Vec::new(), 1_i64);
         for k in 0..=order {
             if k > 0 {
-                term = by_epsilon.apply(arena, term);
+                term = slope.apply(arena, term);
                 factorial *= i64::from(k);
             }
             let value = at_point.apply(arena, term);
             if at_point.undefined.is_some() {
-                return Err(there());
+                return Err(self.no_value());
             }
             let part = arena.ratio(1, factorial);
             sum.push(arena.mul(part, value));
         }
-        let sum = arena.sum(&sum);
-        Ok(simplifier.simplify(arena, sum))
+        Ok(arena.sum(&sum))
+    }
+
+    fn no_value(&self) -> String {
+        format!("it has no value there, and no series {}", self.words)
     }
 }
 

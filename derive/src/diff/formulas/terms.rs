@@ -41,6 +41,15 @@ impl WrongTerm {
         }
     }
 
+    /// Printed and right terms of the mistake.
+    pub fn parts(&self) -> impl Iterator<Item = Expr> {
+        let (first, second) = match *self {
+            Self::Extra(e) | Self::Missing(e) => (e, None),
+            Self::Other(own, right) => (own, Some(right)),
+        };
+        std::iter::once(first).chain(second)
+    }
+
     /// Description of the mistake in words.
     pub fn words(self, arena: &Arena) -> String {
         match self {

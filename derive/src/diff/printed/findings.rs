@@ -1,5 +1,6 @@
 //! Findings on rows and entries of printed systems: the verdict, the wrong entries, and the mistake in each.
 
+use super::whole_rows::WholeRow;
 use crate::diff::equations::derived_system::Ordered;
 use crate::diff::equations::rows::{Match, Row, RowJudgement, Terms, judge};
 use crate::diff::formulas::entries::{Judge, Printed};
@@ -7,11 +8,21 @@ use crate::diff::formulas::finding::{Finding, Judgement, Mistake, ROUNDED};
 use crate::diff::formulas::rounding::agrees_as_rounded;
 
 use crate::algebra::Expr;
-use crate::algebra::meaning::compare::{Engine, Verdict};
+use crate::algebra::meaning::compare::{Engine, Verdict, Witness};
 use crate::algebra::meaning::permitted::Holds;
+use crate::algebra::solve::linear::row_term;
 use crate::algebra::text::print::text;
 use crate::mechanics::Kinematics;
 use crate::publication::{Entry, System};
+
+/// Place of a row in a printed system.
+#[derive(Clone, Copy)]
+pub(super) struct RowPlace<'a> {
+    /// Index of the row, from 0.
+    pub index: usize,
+    /// Printed system of the row.
+    pub system: &'a System,
+}
 
 impl Judge<'_, '_> {
     /// Judges a row that is printed with decimals, which may stand for parameters.
@@ -56,15 +67,17 @@ impl Judge<'_, '_> {
         None
     }
 
+    /// Finding of a printed row. A wrong row is told by its wrong entries, or as `whole`, if it is read as one formula.
     pub(super) fn row_finding(
         &mut self,
         mut finding: Finding,
         row: &[Printed],
         order: &Ordered,
         judged: &RowJudgement,
-        index: usize,
-        system: &System,
+        whole: Option<WholeRow>,
+        place: RowPlace<'_>,
     ) -> Finding {
+        let RowPlace { index, system } = place;
         finding.judgement = Judgement::Equal;
         finding.holds = judged.holds();
         let as_term = |judge: &mut Self, row: &Row| judge.as_term(row, &order.unknowns);
@@ -95,6 +108,13 @@ impl Judge<'_, '_> {
             finding.remarks.push(ROUNDED.to_owned());
         }
         if judged.is_right() {
+            // A factor in parameters or of the state may be a wrong abbreviation, by which the whole row is multiplied.
+            let arena = &self.quantities.derivations.kinematics.arena;
+            if matches!(&judged.by, Match::Row { factor, .. } if arena.as_number(*factor).is_some()) {
+                for printed in row {
+                    self.book.trust(printed.raw);
+                }
+            }
             return finding;
         }
         finding.holds = Holds::EVERYWHERE;
@@ -116,6 +136,9 @@ impl Judge<'_, '_> {
         if let Err(message) = model.checked_unit_of(arena, raw) {
             finding.remarks.push(format!("units alone show it: {message}"));
         }
+        if let Some(whole) = whole {
+            return self.told_as_whole(finding, whole, row, &judged.expected, order, witness);
+        }
         let wrong: Vec<usize> = (0..judged.entries.len()).filter(|at| !judged.entries[*at].is_equal()).collect();
         let mut places = Vec::new();
         let mut mistakes = Vec::new();
@@ -134,14 +157,25 @@ impl Judge<'_, '_> {
         finding.remarks.push(format!("wrong: {wrong}"));
         finding.wrong = Some(wrong);
         let values: Row = row.iter().map(|printed| printed.value).collect();
-        let printed = as_term(self, &values);
-        let expected = as_term(self, &judged.expected);
+        self.contrasted(finding, order, &values, &judged.expected, witness)
+    }
+
+    /// Finding of a wrong row with the difference of the row from what is expected, and a state in which they differ:
+    /// one of the whole row, unknowns included, or else of a wrong entry.
+    pub(super) fn contrasted(
+        &mut self,
+        mut finding: Finding,
+        order: &Ordered,
+        printed: &Row,
+        expected: &Row,
+        of_entry: Option<Witness>,
+    ) -> Finding {
+        let [printed, expected] = [printed, expected].map(|row| self.as_term(row, &order.unknowns));
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let difference = arena.sub(printed, expected);
-        // The witness is a state of the whole row, unknowns included, or else of a wrong entry.
         finding.witness = match self.comparer.compare(arena, printed, expected) {
             Verdict::Different(whole) => Some(whole),
-            _ => witness,
+            _ => of_entry,
         };
         finding.difference = Some(self.simplify(difference));
         finding
@@ -149,10 +183,7 @@ impl Judge<'_, '_> {
 
     /// Row as one term: Σ entry · unknown − right.
     pub(super) fn as_term(&mut self, row: &Row, unknowns: &[Expr]) -> Expr {
-        let arena = &mut self.quantities.derivations.kinematics.arena;
-        let mut terms: Vec<Expr> = row.iter().zip(unknowns).map(|(a, x)| arena.mul(*a, *x)).collect();
-        terms.push(arena.neg(row[row.len() - 1]));
-        arena.sum(&terms)
+        row_term(&mut self.quantities.derivations.kinematics.arena, unknowns, row)
     }
 
     /// Name of an entry of a row.
@@ -194,6 +225,9 @@ impl Judge<'_, '_> {
             }
             Match::Combination { .. } if finding.judgement == Judgement::Equal => finding.judgement = Judgement::Scaled,
             Match::Combination { .. } | Match::Row { .. } => {}
+        }
+        if finding.judgement == Judgement::Equal {
+            self.book.trust(printed.raw);
         }
         if finding.judgement == Judgement::Different {
             let difference = self.quantities.derivations.kinematics.arena.sub(printed.value, judged.expected[at]);

@@ -7,3 +7,4 @@ pub(super) mod listings;
 pub mod motion;
 pub(super) mod printed_equations;
 pub(super) mod systems;
+mod whole_rows;

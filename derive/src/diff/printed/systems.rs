@@ -1,6 +1,6 @@
 //! Judgement of printed linear systems, row by row.
 
-use super::findings::stated;
+use super::findings::{RowPlace, stated};
 use super::motion::Motion;
 use crate::diff::equations::claim::{Claim, Table};
 use crate::diff::equations::derived_system::{Ordered, derived};
@@ -62,8 +62,9 @@ pub(super) fn printed(
         // Names of derived quantities may stand for accelerations.
         let arena = &mut quantities.derivations.kinematics.arena;
         let right = row.pop().unwrap_or(Expr::ZERO);
-        let not_linear = |_| "it is not linear in the unknowns".to_owned();
-        let (entries, rest) = form.coefficients(arena, right).map_err(not_linear)?;
+        // A row that is not linear in the unknowns is kept as it is printed.
+        let (entries, rest) =
+            form.coefficients(arena, right).unwrap_or_else(|_| (vec![Expr::ZERO; order.len()], right));
         for (entry, more) in row.iter_mut().zip(entries) {
             *entry = arena.sub(*entry, more);
         }
@@ -77,8 +78,18 @@ pub(super) fn printed(
 pub fn system_motion(quantities: &mut Quantities<'_>, names: &Names, entry: &Entry, system: &System) -> Option<Motion> {
     let order = derived(quantities, system.formulation, system.frame).ok()?;
     let rows = printed(quantities, names, system, &order.unknowns).ok()?;
-    let all_there = order.unknowns.iter().all(|u| system.unknowns.contains(u));
-    (all_there && rows.len() == order.unknowns.len()).then(|| motion(quantities, &entry.id, system.formulation, &rows))
+    let is_motion = is_motion(quantities, system, &order, &rows);
+    is_motion.then(|| motion(quantities, &entry.id, system.formulation, &rows))
+}
+
+/// True if printed rows are equations of motion: one for each unknown, with all unknowns, linear in them.
+fn is_motion(quantities: &Quantities<'_>, system: &System, order: &Ordered, rows: &[Row]) -> bool {
+    let arena = &quantities.derivations.kinematics.arena;
+    let is_linear =
+        |row: &Row| row.last().is_some_and(|right| !order.unknowns.iter().any(|u| arena.mentions(*right, *u)));
+    let all_there = system.formulation.unknowns(quantities.model).iter().all(|(_, u)| order.unknowns.contains(u))
+        && order.unknowns.iter().all(|u| system.unknowns.contains(u));
+    all_there && rows.len() == order.unknowns.len() && rows.iter().all(is_linear)
 }
 
 fn motion(quantities: &Quantities<'_>, id: &str, formulation: Formulation, rows: &[Row]) -> Motion {
@@ -142,7 +153,12 @@ impl Judge<'_, '_> {
             };
             let row_printed: Vec<Printed> =
                 raw[i].iter().zip(row).map(|(raw, value)| Printed { raw: *raw, value: *value, reading }).collect();
-            let finding = self.row_finding(finding, &row_printed, &order, &judged, i, system);
+            // Entries with verdicts of their own contrast with those of one derived row.
+            let is_apart = system.matrix_ids.is_some() || system.right_ids.is_some();
+            let whole = if is_apart { None } else { self.whole_row(&row_printed, &order, &judged) };
+            let by = whole.as_ref().map_or_else(|| judged.by.clone(), |whole| whole.matched(judged.by.clone()));
+            let place = RowPlace { index: i, system };
+            let finding = self.row_finding(finding, &row_printed, &order, &judged, whole, place);
             findings.push(finding.with_claim(claim));
             for (j, unknown) in system.unknowns.iter().enumerate() {
                 let Some(id) = system.matrix_id(i, j) else { break };
@@ -159,7 +175,7 @@ impl Judge<'_, '_> {
                 let finding = self.entry_finding(stated(&id, entry, text), row_printed[at], &judged, at);
                 findings.push(finding.with_claim(claim));
             }
-            matches.push(judged.by);
+            matches.push(by);
         }
         if let Some(first) = findings.first_mut() {
             first.finding.remarks.extend(multipliers);
@@ -167,8 +183,7 @@ impl Judge<'_, '_> {
         let ids: Vec<String> = kept.iter().map(|i| system.row_id(&entry.id, *i)).collect();
         let rows: Vec<Row> = kept.into_iter().map(|i| rows[i].clone()).collect();
         self.completeness(&mut findings, &ids, system, &rows, &order.unknowns);
-        let whole = order.unknowns.iter().all(|u| system.unknowns.contains(u)) && rows.len() == order.unknowns.len();
-        let motion = whole.then(|| {
+        let motion = is_motion(self.quantities, system, &order, &rows).then(|| {
             let matrix = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
             let motion = motion(self.quantities, &entry.id, system.formulation, &rows);
             MatchedMotion { motion, matrix, rows: matches.clone() }
@@ -198,13 +213,14 @@ impl Judge<'_, '_> {
         let multipliers: Vec<Expr> =
             self.quantities.model.motion_constraints.iter().map(|constraint| constraint.multiplier).collect();
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
-        Terms { arena, simplifier, comparer: self.comparer }.adapt(order, rows, &multipliers)
+        Terms { arena, simplifier, comparer: self.comparer }.adapt(order, rows, &multipliers, self.multipliers)
     }
 
     /// Expands derived and printed rows up to the order of an entry that holds near a point. Rows of other entries are
     /// unchanged.
     pub(super) fn near(&mut self, order: Ordered, rows: Vec<Row>) -> Result<(Ordered, Vec<Row>), String> {
         let Some(near) = &mut self.near else { return Ok((order, rows)) };
+        near.keep_products_of(self.quantities, &rows.concat());
         let mut all = |quantities: &mut Quantities<'_>, list: Vec<Row>| -> Result<Vec<Row>, String> {
             let row = |row: Row| -> Result<Row, String> {
                 let entry = |(at, e): (usize, Expr)| match order.unknowns.get(at) {

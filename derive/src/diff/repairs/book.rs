@@ -9,6 +9,7 @@ use super::{Repair, Slip, Tools, is_right, pair, repair};
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::{Arena, Expr};
 use crate::publication::Shorthand;
+use rustc_hash::FxHashSet;
 
 /// Abbreviation that is known to be wrong.
 struct Correction {
@@ -20,11 +21,13 @@ struct Correction {
     slip: Slip,
 }
 
-/// Abbreviations of a publication, and those that are known to be wrong.
+/// Abbreviations of a publication, those that are known to be wrong, and those that right entries use.
 pub struct Book {
     shorthand: Shorthand,
     arena: Arena,
     corrections: Vec<Correction>,
+    /// Names of abbreviations that right entries use: no mistake is sought in them.
+    trusted: FxHashSet<String>,
 }
 
 /// Mistake of a formula that uses abbreviations.
@@ -42,7 +45,23 @@ pub struct Found {
 impl Book {
     /// Book in which no abbreviation is wrong.
     pub fn new(shorthand: &Shorthand) -> Self {
-        Self { shorthand: shorthand.clone(), arena: Arena::new(), corrections: Vec::new() }
+        let (shorthand, arena) = (shorthand.clone(), Arena::new());
+        Self { shorthand, arena, corrections: Vec::new(), trusted: FxHashSet::default() }
+    }
+
+    /// Notes that an entry with this formula, abbreviations written out, is right.
+    pub fn trust(&mut self, raw: Expr) {
+        let Some(as_printed) = self.shorthand.as_printed(raw) else { return };
+        let used = self.shorthand.used(as_printed);
+        self.trusted.extend(used.into_iter().map(|one| one.name.clone()));
+    }
+
+    /// Drops the mistakes in abbreviations that right entries use. True if entries may be judged otherwise with what
+    /// the book knows now.
+    pub fn learn(&mut self) -> bool {
+        let had_corrections = !self.corrections.is_empty();
+        self.corrections.retain(|one| !self.trusted.contains(&one.name));
+        had_corrections
     }
 
     /// True if a formula, with abbreviations written out, is printed as the name of an abbreviation alone.
@@ -54,7 +73,7 @@ impl Book {
     /// `None` if it uses none, or if no mistake is found.
     pub fn mistake(&mut self, tools: &mut Tools<'_, '_>, raw: Expr, derived: Expr) -> Option<Found> {
         let as_printed = self.shorthand.as_printed(raw)?;
-        let mut formula = Formula::with_abbreviations(&self.shorthand, as_printed);
+        let mut formula = Formula::with_abbreviations(&self.shorthand, as_printed, &self.trusted);
         let known = self.corrected(&mut formula);
         if !known.is_empty() {
             let words: Vec<String> = known.iter().map(|at| self.corrections[*at].words.clone()).collect();
@@ -73,7 +92,7 @@ impl Book {
                 let words = words.into_iter().chain([found.words]).collect();
                 return Some(Found { words, parts: None, slip: None, abbreviation: None });
             }
-            formula = Formula::with_abbreviations(&self.shorthand, as_printed);
+            formula = Formula::with_abbreviations(&self.shorthand, as_printed, &self.trusted);
         }
         let found = repair(tools, &mut formula, derived)?;
         let abbreviation = self.note(&formula, &found);
@@ -84,7 +103,7 @@ impl Book {
     /// uses no abbreviation, or if no two mistakes are found.
     pub fn two_mistakes(&mut self, tools: &mut Tools<'_, '_>, raw: Expr, derived: Expr) -> Option<Found> {
         let as_printed = self.shorthand.as_printed(raw)?;
-        let mut formula = Formula::with_abbreviations(&self.shorthand, as_printed);
+        let mut formula = Formula::with_abbreviations(&self.shorthand, as_printed, &self.trusted);
         let known = self.corrected(&mut formula);
         let mut words: Vec<String> = known.iter().map(|at| self.corrections[*at].words.clone()).collect();
         for found in pair(tools, &mut formula, derived)? {

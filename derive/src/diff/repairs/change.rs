@@ -7,6 +7,8 @@ use rustc_hash::FxHashSet;
 
 /// Most changes of one formula that are tried.
 const MOST: usize = 40_000;
+/// Most equal terms of a sum of which one may be wrong.
+const MOST_EQUAL: i64 = 4;
 /// Numbers by which terms are multiplied, as fractions.
 const NUMBERS: [(i64, i64); 12] =
     [(-1, 1), (2, 1), (1, 2), (3, 1), (1, 3), (4, 1), (1, 4), (3, 2), (2, 3), (3, 4), (4, 3), (-1, 2)];
@@ -197,6 +199,15 @@ fn variants_of_term(arena: &mut Arena, pool: &Pool, term: Expr) -> Vec<Variant> 
     for Variant { slip, part } in variants(arena, pool, bare) {
         list.push(Variant { slip, part: arena.scale(part, &content) });
     }
+    // Of equal terms, such as w1 in w1 + w1, one may be wrong.
+    if content.to_i64().is_some_and(|n| (2..=MOST_EQUAL).contains(&n.abs())) {
+        let one = if content.is_negative() { Rational::MINUS_ONE } else { Rational::ONE };
+        let others = arena.scale(bare, &content.add(&one.neg()));
+        for Variant { part, .. } in variants(arena, pool, bare).into_iter().filter(|v| v.slip == Slip::Symbol) {
+            let part = arena.scale(part, &one);
+            list.push(Variant { slip: Slip::Symbol, part: arena.add(others, part) });
+        }
+    }
     for factor in pool.factors() {
         list.push(Variant { slip: Slip::LostFactor, part: arena.mul(term, *factor) });
         if let Some(part) = arena.div(term, *factor) {
@@ -243,6 +254,10 @@ fn variants(arena: &mut Arena, pool: &Pool, part: Expr) -> Vec<Variant> {
         Node::Apply(f, argument) => {
             let mut list: Vec<Variant> =
                 turned(arena, f, argument).into_iter().map(|part| Variant { slip: Slip::Function, part }).collect();
+            // The argument of another sine of the right formula.
+            let others =
+                pool.factors().iter().filter(|other| matches!(arena.node(**other), Node::Apply(g, _) if *g == f));
+            list.extend(others.map(|other| Variant { slip: Slip::Function, part: *other }));
             for (n, d) in [(2, 1), (1, 2), (-1, 1)] {
                 let Some(k) = Rational::fraction(n, d) else { continue };
                 let scaled = arena.scale(argument, &k);

@@ -5,6 +5,7 @@ use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::{Arena, Expr};
 use crate::publication::{Abbreviation, Shorthand};
+use rustc_hash::FxHashSet;
 
 /// Printed formula, in an arena of its own.
 pub struct Formula {
@@ -14,6 +15,8 @@ pub struct Formula {
     pub root: Expr,
     /// Abbreviations that the formula uses, also through others, in the order of their declaration.
     pub parts: Vec<Abbreviation>,
+    /// For each abbreviation, true if no mistake is sought in it.
+    trusted: Vec<bool>,
 }
 
 /// Place of a formula that may be wrong: the formula itself, or that of an abbreviation.
@@ -32,31 +35,28 @@ impl Formula {
     pub fn plain(from: &Arena, e: Expr) -> Self {
         let mut arena = Arena::new();
         let root = Transfer::new(from).term(&mut arena, e);
-        Self { arena, root, parts: Vec::new() }
+        Self { arena, root, parts: Vec::new(), trusted: Vec::new() }
     }
 
-    /// Formula with abbreviations. `e` is in the arena of the shorthand.
-    pub fn with_abbreviations(shorthand: &Shorthand, e: Expr) -> Self {
+    /// Formula with abbreviations. `e` is in the arena of the shorthand. No mistake is sought in abbreviations with the
+    /// `trusted` names.
+    pub fn with_abbreviations(shorthand: &Shorthand, e: Expr, trusted: &FxHashSet<String>) -> Self {
         let mut arena = Arena::new();
         let mut transfer = Transfer::new(shorthand.arena());
         let root = transfer.term(&mut arena, e);
-        let mut used = vec![e];
         let mut parts = Vec::new();
-        for one in shorthand.abbreviations().iter().rev() {
-            if used.iter().any(|e| shorthand.arena().mentions(*e, one.symbol)) {
-                used.push(one.formula);
-                let (symbol, formula) = (transfer.term(&mut arena, one.symbol), transfer.term(&mut arena, one.formula));
-                parts.push(Abbreviation { name: one.name.clone(), symbol, formula });
-            }
+        for one in shorthand.used(e) {
+            let (symbol, formula) = (transfer.term(&mut arena, one.symbol), transfer.term(&mut arena, one.formula));
+            parts.push(Abbreviation { name: one.name.clone(), symbol, formula });
         }
-        parts.reverse();
-        Self { arena, root, parts }
+        let trusted = parts.iter().map(|part| trusted.contains(&part.name)).collect();
+        Self { arena, root, parts, trusted }
     }
 
-    /// The formula itself, then that of each abbreviation.
+    /// The formula itself, then that of each abbreviation that may be wrong.
     pub fn places(&mut self) -> Vec<Place> {
         let mut list = vec![Place { at: None, formula: self.root, around: self.root }];
-        for at in 0..self.parts.len() {
+        for at in (0..self.parts.len()).filter(|at| !self.trusted[*at]).collect::<Vec<_>>() {
             let symbol = self.parts[at].symbol;
             let mut depending = vec![symbol];
             for part in &self.parts[at + 1..] {
@@ -99,7 +99,7 @@ impl Formula {
             None => root = changed,
             Some(at) => parts[at].formula = changed,
         }
-        Self { arena: self.arena.clone(), root, parts }
+        Self { arena: self.arena.clone(), root, parts, trusted: self.trusted.clone() }
     }
 
     /// Description of a mistake at a place, with the name of the abbreviation.

@@ -30,7 +30,12 @@ impl Pool {
         let in_derived = main.reachable(&[derived]);
         let all = model.parameters.len() + 3 * model.coordinates.len() + model.speeds.len();
         let offered = |e: &Expr| all <= MOST_SYMBOLS || in_derived.binary_search(e).is_ok();
-        // Each symbol with its unit, and its number of dots with the symbol that has none.
+        // Accelerations stand in equations of motion alone.
+        let used = |arena: &Arena, rate: Expr| {
+            let is_printed = |e: &Expr| arena.symbol_name(*e) == main.symbol_name(rate);
+            in_derived.binary_search(&rate).is_ok() || printed.iter().any(is_printed)
+        };
+        // Each symbol with its unit, and the symbol without dots of which it is a rate.
         let mut known: Vec<(Expr, Unit, Option<Expr>)> = Vec::new();
         for p in model.parameters.iter().filter(|p| offered(&p.symbol)) {
             known.push((transfer.term(arena, p.symbol), p.unit.clone(), None));
@@ -39,9 +44,17 @@ impl Pool {
             let base = transfer.term(arena, c.symbol);
             known.push((base, c.unit.clone(), Some(base)));
             known.push((transfer.term(arena, c.rate), c.unit.per_second(), Some(base)));
+            if used(arena, c.second_rate) {
+                let unit = c.unit.per_second().per_second();
+                known.push((transfer.term(arena, c.second_rate), unit, Some(base)));
+            }
         }
         for s in model.speeds.iter().filter(|s| offered(&s.symbol)) {
-            known.push((transfer.term(arena, s.symbol), s.unit.clone(), None));
+            let base = transfer.term(arena, s.symbol);
+            known.push((base, s.unit.clone(), Some(base)));
+            if used(arena, s.rate) {
+                known.push((transfer.term(arena, s.rate), s.unit.per_second(), Some(base)));
+            }
         }
         // A speed u = q' is the dot of q.
         let dots: Vec<(Expr, Expr)> = model
@@ -51,10 +64,12 @@ impl Pool {
             .map(|(s, c)| (transfer.term(arena, s.symbol), transfer.term(arena, c.symbol)))
             .collect();
         // Indices are mixed up whatever the units are: q1' for q4'.
-        let mut lists: [Vec<Expr>; 3] = [
+        let mut lists: [Vec<Expr>; 5] = [
             model.coordinates.iter().map(|c| c.symbol).collect(),
             model.coordinates.iter().map(|c| c.rate).collect(),
+            model.coordinates.iter().map(|c| c.second_rate).collect(),
             model.speeds.iter().map(|s| s.symbol).collect(),
+            model.speeds.iter().map(|s| s.rate).collect(),
         ];
         lists.iter_mut().flatten().for_each(|e| *e = transfer.term(arena, *e));
         let mut swaps: FxHashMap<Expr, Vec<Expr>> = FxHashMap::default();

@@ -8,6 +8,7 @@
 //! equal: two slips may give equal differences, and nothing would prove that they are one.
 
 mod chain;
+mod coriolis;
 mod derived_values;
 mod exact;
 mod numbers;
@@ -22,10 +23,11 @@ pub use root::{Follower, Link, Root};
 use super::equations::claim::{Claim, Table};
 use super::formulas::finding::{Finding, Judgement};
 use super::formulas::swapped_lists::Swapped;
-use crate::algebra::Arena;
 use crate::algebra::meaning::permitted::Permitted;
 use crate::algebra::text::print::text;
+use crate::algebra::{Arena, Expr};
 use crate::mechanics::Quantities;
+use crate::model::TIME;
 use search::{Reason, Search};
 
 /// Most characters of a description of a mistake in a title.
@@ -47,8 +49,11 @@ pub fn find(
     let shared = search.shared;
     let ids: Vec<&str> = wrong.iter().map(|at| findings[*at].id.as_str()).collect();
     let swapped = numbers::link(&stated, &ids, &mut reasons, swapped);
+    let different: Vec<&Finding> = wrong.iter().map(|at| &findings[*at]).collect();
+    let rates: Vec<Expr> = quantities.model.coordinates.iter().filter(|c| c.name != TIME).map(|c| c.rate).collect();
+    coriolis::link(&mut quantities.derivations.kinematics.arena, &rates, &stated, &different, &mut reasons);
     let arena = &quantities.derivations.kinematics.arena;
-    alike(arena, &wrong.iter().map(|at| &findings[*at]).collect::<Vec<_>>(), &mut reasons);
+    alike(arena, &different, &mut reasons);
     let words = |at: usize| match (&shared[at], stated[at]) {
         (Some(words), _) => words.clone(),
         (None, Claim::Number { .. }) => {

@@ -174,6 +174,13 @@ impl<'a> Quantities<'a> {
         self.mentions(e, symbols)
     }
 
+    /// True if a term contains q̈ or u̇.
+    #[must_use]
+    pub fn mentions_accelerations(&self, e: Expr) -> bool {
+        let coordinates = self.model.coordinates.iter().map(|c| c.second_rate);
+        self.mentions(e, coordinates.chain(self.model.speeds.iter().map(|s| s.rate)))
+    }
+
     fn mentions(&self, e: Expr, mut symbols: impl Iterator<Item = Expr>) -> bool {
         let parts = self.derivations.kinematics.arena.reachable(&[e]);
         symbols.any(|s| parts.binary_search(&s).is_ok())
@@ -193,6 +200,13 @@ impl<'a> Quantities<'a> {
         self.to_speeds.apply(&mut self.derivations.kinematics.arena, e)
     }
 
+    /// A term with 1 for the rate of time, which nobody writes as t'.
+    pub fn at_clock(&mut self, e: Expr) -> Expr {
+        let clock: Vec<_> =
+            self.model.coordinates.iter().filter(|c| c.name == TIME).map(|c| (c.rate, Expr::ONE)).collect();
+        if clock.is_empty() { e } else { Substitution::new(&clock).apply(&mut self.derivations.kinematics.arena, e) }
+    }
+
     /// Value of an energy with no constraint put in, for comparison with entries in q̇: T keeps the rates of all
     /// coordinates. A quantity other than T, L and T + V keeps its value `derived`.
     #[must_use]
@@ -200,10 +214,8 @@ impl<'a> Quantities<'a> {
         let QuantityKind::Energy(energy) = kind else { return derived };
         let Ok(lagrange) = self.equations(Formulation::Lagrange) else { return derived };
         let (t, v) = (lagrange.kinetic_energy, lagrange.potential_energy);
+        let t = self.at_clock(t);
         let arena = &mut self.derivations.kinematics.arena;
-        // The rate of time is 1, and nobody writes t'.
-        let clock = self.model.coordinates.iter().filter(|c| c.name == TIME).map(|c| (c.rate, Expr::ONE));
-        let t = Substitution::new(&clock.collect::<Vec<_>>()).apply(arena, t);
         match energy {
             Energy::Kinetic => t,
             Energy::Lagrangian => arena.sub(t, v),

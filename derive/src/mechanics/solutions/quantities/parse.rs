@@ -148,6 +148,13 @@ impl<'a> Cursor<'a> {
         let known = known.chain(VectorName::ALL.iter().map(|(_, n)| *n));
         let known = known.chain(model.speeds.iter().map(|s| s.name.as_str())).chain(rates.iter().map(String::as_str));
         let message = format!("unknown quantity `{}`", shown(head));
+        let is_fixed = |variable: &str| variable == head.trim_end_matches('\'');
+        if let Some(constraint) = model.constraints.iter().find(|constraint| is_fixed(&constraint.fixes)) {
+            let (name, fixes) = (&constraint.name, &constraint.fixes);
+            let help =
+                format!("the constraint `{name}` fixes `{fixes}`: judge its rate as a velocity, v(POINT) @ FRAME [1]");
+            return QuantityError { message, help, range };
+        }
         QuantityError { message, help: nearest(head, known), range }
     }
 

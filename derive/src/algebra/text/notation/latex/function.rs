@@ -4,6 +4,7 @@ use super::formula::Formula;
 use super::marks::Mark;
 use crate::algebra::text::notation::lexicon::function;
 use crate::algebra::text::notation::refusal::wrong;
+use crate::algebra::text::notation::symbol::Symbol;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
@@ -162,7 +163,7 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// Reads an argument without parentheses: numbers, then one symbol, root or fraction.
+    /// Reads an argument without parentheses: numbers, then one symbol, root or fraction, and the time behind it.
     fn bare_argument(&mut self, name: &str, place: &Range<usize>) -> Result<(), ParseError> {
         let first = self.cursor.at;
         let is_number = |mark: Option<&Mark>| matches!(mark, Some(Mark::Number(_)));
@@ -181,6 +182,12 @@ impl Formula<'_, '_> {
             is_coordinate = self.begins_coordinate();
             self.factor()?;
             only_numbers &= number;
+            // \sin\omega t is sin(ω t), as everybody prints it: no one multiplies the sine of a constant by the time.
+            if !number && !is_coordinate && self.begins_time() {
+                self.out.push("*", self.cursor.here());
+                self.factor()?;
+                break;
+            }
             if !number || is_number(self.cursor.peek()) {
                 break;
             }
@@ -207,6 +214,14 @@ impl Formula<'_, '_> {
         let found = self.cursor.symbol(&|symbol| spell.knows(symbol));
         self.cursor = before;
         matches!(found, Ok(Some((symbol, _))) if self.spell.is_coordinate(&symbol))
+    }
+
+    /// True if the time t comes next.
+    fn begins_time(&mut self) -> bool {
+        let before = self.cursor.clone();
+        let found = self.cursor.symbol(&|_| false);
+        self.cursor = before;
+        matches!(found, Ok(Some((symbol, _))) if symbol == Symbol::plain("t"))
     }
 
     /// True if a symbol comes next; the name of a function is no symbol.

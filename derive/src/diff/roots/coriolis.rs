@@ -1,0 +1,40 @@
+//! Wrong entries of a matrix C of M q̈ + C q̇ + g = τ: the row with the entry, and what is claimed of the entry.
+
+use super::root::Link;
+use super::search::Reason;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr, Rational};
+use crate::diff::equations::claim::Claim;
+use crate::diff::formulas::finding::Finding;
+use crate::mechanics::{QuantityKind, Row};
+
+/// Links wrong claims on an entry of C to the wrong row of C q̇ that the same entry makes wrong. `rates` are those of the
+/// coordinates.
+pub fn link(arena: &mut Arena, rates: &[Expr], stated: &[&Claim], wrong: &[&Finding], reasons: &mut [Option<Reason>]) {
+    let kind = |at: usize| match stated[at] {
+        Claim::Value { kind, .. } => Some(kind),
+        _ => None,
+    };
+    for at in 0..stated.len() {
+        let (Some(difference), None) = (wrong[at].difference, &reasons[at]) else { continue };
+        // An entry on the diagonal counts twice in C + Cᵀ.
+        let (entries, times) = match kind(at) {
+            Some(QuantityKind::Christoffel(i, j)) => (vec![(*i, *j)], 1),
+            Some(QuantityKind::MassRate(i, j)) if i == j => (vec![(*i, *j)], 2),
+            Some(QuantityKind::MassRate(i, j)) => (vec![(*i, *j), (*j, *i)], 1),
+            _ => continue,
+        };
+        let source = (0..at).find(|source| {
+            let Some(QuantityKind::Row(Row::VelocityTerms, row)) = kind(*source) else { return false };
+            let Some(of_row) = wrong[*source].difference else { return false };
+            entries.iter().filter(|(i, _)| i == row).any(|(_, j)| {
+                let own = arena.mul(difference, rates[*j]);
+                let rest = arena.linear_combination(&[(of_row, Rational::integer(times)), (own, Rational::MINUS_ONE)]);
+                zero_test(arena, rest) == ZeroTest::Zero
+            })
+        });
+        if let Some(source) = source {
+            reasons[at] = Some(Reason::new(Link::Repeated, vec![source]));
+        }
+    }
+}

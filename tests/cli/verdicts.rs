@@ -1,0 +1,98 @@
+//! Publications with one mistake each, or none, and what `tripos diff` says of them.
+//!
+//! Each folder of `tests/data/verdicts` has a model and a publication that testers wrote. The right answers come from
+//! SymPy and from derivations by hand.
+
+use crate::support::{root, tripos_in};
+
+/// A folder, the number of root mistakes, and what the answer says.
+struct Case {
+    folder: &'static str,
+    roots: usize,
+    says: &'static [&'static str],
+}
+
+const fn case(folder: &'static str, roots: usize, says: &'static [&'static str]) -> Case {
+    Case { folder, roots, says }
+}
+
+const CASES: [Case; 29] = [
+    // The sign of a multiplier in one system holds for its value below.
+    case("03", 0, &["0 different"]),
+    case("37", 1, &["the term 2*t1*cos(phi)/R should be 2*t1*cos(phi)/(3*R)"]),
+    // The multipliers are those with plain signs, so that row 1 is wrong.
+    case("04", 1, &["mult-row1", "-l*cos(theta) should be -r*cos(theta)"]),
+    // Equations that are solved for one unknown.
+    case("05", 1, &["it is off by the factor -1", "compared with the value of w'"]),
+    case("06", 1, &["the term -r'*theta'/r should be -2*r'*theta'/r"]),
+    case("07", 1, &["it is off by the factor 1/2"]),
+    case("08", 1, &["the term -m*l*om^2*sin(theta)/4 should be -m*l*om^2*sin(theta)/2"]),
+    case("09", 1, &["tau should be -tau"]),
+    case("10", 1, &["m1 should be 2*m1"]),
+    case("27", 1, &["v0*theta'/l should be 2*v0*theta'/l"]),
+    case("32", 0, &["2 scaled"]),
+    // Near a point: products with small parameters, and mistakes as printed.
+    case("11", 1, &["the term -2*Om*y'*sin(lam) should be 2*Om*y'*sin(lam)"]),
+    case("14", 1, &["-mb*l should be mb*l"]),
+    case("15", 1, &["a*k1 should be a^2*k1", "b*k2 should be b^2*k2"]),
+    // Abbreviations and variables of programs, named once.
+    case("12", 1, &["T, 6 entries", "in I0, the term mr*l^2 is missing"]),
+    case("13", 1, &["3 entries", "in b, Jw should be Jb"]),
+    case("20", 1, &["in M11, h2*cos(q3 + q2) should be 2*h2*cos(q3 + q2)"]),
+    case("39", 1, &["2 entries", "in r1,"]),
+    case("40", 1, &["2 entries", "in h, m2*l1*l2*cos(q2) should be m2*l1*l2*sin(q2)"]),
+    case("41", 1, &["2 entries", "in r1, q1' should be 2*q1'"]),
+    case("42", 1, &["b*r1 should be -b*r1"]),
+    // One mistake in several entries of a row, or of a matrix with what is claimed of it.
+    case("16", 1, &["C-row2, 3 entries"]),
+    case("17", 1, &["-m*r*theta''^2 should be -m*r*theta'^2", "8 equal"]),
+    case("18", 1, &["-m*R*theta''^2 should be -m*R*theta'^2"]),
+    case("23", 1, &["-m*d*x'*sin(theta) should be -m*d*x''*sin(theta)"]),
+    case("24", 1, &["-theta'*sin(theta) should be -theta'^2*sin(theta)"]),
+    // One step, an energy with another zero, and a factor on the constraints.
+    case("19", 1, &["m2*l2*g*sin(q2) should be m2*l2*g*sin(q2 + q1)"]),
+    case("21", 1, &["pth^2/(2*m*r) should be pth^2/(2*m*r^2)"]),
+    case("26", 1, &["it is off by the factor 1/(R - r)"]),
+];
+
+/// Status and whole answer of `tripos diff` on a folder.
+fn judged(folder: &str) -> (i32, String) {
+    let (status, text, err) =
+        tripos_in(&root().join("tests/data/verdicts").join(folder), &["diff", "model.toml", "publication.toml"]);
+    (status, text + &err)
+}
+
+#[test]
+fn single_mistakes_are_named_and_right_publications_acquitted() {
+    let mut wrong = Vec::new();
+    for Case { folder, roots, says } in &CASES {
+        let (status, said) = judged(folder);
+        let counted = match roots {
+            0 => status == 0,
+            1 => status == 1 && said.contains("1 root mistake behind"),
+            n => said.contains(&format!("{n} root mistakes")),
+        };
+        let missing: Vec<_> = says.iter().filter(|part| !said.contains(**part)).collect();
+        if !counted || !missing.is_empty() {
+            wrong.push(format!("{folder}: status {status}, without {missing:?}:\n{said}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Refusals say what was read, and what to write.
+#[test]
+fn what_is_not_read_is_said_with_its_reason() {
+    let said = |folder: &str, parts: &[&str]| {
+        let (status, said) = judged(folder);
+        assert_eq!(status, 2, "{said}");
+        for part in parts {
+            assert!(said.contains(part), "{folder} without {part:?}:\n{said}");
+        }
+    };
+    said("29", &["the assignment of `dz(1:4)` was not read: `Om` is a vector or a matrix", "rhs.m"]);
+    said("31", &["the constraint `cx` fixes `x`", "the constraint `cx` is solved for `x`, so it has no multiplier"]);
+    said("35", &["the program takes its state apart as `omega, theta`, in another order"]);
+    let (status, said) = judged("30");
+    assert_eq!(status, 0, "{said}");
+}
