@@ -6,10 +6,11 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::meaning::compare::Verdict;
+use tripos_derive::algebra::solve::linear::solve;
 use tripos_derive::algebra::text::print::whole_text;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{Judgement, diff};
-use tripos_derive::mechanics::{Derivations, Quantities, Quantity, derive_all};
+use tripos_derive::mechanics::{Derivations, Kinematics, Quantities, Quantity, derive_all};
 use tripos_derive::prove::prove;
 use tripos_derive::{Formulation, Model, model, publication};
 
@@ -141,4 +142,83 @@ fn random_mechanisms_are_acquitted_of_their_own_equations() {
         let rare: Vec<_> = elements.iter().filter(|(_, count)| **count < 3).collect();
         assert!(rare.is_empty(), "{rare:?}");
     }
+}
+
+/// Most unknowns of a system that is solved for each of them.
+const MOST_UNKNOWNS: usize = 4;
+
+/// Solved equations `unknown = value` by each formulation, then the same with `-(value)`: texts, each with its id.
+fn solved(model: &Model, derivations: &mut Derivations) -> Vec<(String, String)> {
+    let mut list = Vec::new();
+    for formulation in Formulation::STANDARD {
+        let Some(e) = derivations.get(formulation).cloned() else { continue };
+        if e.unknowns.len() > MOST_UNKNOWNS || e.matrix.len() != e.unknowns.len() {
+            continue;
+        }
+        let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
+        let right: Vec<Vec<Expr>> = e.forcing.iter().map(|right| vec![*right]).collect();
+        let Ok((values, _)) = solve(arena, simplifier, &e.matrix, &right) else { continue };
+        for ((name, _), value) in formulation.unknowns(model).iter().zip(&values) {
+            let of_time = name.starts_with("t'") || name == "lambda_t";
+            if value[0] == Expr::ZERO || of_time {
+                continue;
+            }
+            let value = whole_text(arena, value[0]);
+            for (sign, value) in [("right", value.clone()), ("wrong", format!("-({value})"))] {
+                let id = format!("{sign}-{}-{name}", formulation.name()).replace('\'', "d");
+                let by = formulation.name();
+                list.push((
+                    id.clone(),
+                    format!(
+                        "[[equation]]\nid = \"{id}\"\nsection = \"1\"\nformulation = \"{by}\"\nprinted = \"{name} = {value}\"\n"
+                    ),
+                ));
+            }
+        }
+    }
+    list
+}
+
+/// Goal: equations that are solved for one unknown are judged by the value of this unknown. Method: accelerations,
+/// reactions and multipliers of random mechanisms, solved for, and the same with the other sign.
+#[test]
+fn solved_equations_of_random_mechanisms_are_judged_rightly() {
+    let (mut judged, mut entries, mut wrong) = (0, 0, String::new());
+    for seed in 5000.. {
+        if judged >= count() / 5 {
+            break;
+        }
+        let mechanism = Mechanism::new(&mut Random(seed));
+        let Ok(mut model) = model::load(&Source::from_text("model.toml", &mechanism.text)) else { continue };
+        let Ok(mut derivations) = derive_all(&model) else { continue };
+        let list = solved(&model, &mut derivations);
+        let file: String = list.iter().map(|(_, text)| text.as_str()).collect();
+        if list.is_empty() || file.len() > LONGEST {
+            continue;
+        }
+        let publication = publication::load(&Source::from_text("publication.toml", &file), &mut model)
+            .unwrap_or_else(|e| panic!("{seed}: {e}\n{}", mechanism.text));
+        let mut derivations = derive_all(&model).unwrap();
+        let proof = prove(&model, &mut derivations);
+        let difference = diff(&model, &mut derivations, &publication, &proof);
+        for finding in &difference.findings {
+            entries += 1;
+            let is_right = matches!(finding.judgement, Judgement::Equal | Judgement::Scaled);
+            let is_named = finding.factor == Some(Expr::MINUS_ONE) || finding.wrong.is_some();
+            if is_right != finding.id.starts_with("right") || !(is_right || is_named) {
+                let _ = writeln!(
+                    wrong,
+                    "{seed} {:?}: {}: {:?} {:?} {}",
+                    mechanism.elements,
+                    finding.id,
+                    finding.judgement,
+                    finding.remarks,
+                    &finding.printed[..finding.printed.len().min(300)]
+                );
+            }
+        }
+        judged += 1;
+    }
+    println!("{judged} mechanisms, {entries} entries");
+    assert!(wrong.is_empty(), "{wrong}");
 }

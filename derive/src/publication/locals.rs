@@ -5,7 +5,7 @@ use crate::diagnostic::shown;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 
-/// Start of the names that stand, while a formula is read, for variables of a program.
+/// Prefix of the names that stand for variables of a program while a formula is read.
 const LOCAL: &str = "_local_";
 
 /// Name that stands, while a formula is read, for the variable of a program with this number.

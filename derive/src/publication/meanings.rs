@@ -86,7 +86,7 @@ impl Words {
             renamed: Vec::new(),
             coordinates: model.coordinates.iter().map(|c| c.name.clone()).collect(),
             solved: Vec::new(),
-            shorthand: Shorthand::default(),
+            shorthand: Shorthand::of(&model.arena, model.parameters.iter().map(|p| p.name.clone()).collect()),
         };
         for p in &model.parameters {
             words.insert(&p.name, Word::Model("parameter", p.symbol));

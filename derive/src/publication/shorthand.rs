@@ -29,6 +29,10 @@ pub struct Shorthand {
     pub(super) list: Vec<Abbreviation>,
     /// Formulas as printed, by the formula in the model's arena in which all abbreviations are written out.
     pub(super) printed: FxHashMap<Expr, Expr>,
+    /// Names of the model's symbols, which are no names of abbreviations.
+    reserved: Vec<String>,
+    /// Names of the model's parameters.
+    parameters: Vec<String>,
 }
 
 impl std::fmt::Debug for Shorthand {
@@ -38,6 +42,16 @@ impl std::fmt::Debug for Shorthand {
 }
 
 impl Shorthand {
+    /// Shorthand without abbreviations, for formulas in these parameters and in all the symbols of a model.
+    pub(super) fn of(model: &Arena, parameters: Vec<String>) -> Self {
+        Self { reserved: model.symbol_names().to_vec(), parameters, ..Self::default() }
+    }
+
+    /// Names in the order in which factors are written: abbreviations and parameters come before variables.
+    pub fn leading(&self) -> impl Iterator<Item = &str> {
+        self.list.iter().map(|one| &one.name).chain(&self.parameters).map(String::as_str)
+    }
+
     /// Store of the terms of the formulas as printed.
     #[must_use]
     pub fn arena(&self) -> &Arena {
@@ -75,7 +89,10 @@ impl Shorthand {
     /// Enters an abbreviation whose formula in the model's arena is `e`. Other names of symbols, numbers and functions,
     /// such as s1 for sin(q1), are written out everywhere.
     pub(super) fn enter(&mut self, model: &Arena, name: &str, e: Expr) {
-        if self.arena.find_symbol(name).is_some() || (!is_formula(model, e) && !self.printed.contains_key(&e)) {
+        if self.arena.find_symbol(name).is_some()
+            || self.reserved.iter().any(|one| one == name)
+            || (!is_formula(model, e) && !self.printed.contains_key(&e))
+        {
             return;
         }
         let formula = self.as_printed(e).unwrap_or_else(|| Transfer::new(model).term(&mut self.arena, e));

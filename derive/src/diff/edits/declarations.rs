@@ -1,7 +1,7 @@
 //! Comparison of the declarations of two models: defaults, units and signs of parameters, the domain, and every element
 //! of the mechanism.
 //!
-//! Invariant: terms are compared by meaning, so that `pi/2 > abs(q)` is `abs(q) < pi/2`. Titles, remarks and the order
+//! Invariant: terms are compared by algebra, so that `pi/2 > abs(q)` is `abs(q) < pi/2`. Titles, remarks and the order
 //! of a file are not compared, because no number depends on them.
 
 use crate::algebra::meaning::compare::Comparer;
@@ -107,7 +107,7 @@ pub struct Declaration {
     pub edit: Edit,
 }
 
-/// Declared element of a model: properties that are compared as text, terms that are compared by meaning, and its text
+/// Declared element of a model: properties that are compared as text, terms that are compared by algebra, and its text
 /// for people.
 struct Element {
     section: Section,

@@ -5,7 +5,7 @@ use super::rows::{Match, Row};
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
 use crate::mechanics::{Formulation, Kinematics, Quantities, RowName, balances};
-use crate::model::MotionConstraintKind;
+use crate::model::{Model, MotionConstraintKind};
 
 /// System in the order of the derived unknowns. Each row is its entries, then its right-hand side.
 pub struct Ordered {
@@ -53,34 +53,38 @@ pub fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Opti
         }
         return Ok(Ordered { names, unknowns, rows });
     }
-    // Time, a coordinate of the model whose rate is 1, is no coordinate of a publication.
-    let time = model.time().map(|at| &model.coordinates[at]);
-    let clocks: Vec<usize> = (0..model.motion_constraints.len())
-        .filter(|at| model.motion_constraints[*at].kind == MotionConstraintKind::Clock)
-        .collect();
-    let is_of_time = |unknown: &Expr| {
-        time.is_some_and(|t| t.second_rate == *unknown)
-            || clocks.iter().any(|at| model.motion_constraints[*at].multiplier == *unknown)
-    };
-    let is_row_of_time = |name: &RowName| match name {
-        RowName::Coordinate(at) => model.time() == Some(*at),
-        RowName::Constraint(at) => clocks.contains(at),
-        _ => false,
-    };
-    let columns: Vec<usize> = (0..unknowns.len()).filter(|at| !is_of_time(&unknowns[*at])).collect();
-    let (mut names, mut rows) = (Vec::new(), Vec::new());
-    for (name, (entries, right)) in equations.rows.into_iter().zip(equations.matrix.into_iter().zip(equations.forcing))
-    {
-        if !is_row_of_time(&name) {
-            let row = columns.iter().map(|at| entries[*at]).chain([right]);
-            rows.push(row.map(|e| quantities.at_clock(e)).collect());
-            names.push(name);
-        }
-    }
-    Ok(Ordered { names, unknowns: columns.into_iter().map(|at| unknowns[at]).collect(), rows })
+    let rows = equations.matrix.into_iter().zip(equations.forcing).map(|(mut row, right)| {
+        row.push(right);
+        row.into_iter().map(|e| quantities.at_clock(e)).collect()
+    });
+    let rows = rows.collect();
+    Ok(Ordered { names: equations.rows, unknowns, rows })
+}
+
+/// True if an unknown is the acceleration of time, or the multiplier of its rate, which is 1.
+pub fn is_of_time(model: &Model, unknown: Expr) -> bool {
+    let is_second_rate = model.time().is_some_and(|at| model.coordinates[at].second_rate == unknown);
+    let mut constraints = model.motion_constraints.iter();
+    is_second_rate || constraints.any(|c| c.kind == MotionConstraintKind::Clock && c.multiplier == unknown)
 }
 
 impl Ordered {
+    /// The system without the row and the acceleration of time, a coordinate of the model that publications have not.
+    pub fn without_time(self, model: &Model) -> Self {
+        let is_row_of_time = |name: &RowName| match name {
+            RowName::Coordinate(at) => model.time() == Some(*at),
+            RowName::Constraint(at) => model.motion_constraints[*at].kind == MotionConstraintKind::Clock,
+            _ => false,
+        };
+        let Self { names, unknowns, rows } = self;
+        let right = unknowns.len();
+        let kept: Vec<usize> = (0..right).filter(|at| !is_of_time(model, unknowns[*at])).collect();
+        let of_motion = names.into_iter().zip(rows).filter(|(name, _)| !is_row_of_time(name));
+        let (names, rows) =
+            of_motion.map(|(name, row)| (name, kept.iter().chain([&right]).map(|at| row[*at]).collect())).unzip();
+        Self { names, unknowns: kept.into_iter().map(|at| unknowns[at]).collect(), rows }
+    }
+
     /// Table of this system beside the printed rows that were matched with it.
     pub fn beside(self, formulation: Formulation, printed: Vec<Row>, matches: Vec<Match>) -> Table {
         let Self { names, unknowns, rows } = self;

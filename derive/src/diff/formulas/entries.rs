@@ -241,7 +241,13 @@ impl Judge<'_, '_> {
             let difference = arena.sub(printed.value, derived);
             let difference = self.simplify(difference);
             finding.difference = Some(difference);
-            finding.factor = constant_ratio(self.quantities, self.comparer, printed.value, derived);
+            let factor = constant_ratio(self.quantities, self.comparer, printed.value, derived);
+            finding.factor = factor.or_else(|| {
+                // Rates that follow from others, as of a rolling wheel, are written in these.
+                let arena = &mut self.quantities.derivations.kinematics.arena;
+                let [own, right] = [printed.value, derived].map(|e| self.comparer.permitted().put(arena, e));
+                constant_ratio(self.quantities, self.comparer, own, right)
+            });
             match finding.factor {
                 None => finding.name_mistake(self.mistake(printed, derived, difference)),
                 Some(factor) => {

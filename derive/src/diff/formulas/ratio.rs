@@ -10,7 +10,6 @@ use crate::mechanics::{Kinematics, Quantities};
 pub fn constant_ratio(quantities: &mut Quantities<'_>, comparer: &mut Comparer, a: Expr, b: Expr) -> Option<Expr> {
     let parameters = quantities.model.p();
     let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;
-    let [a, b] = [a, b].map(|e| comparer.permitted().put(arena, e));
     if zero_test(arena, a) != ZeroTest::NonZero || zero_test(arena, b) != ZeroTest::NonZero {
         return None;
     }

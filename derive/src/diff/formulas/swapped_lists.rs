@@ -40,7 +40,7 @@ fn contradictions(model: &Model, publication: &Publication) -> usize {
     numbers(publication).filter(|(e, _)| judge(model, publication, e).finding.judgement == Judgement::Different).count()
 }
 
-/// Swapped lists of one set, if the swap removes every contradiction.
+/// Lists of initial values of one set that are exchanged, if the exchange removes every contradiction.
 fn in_set(model: &Model, publication: &Publication, set: &str) -> Option<Swapped> {
     let place = |symbol| {
         publication

@@ -3,7 +3,7 @@
 use super::findings::{RowPlace, stated};
 use super::motion::Motion;
 use crate::diff::equations::claim::{Claim, Table};
-use crate::diff::equations::derived_system::{Ordered, derived};
+use crate::diff::equations::derived_system::{Ordered, derived, is_of_time};
 use crate::diff::equations::rows::{Match, Row, Terms};
 use crate::diff::formulas::entries::{Judge, Printed, Reading};
 use crate::diff::formulas::finding::{Finding, Judgement, TracedFinding};
@@ -13,6 +13,7 @@ use crate::algebra::meaning::permitted::Holds;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::value::rank::rank;
 use crate::mechanics::{Formulation, Kinematics, Quantities};
+use crate::model::Model;
 use crate::publication::{Entry, Names, System, has_decimals, row_text};
 
 /// Printed system as equations of motion, with the derived matrix with which it is compared.
@@ -82,6 +83,12 @@ pub fn system_motion(quantities: &mut Quantities<'_>, names: &Names, entry: &Ent
     is_motion.then(|| motion(quantities, &entry.id, system.formulation, &rows))
 }
 
+/// True if a system has an entry for the acceleration of time, or for the multiplier of its rate.
+fn mentions_time(model: &Model, system: &System) -> bool {
+    let mut columns = (0..system.unknowns.len()).filter(|at| is_of_time(model, system.unknowns[*at]));
+    columns.any(|column| system.matrix.iter().any(|row| row[column] != Expr::ZERO))
+}
+
 /// True if printed rows are equations of motion: one for each unknown, with all unknowns, linear in them.
 fn is_motion(quantities: &Quantities<'_>, system: &System, order: &Ordered, rows: &[Row]) -> bool {
     let arena = &quantities.derivations.kinematics.arena;
@@ -107,7 +114,9 @@ fn motion(quantities: &Quantities<'_>, id: &str, formulation: Formulation, rows:
 impl Judge<'_, '_> {
     /// Judges a printed system: each row, then each entry that has an id of its own.
     pub fn system(&mut self, entry: &Entry, system: &System) -> Judged {
+        let model = self.quantities.model;
         let both = derived(self.quantities, system.formulation, system.frame).and_then(|order| {
+            let order = if mentions_time(model, system) { order } else { order.without_time(model) };
             let rows = printed(self.quantities, self.names, system, &order.unknowns)?;
             self.near(order, rows)
         });
@@ -155,7 +164,7 @@ impl Judge<'_, '_> {
                 raw[i].iter().zip(row).map(|(raw, value)| Printed { raw: *raw, value: *value, reading }).collect();
             // Entries with verdicts of their own contrast with those of one derived row.
             let is_apart = system.matrix_ids.is_some() || system.right_ids.is_some();
-            let whole = if is_apart { None } else { self.whole_row(&row_printed, &order, &judged) };
+            let whole = if is_apart { None } else { self.whole_row(&finding, &row_printed, &order, &judged) };
             let by = whole.as_ref().map_or_else(|| judged.by.clone(), |whole| whole.matched(judged.by.clone()));
             let place = RowPlace { index: i, system };
             let finding = self.row_finding(finding, &row_printed, &order, &judged, whole, place);

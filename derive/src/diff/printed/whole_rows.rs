@@ -26,15 +26,8 @@ pub(super) enum WholeRow {
     Holds,
     /// One mistake makes the whole row wrong, compared with the expected row.
     Changed(Mistake),
-    /// The row states the value of one unknown.
-    Solved {
-        /// Index of the unknown.
-        at: usize,
-        /// Stated value of the unknown.
-        value: Printed,
-        /// Value of the unknown by the derived rows.
-        derived: Expr,
-    },
+    /// The row states the value of one unknown, and this is its finding.
+    Solved(Box<Finding>),
 }
 
 impl WholeRow {
@@ -42,14 +35,20 @@ impl WholeRow {
     pub fn matched(&self, entries: Match) -> Match {
         match self {
             Self::Changed(_) => entries,
-            Self::Holds | Self::Solved { .. } => Match::Combination { multipliers: Vec::new() },
+            Self::Holds | Self::Solved(_) => Match::Combination { multipliers: Vec::new() },
         }
     }
 }
 
 impl Judge<'_, '_> {
     /// Reading of a wrong row as one formula; `None` if its entries, one by one, tell the mistake.
-    pub(super) fn whole_row(&mut self, row: &[Printed], order: &Ordered, judged: &RowJudgement) -> Option<WholeRow> {
+    pub(super) fn whole_row(
+        &mut self,
+        finding: &Finding,
+        row: &[Printed],
+        order: &Ordered,
+        judged: &RowJudgement,
+    ) -> Option<WholeRow> {
         let wrong = judged.entries.iter().filter(|verdict| !verdict.is_equal()).count();
         let right = row.last()?.raw;
         let has_unknowns = self.quantities.mentions_accelerations(right);
@@ -66,7 +65,7 @@ impl Judge<'_, '_> {
         if let Some(mistake) = self.single_mistake(whole, expected) {
             return Some(WholeRow::Changed(mistake));
         }
-        self.solved(row, order)
+        self.solved(finding, row, order)
     }
 
     /// True if a row that is not linear in the unknowns holds with their values.
@@ -86,8 +85,8 @@ impl Judge<'_, '_> {
         put.undefined.is_none() && self.comparer.is_zero(arena, residual).is_equal()
     }
 
-    /// Reading of a row with one unknown as its value.
-    fn solved(&mut self, row: &[Printed], order: &Ordered) -> Option<WholeRow> {
+    /// Reading of a row with one unknown as its value, if the value is right or its mistake is named.
+    fn solved(&mut self, finding: &Finding, row: &[Printed], order: &Ordered) -> Option<WholeRow> {
         let (right, entries) = row.split_last()?;
         let mut present = (0..entries.len()).filter(|at| entries[*at].value != Expr::ZERO);
         let (at, None) = (present.next()?, present.next()) else { return None };
@@ -100,7 +99,19 @@ impl Judge<'_, '_> {
             None => (value, derived),
         };
         let derived = self.simplify(derived);
-        Some(WholeRow::Solved { at, value: Printed { raw, value, reading: right.reading }, derived })
+        let value = Printed { raw, value, reading: right.reading };
+        let mut found = self.compare(finding.clone(), value, derived);
+        let is_named = found.factor.is_some() || found.change.is_some_and(|(own, _)| own != value.value);
+        if found.judgement == Judgement::Different && !is_named {
+            return None;
+        }
+        let name = text(&self.quantities.derivations.kinematics.arena, order.unknowns[at]);
+        found.remarks.insert(0, format!("compared with the value of {name} that all equations give"));
+        let mut solved: Row = vec![Expr::ZERO; order.unknowns.len() + 1];
+        solved[at] = Expr::ONE;
+        *solved.last_mut().expect("a row has a right-hand side") = derived;
+        found.derived = Some(self.as_term(&solved, &order.unknowns));
+        Some(WholeRow::Solved(Box::new(found)))
     }
 
     /// Values of the unknowns by the derived rows; `None` if these do not determine them, or are many.
@@ -131,30 +142,20 @@ impl Judge<'_, '_> {
         order: &Ordered,
         witness: Option<Witness>,
     ) -> Finding {
-        let values: Row = row.iter().map(|printed| printed.value).collect();
-        let (at, value, derived) = match whole {
+        match whole {
             WholeRow::Holds => {
                 let remark = "with the accelerations and reactions that all equations give".to_owned();
-                return finding.accepted("with the derived unknowns", remark);
+                finding.accepted("with the derived unknowns", remark)
             }
             WholeRow::Changed(mistake) => {
+                let values: Row = row.iter().map(|printed| printed.value).collect();
                 let wrong = mistake.words.join(", ");
                 finding.remarks.push(format!("wrong: {wrong}"));
                 finding.name_mistake(Mistake { words: Vec::new(), ..mistake });
                 finding.wrong = Some(wrong);
-                return self.contrasted(finding, order, &values, expected, witness);
+                self.contrasted(finding, order, &values, expected, witness)
             }
-            WholeRow::Solved { at, value, derived } => (at, value, derived),
-        };
-        let arena = &self.quantities.derivations.kinematics.arena;
-        let name = text(arena, order.unknowns[at]);
-        let apart = Finding::new(&finding.id, &finding.section, Judgement::Stated, &finding.printed);
-        let mut found = self.compare(apart, value, derived);
-        found.remarks.insert(0, format!("compared with the value of {name} that all equations give"));
-        let mut solved: Row = vec![Expr::ZERO; order.unknowns.len() + 1];
-        solved[at] = Expr::ONE;
-        *solved.last_mut().expect("a row has a right-hand side") = derived;
-        found.derived = Some(self.as_term(&solved, &order.unknowns));
-        found
+            WholeRow::Solved(found) => *found,
+        }
     }
 }

@@ -42,6 +42,9 @@ impl Formula {
     /// `trusted` names.
     pub fn with_abbreviations(shorthand: &Shorthand, e: Expr, trusted: &FxHashSet<String>) -> Self {
         let mut arena = Arena::new();
+        for name in shorthand.leading() {
+            arena.symbol(name);
+        }
         let mut transfer = Transfer::new(shorthand.arena());
         let root = transfer.term(&mut arena, e);
         let mut parts = Vec::new();

@@ -216,8 +216,11 @@ impl Formula<'_, '_> {
         matches!(found, Ok(Some((symbol, _))) if self.spell.is_coordinate(&symbol))
     }
 
-    /// True if the time t comes next.
+    /// True if the time t comes next, without a space that would set it apart.
     fn begins_time(&mut self) -> bool {
+        if self.cursor.list.get(self.cursor.at).is_some_and(|next| next.apart) {
+            return false;
+        }
         let before = self.cursor.clone();
         let found = self.cursor.symbol(&|_| false);
         self.cursor = before;
