@@ -1,4 +1,4 @@
-//! Reduced systems of the library's scenes along runs: against the whole equations in 32 digits, and against closed
+//! Reduced systems of the library's scenes along runs: against the full equations in 32 digits, and against closed
 //! forms.
 
 use crate::support;
@@ -47,7 +47,7 @@ fn scene_with(model: &str, scene: &str, outputs: &[String]) -> (Model, Scene) {
     (model, scene)
 }
 
-/// Names that a scene may ask for, with their values t seconds after the start by Kane's whole equations in 32 digits.
+/// Names that a scene may ask for, with their values t seconds after the start by Kane's full equations in 32 digits.
 fn whole(model: &str, scene: &str, t: f64) -> Vec<(String, f64)> {
     let start = start_of(model, scene);
     let state = Equations::new(model, "kane").reference(&start, t, 1e-19);

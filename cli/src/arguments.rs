@@ -223,7 +223,7 @@ pub enum Command {
         /// Shell for which completions are printed
         shell: Shell,
     },
-    /// Print the manual page, or those of all commands into a folder
+    /// Print the manual page, or write those of all commands to a folder
     Man {
         /// Folder for the pages, tripos.1 and one for each command
         #[arg(long, value_name = "DIR")]
@@ -268,7 +268,7 @@ pub enum Command {
         /// Version of the interface: 2 or 3
         #[arg(long, value_name = "VERSION", default_value = "3")]
         fmi: String,
-        /// Another value of a parameter or of a number of the start, such as m=2; may be given more than once
+        /// Another value of a parameter, or another initial value, such as m=2; may be given more than once
         #[arg(long, value_name = "NAME=VALUE")]
         set: Vec<String>,
         /// Write only the sources, without compiled code; importing tools compile the sources

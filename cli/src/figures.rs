@@ -163,7 +163,7 @@ pub fn outputs(model: &Model, scene: &Scene, curves: &[(Curve, Vec<Vec<f64>>)]) 
             .iter()
             .map(|(curve, values)| {
                 let values = values.iter().map(|sample| sample[at]);
-                // Digits are known only for values that a run shows itself; whole equations show states.
+                // Digits are known only for values that a run shows itself; full equations show states.
                 if curve.run.by.is_reduced() { curve.with_band(values, at) } else { curve.series(values) }
             })
             .filter(|series| series.points.iter().any(|(_, y)| y.is_finite()))

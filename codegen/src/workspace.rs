@@ -203,7 +203,7 @@ fn file_of_scene(
 pub enum Difference {
     /// The models generate the file, but it is not committed.
     Missing(String),
-    /// The committed file has another text.
+    /// The committed file differs from the generated text.
     Changed(String),
     /// No model generates the committed file any more.
     Extra(String),

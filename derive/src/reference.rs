@@ -1,7 +1,7 @@
 //! Reference of a model: an independent derivation by SymPy, as data, and its comparison with the derivation of Tripos.
 //!
 //! `tests/sympy/reference.py` writes a reference, and `models/*/reference.json` stores it. `tests/sympy/README.md`
-//! describes the keys. Formulas are compared by meaning, never by text: see [`compare`].
+//! describes the keys. Formulas are compared by algebra, never by text: see [`compare`].
 //!
 //! Invariant: a reference agrees only if it is complete. A missing entry is reported, never passed over. Absent on
 //! purpose: running Python, which is left to the callers.

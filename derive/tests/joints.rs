@@ -207,7 +207,7 @@ fn joints_that_cannot_be() {
     check(
         "[bodies]\nb = { mass = \"m\", inertia = \"I\" }\n[joints]\nj = { kind = \"ball\", body = \"b\" }\n",
         &expect![[r#"
-            error: a body that turns about several axes has more than one moment
+            error: a body that turns about several axes has more than one moment of inertia
               --> model.toml:14:29
                |
             14 | b = { mass = "m", inertia = "I" }

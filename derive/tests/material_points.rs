@@ -156,7 +156,7 @@ fn what_is_said_of_loads_at_moving_points() {
 fn a_reaction_that_works_on_the_material_is_refused() {
     let along = DISK.replace("direction = [\"0\", \"0\", \"1\"]", "direction = [\"1\", \"0\", \"0\"]");
     let said = errors(&along).to_string();
-    assert!(said.contains("the reaction `N` works along `q3`"), "{said}");
+    assert!(said.contains("the reaction `N` does work along `q3`"), "{said}");
 }
 
 fn check(force: &str, expected: &Expect) {

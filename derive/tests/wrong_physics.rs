@@ -260,7 +260,7 @@ fn a_reaction_that_works_is_refused() {
     check(
         &edited(&[], "[reactions.rail]\non = \"cart\"\nframe = \"N\"\ndirection = [1, 0, 0]\n"),
         &expect![[r"
-        error: the reaction `rail` works along `x`: power 1 for each unit of x'
+        error: the reaction `rail` does work along `x`: power 1 for each unit of x'
           --> model.toml:40:12
            |
         40 | [reactions.rail]

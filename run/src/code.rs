@@ -330,7 +330,7 @@ pub fn derivation(model: &Mechanism, by: &EquationsOrigin) -> Result<Derivation,
     let (arena, list) = printed_derivation(model)?.unwrap_or_default();
     let equations = list.into_iter().find(|e| e.by == *by);
     let missing = || {
-        let help = "the publication has changed while it was read: try again".to_owned();
+        let help = "the publication file changed while it was read: try again".to_owned();
         Error::request(format!("there are no equations `{}`", by.name()), help)
     };
     Ok(Derivation { arena, equations: equations.ok_or_else(missing)? })

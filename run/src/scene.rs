@@ -136,7 +136,7 @@ impl Scene {
         simulate(&self.mechanism, &scene, how.by.as_ref())
     }
 
-    /// Runs the scene by whole equations. Returns the derivatives of its shown quantities with respect to the named
+    /// Runs the scene by full equations. Returns the derivatives of its shown quantities with respect to the named
     /// parameters and numbers of the start.
     ///
     /// ```
@@ -156,7 +156,7 @@ impl Scene {
         sensitivities(&self.mechanism, &scene, &self.set, &names, at, how.by.as_ref())
     }
 
-    /// Runs the scene by whole equations. Returns the derivatives of one number at its end with respect to all its
+    /// Runs the scene by full equations. Returns the derivatives of one number at its end with respect to all its
     /// parameters and all numbers of its start. Their count adds no cost: one backward sweep computes all.
     ///
     /// ```
@@ -190,7 +190,7 @@ impl Scene {
     /// Runs the scene with inputs that a controller sets at the given instants, s, from the state at each. The inputs
     /// are held until the next instant (zero-order hold). Before the first instant they have the values of the scene.
     ///
-    /// Whole equations are run, and a step ends at each instant. A second run gives the errors. Each of the two runs
+    /// Full equations are run, and a step ends at each instant. A second run gives the errors. Each of the two runs
     /// has a new controller, which may keep data between instants:
     ///
     /// ```

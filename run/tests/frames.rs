@@ -1,4 +1,4 @@
-//! Runs by equations in moving frames, against closed forms and against whole equations.
+//! Runs by equations in moving frames, against closed forms and against full equations.
 
 use proptest::prelude::*;
 use std::fmt::Write;
@@ -165,7 +165,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
     /// Goal: the states that a frame leaves out change no number. Method: random starts, laws and outputs,
-    /// accelerations and energies among them; Kane's whole equations to a tenth of the tolerance.
+    /// accelerations and energies among them; Kane's full equations to a tenth of the tolerance.
     #[test]
     fn random_motions_are_those_of_the_whole(
         place in prop::array::uniform3(-1.0..1.0_f64),

@@ -249,7 +249,7 @@ fn what_has_no_gradient_is_refused() {
     };
     let plain = Overrides::default();
     assert!(refused(&scene, "kinetic_enery", &plain).contains("did you mean `kinetic_energy`"));
-    assert!(refused(&scene, "v", &how(Some("reduced"))).contains("whole equations"));
+    assert!(refused(&scene, "v", &how(Some("reduced"))).contains("full equations"));
     let solve = Overrides { solve: Some(Solve::Numeric), ..plain.clone() };
     assert!(refused(&scene, "v", &solve).contains("eliminated"));
     let method = Overrides { method: Some(Integrator::Quadrature), ..plain.clone() };

@@ -346,7 +346,7 @@ fn what_cannot_be_differentiated_is_refused() {
     assert!(refused(&["g", "g"], &plain).contains("named twice"));
     assert!(refused(&[], &plain).contains("nothing to differentiate by"));
     let by = |by: &str| Overrides { by: Some(by.into()), ..Overrides::default() };
-    assert!(refused(&["g"], &by("reduced")).contains("whole equations"));
+    assert!(refused(&["g"], &by("reduced")).contains("full equations"));
     let solve = Overrides { solve: Some(Solve::Numeric), ..Overrides::default() };
     assert!(refused(&["g"], &solve).contains("eliminated"));
     let method = Overrides { method: Some(Integrator::Quadrature), ..Overrides::default() };

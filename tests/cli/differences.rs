@@ -43,7 +43,7 @@ fn what_no_number_depends_on_is_no_difference() {
     let (status, text) = diff(folder.path());
     expect![[r"
         old/model.toml -> new/model.toml
-        equations of motion: the same, 114 entries compared by meaning
+        equations of motion: the same, 114 entries compared by algebra
         defaults, units, domain, elements and scenes: the same
     "]]
     .assert_eq(&text);
@@ -61,7 +61,7 @@ fn defaults_signs_and_domain_differ_where_the_equations_are_the_same() {
     let (status, text) = diff(folder.path());
     expect![[r"
         old/model.toml -> new/model.toml
-        equations of motion: the same, 114 entries compared by meaning
+        equations of motion: the same, 114 entries compared by algebra
         added: condition low
         removed: condition contact
         defaults differ: R 1 -> 2
@@ -84,7 +84,7 @@ fn scenes_are_compared_key_by_key() {
     let (status, text) = diff(folder.path());
     expect![[r"
         old/model.toml -> new/model.toml
-        equations of motion: the same, 20 entries compared by meaning
+        equations of motion: the same, 20 entries compared by algebra
         scenes differ:
           scenes/around.toml: added
           scenes/swing.toml: integration.rtol 1e-9 -> 1e-8

@@ -224,7 +224,7 @@ fn rows(text: &str, section: &str) -> Vec<String> {
 }
 
 /// Goal: Typst shows the equations that programs get. Method: its accelerations and energies read back here, and
-/// compared by meaning with JSON, of models with fractions, roots, loops and named terms.
+/// compared by algebra with JSON, of models with fractions, roots, loops and named terms.
 #[test]
 fn typst_says_what_json_says() {
     for model in ["disk", "pendulum", "cart_pendulum_3", "heavy_top", "four_bar", "furuta", "governor", "knife_edge"] {

@@ -67,7 +67,7 @@ fn strings(value: &serde_json::Value) -> Vec<String> {
     }
 }
 
-/// Goal: a scene of a large model runs at once by whole equations and says so; one that is small enough has its own.
+/// Goal: a scene of a large model runs at once by full equations and says so; one that is small enough has its own.
 /// Method: arms of three and of six joints that fall from rest; the momentum about the first, upright axis is the
 /// longer arm's state and the shorter one's constant.
 #[test]
@@ -86,7 +86,7 @@ fn scenes_of_large_models_run_by_whole_equations() {
         std::fs::write(&scene, text).unwrap();
         let (status, out, err) = tripos_in(&root(), &["simulate", scene.to_str().unwrap(), "--method", "dop853"]);
         assert_eq!(status, 0, "{err}");
-        assert_eq!(err.contains("whole equations are run: this model is too large"), whole, "{n}: {err}");
+        assert_eq!(err.contains("the full equations are integrated: this model is too large"), whole, "{n}: {err}");
         assert_eq!(out.contains("Kane's method"), whole, "{n}: {out}");
         assert!(out.contains("largest change of total energy") && !err.contains("warning"), "{n}: {out}{err}");
     }

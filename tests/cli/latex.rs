@@ -236,7 +236,7 @@ fn matrices(text: &str) -> Vec<String> {
 }
 
 /// Goal: LaTeX has the equations that programs get. Method: LaTeX read back by the front end of publications, and
-/// compared by meaning with `derive --json`: accelerations, energies, M and f, of models with fractions, roots, loops
+/// compared by algebra with `derive --json`: accelerations, energies, M and f, of models with fractions, roots, loops
 /// and named terms.
 #[test]
 fn latex_says_what_json_says() {

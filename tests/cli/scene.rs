@@ -147,7 +147,10 @@ fn whole_equations_run_where_the_scene_s_own_are_no_gain() {
     let fall = "models/cart_pendulum_3/scenes/fall.toml";
     let whole = answer_in_json(&["simulate", fall, "--until", "0.5", "--json"]);
     let why = whole["notes"][0].as_str().unwrap();
-    assert!(why.starts_with("whole equations are run: the scene's reduced equations carry all 8 variables"), "{why}");
+    assert!(
+        why.starts_with("the full equations are integrated: the scene's reduced equations carry all 8 variables"),
+        "{why}"
+    );
     assert_eq!(
         (&whole["formulation"], &answer_in_json(&["scene", fall, "--json"])["runs_whole"]),
         (&"kane".into(), &why[25..].into())
@@ -277,7 +280,7 @@ q_J3_3 = -0.49685713732090586
 [integration]
 "#;
 
-/// Goal: a default run never stops where the whole equations do not. Truth: Lagrange's and Kane's equations, which
+/// Goal: a default run never stops where the full equations do not. Truth: Lagrange's and Kane's equations, which
 /// agree.
 #[test]
 fn a_default_run_goes_over_to_whole_equations_where_its_frame_has_a_pole() {
@@ -295,7 +298,7 @@ fn a_default_run_goes_over_to_whole_equations_where_its_frame_has_a_pole() {
     assert!((own["t"].as_f64().unwrap() - 0.785_193_420_529_145).abs() < 1e-12);
     let notes = own["notes"].to_string();
     assert!(
-        notes.contains("whole equations are run, by Kane's method, since the scene's own stop at t = 0.21"),
+        notes.contains("the full equations are integrated, by Kane's method, since the scene's own stop at t = 0.21"),
         "{notes}"
     );
     let (status, ..) = answer(&[&["simulate", path, "--by", "reduced"], &fine[..]].concat());

@@ -55,7 +55,7 @@ fn rows_are_runs(
     for row in rows.iter().map(|at| &table[*at]) {
         let values: Vec<String> = swept.iter().map(|name| row[name].clone()).collect();
         let path = scene(folder.path(), model, &edit(text, &values));
-        // A sweep runs whole equations: the first formulation that there is, unless it is told which.
+        // A sweep runs full equations: the first formulation that there is, unless it is told which.
         let by: &[&str] = if more.contains(&"--by") { &[] } else { &["--by", "kane"] };
         let run = tripos(&[&["simulate", &path, "--json"], by, more].concat());
         let json: serde_json::Value =

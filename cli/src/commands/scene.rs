@@ -21,7 +21,7 @@ pub fn scene(VariedScene { model, scene, .. }: &VariedScene, output: Output) -> 
         value["runs_whole"] = json!(no_gain);
         print_json(&value)?;
     } else {
-        let why = no_gain.map(|why| format!("\nrun by whole equations, unless with --by reduced: {why}\n"));
+        let why = no_gain.map(|why| format!("\nrun by full equations, unless with --by reduced: {why}\n"));
         print(&(as_text(model, scene, &reduced, costs) + &why.unwrap_or_default()))?;
     }
     Ok(0)

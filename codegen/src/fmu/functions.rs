@@ -14,7 +14,7 @@ const CALLED: [&str; 7] =
 /// Solved equations with the outputs and events of a scene.
 pub struct FmuFunctions {
     solution: Solution,
-    /// Outputs that are no states, and events.
+    /// Outputs that are not states, and event functions.
     shown: Shown,
     /// Slopes of the outputs along the state, then the parameters; `None` if they would be too long.
     output_slopes: Option<Jacobian>,

@@ -71,7 +71,7 @@ fn part_name(planned: &Function, at: usize) -> String {
     format!("{}$part{at}", planned.name)
 }
 
-/// Arguments that parts get before the array `values`, each followed by a comma.
+/// Arguments of the parts of a long function, before the array `values`, each followed by a comma.
 fn given(planned: &Function) -> String {
     planned.arguments.iter().flat_map(|argument| [argument.name(), ", "]).collect()
 }

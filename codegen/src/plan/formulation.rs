@@ -44,7 +44,7 @@ pub struct FormulationPlan<'a> {
     pub facts: Vec<String>,
 }
 
-/// Treatment of the function that computes the entries of the Jacobian.
+/// Plan of the function for the entries of the Jacobian.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Jacobian {
     /// The function is planned, if the accelerations are solved for.

@@ -19,7 +19,7 @@ pub struct Entry {
     pub title: String,
     /// Number of operations of the accelerations; `None` if these are not solved for.
     pub solved: Option<usize>,
-    /// True if the Taylor coefficients can be computed in lanes.
+    /// True if the Taylor coefficients of several states can be computed at once, in SIMD lanes.
     pub series: bool,
     /// True if there is a file of the equations for people, besides the code.
     pub shown: bool,

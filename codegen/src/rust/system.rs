@@ -224,7 +224,7 @@ pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
 
         #[inline(always)]
         fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
-            slice.try_into().expect("a slice of the length that System states")
+            slice.try_into().expect("a slice of the length that `System` requires")
         }
     }
 }

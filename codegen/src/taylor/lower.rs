@@ -218,7 +218,8 @@ impl Lowering<'_> {
         Operand::Scaled(weight, reciprocal)
     }
 
-    /// Weight of an atom, and its series; for a divisor, 1/weight and the series of the divisor.
+    /// Constant factor of an atom, and the index of its power series. For a divisor, the factor is 1 over that of the
+    /// series of the divisor.
     fn atom(&mut self, atom: Atom) -> (Expr, usize) {
         let operand = match atom.base {
             Base::Term(e) => self.known[&e],

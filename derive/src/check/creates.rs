@@ -106,7 +106,7 @@ enum AtRest {
 /// Finding on the parts of all loads beyond those at rest.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Together {
-    /// Their power is never positive.
+    /// The loads take energy: their power is never positive.
     Dissipate,
     /// It is not proved that they dissipate.
     Unproved,

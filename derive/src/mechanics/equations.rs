@@ -52,9 +52,8 @@ pub struct Equations {
     pub embedding: Option<Embedding>,
     /// Rates q̇ of the coordinates, in q and v.
     pub coordinate_rates: Vec<Expr>,
-    /// Inverse dynamics: forces along the motion variables, beside the loads, that v̇ requires, M v̇ − f. In
-    /// parameters,
-    /// q, v and v̇. Empty until computed, and where reactions or multipliers are among the unknowns.
+    /// Inverse dynamics M v̇ − f: the generalized forces that the accelerations v̇ require in addition to the loads. In
+    /// parameters, q, v and v̇. Empty until computed, and where reactions or multipliers are among the unknowns.
     pub required: Vec<Expr>,
     /// Function of the bodies' accelerations that v̇ minimizes (Gauss's principle): a second way to v̇, for large
     /// systems.

@@ -101,7 +101,7 @@ pub enum DeriveError {
         count: usize,
         /// Noun for the counted items: links or terms.
         what: &'static str,
-        /// Largest number that is derived.
+        /// Largest number of links or terms for which equations are derived.
         most: usize,
     },
     /// A body has an added mass, whose parameters are not identified.
@@ -209,7 +209,7 @@ impl fmt::Display for DeriveError {
             }
             Self::ReactionWorks { reaction, motion, rate } => {
                 let along = motion.trim_end_matches('\'');
-                write!(f, "the reaction `{reaction}` works along `{along}`: power {rate} for each unit of {motion}")
+                write!(f, "the reaction `{reaction}` does work along `{along}`: power {rate} for each unit of {motion}")
             }
             Self::DirectionNotUnit { reaction, square } => {
                 write!(f, "the direction of `{reaction}` is no unit vector: the square of its length is {square}")

@@ -1,4 +1,4 @@
-//! Shown quantities at states of whole equations, by any formulation, with any solve: every coordinate and speed, and
+//! Shown quantities at states of full equations, by any formulation, with any solve: every coordinate and speed, and
 //! the other outputs of a scene.
 //!
 //! Invariant: an output that has no value at a state is NaN; no other number ever replaces it. Reduced equations have
@@ -22,7 +22,7 @@ pub fn state_names(model: &Model) -> Vec<String> {
     coordinates.chain(model.speeds.iter().map(|s| s.name.clone())).collect()
 }
 
-/// Computes the quantities that a scene shows from a state of whole equations.
+/// Computes the quantities that a scene shows from a state of full equations.
 #[derive(Clone)]
 pub struct ShownQuantities {
     /// Names of coordinates and generalized speeds, then of the other outputs of the scene.
@@ -82,7 +82,7 @@ impl ShownQuantities {
         Ok(Self { names, outputs: Some(outputs) })
     }
 
-    /// Computes the shown quantities of an integrated state of whole equations.
+    /// Computes the shown quantities of an integrated state of full equations.
     ///
     /// # Errors
     /// [`Error::Request`] if the number of parameters does not fit the equations.

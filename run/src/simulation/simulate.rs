@@ -1,4 +1,4 @@
-//! Runs of scenes by their own reduced equations or by whole equations, with checks of the results.
+//! Runs of scenes by their own reduced equations or by full equations, with checks of the results.
 
 use super::outputs::ShownQuantities;
 use super::run::Run;
@@ -53,11 +53,11 @@ enum ReducedRun {
     IfGain,
 }
 
-/// Reason why whole equations run and a scene's reduced equations are not tried; `None` if these are tried.
+/// Reason why full equations run and a scene's reduced equations are not tried; `None` if these are tried.
 fn without_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Option<&'static str> {
     if scene.integration.solve == Some(Solve::Numeric) {
         return Some(
-            "accelerations are found numerically for whole equations only: every coordinate and speed is run and shown",
+            "accelerations are found numerically for full equations only: every coordinate and speed is run and shown",
         );
     }
     // Quadrature needs one degree of freedom, which only a reduction has.
@@ -65,20 +65,20 @@ fn without_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Opt
         return None;
     }
     if !scene.impacts.is_empty() {
-        return Some("whole equations are run: impacts change values that reduced equations hold constant");
+        return Some("the full equations are integrated: impacts change values that reduced equations hold constant");
     }
     if mechanism.speeds.is_empty() {
         return Some("the constraints leave no speed: the coordinates follow from them, and forces from the motion");
     }
     (!is_reducible(mechanism)).then_some(if mechanism.loops.is_empty() {
-        "whole equations are run: this model is too large for reduced equations"
+        "the full equations are integrated: this model is too large for reduced equations"
     } else {
-        "whole equations are run: a mechanism with closed loops needs all of them"
+        "the full equations are integrated: a mechanism with closed loops needs all of them"
     })
 }
 
 /// Runs a scene by its own reduced equations. If the caller did not ask for these and they do not exist, are no gain,
-/// or do not reach the end, whole equations run.
+/// or do not reach the end, full equations run.
 fn simulate_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Result<Run, Error> {
     let basis = ReductionBasis::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
     let watch = is_proved(mechanism).then(|| Watch::of_basis(mechanism, &basis)).transpose()?;
@@ -88,7 +88,7 @@ fn simulate_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Re
     }
     let whole = |why: &str| {
         let mut run = run_whole(mechanism, scene, &by_or_first(mechanism, None)?, watch)?;
-        run.notes.insert(0, format!("whole equations are run: {why}"));
+        run.notes.insert(0, format!("the full equations are integrated: {why}"));
         taken_through(mechanism, scene, watch, run)
     };
     match run_gain(mechanism, scene, &basis, watch) {
@@ -109,7 +109,7 @@ enum Own {
     NoGain(String),
 }
 
-/// Runs a scene by its own reduced equations if these are a gain over whole equations.
+/// Runs a scene by its own reduced equations if these are a gain over full equations.
 fn run_gain(mechanism: &Mechanism, scene: &Scene, basis: &ReductionBasis, watch: Option<&Watch>) -> Result<Own, Error> {
     let reduced = Reduced::of_basis(basis, mechanism, scene)?;
     match reduced.no_gain(mechanism)? {
@@ -122,7 +122,7 @@ fn run_gain(mechanism: &Mechanism, scene: &Scene, basis: &ReductionBasis, watch:
 /// Lagrange's, whose motion variables are the rates. The new run starts again and shows all that the scene shows.
 ///
 /// A scene's reduced equations contain momenta and may be in a moving frame. The motion may be regular at a pole of
-/// that frame, so a failed run by them is replaced for any reason. A run by whole equations is replaced only if these
+/// that frame, so a failed run by them is replaced for any reason. A run by full equations is replaced only if these
 /// divide by zero.
 fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, run: Run) -> Result<Run, Error> {
     let Some(why) = left_for(&run) else { return Ok(run) };
@@ -141,7 +141,9 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
         if other.failure().is_none() && comes_as_far(scene, &other, &run) {
             let left =
                 if run.by.is_reduced() { "the scene's own".to_owned() } else { format!("those by {}", run.by.title()) };
-            other.notes.insert(0, format!("whole equations are run, by {}, since {left} {why}", other.by.title()));
+            other
+                .notes
+                .insert(0, format!("the full equations are integrated, by {}, since {left} {why}", other.by.title()));
             if other.warnings.is_empty() {
                 return Ok(other);
             }
@@ -171,7 +173,7 @@ fn comes_as_far(scene: &Scene, run: &Run, other: &Run) -> bool {
     (run.solution.t_end - other.solution.t_end) * (scene.span.1 - scene.span.0).signum() >= 0.0
 }
 
-/// Runs a scene by one set of whole equations, and shows the requested quantities.
+/// Runs a scene by one set of full equations, and shows the requested quantities.
 ///
 /// # Errors
 /// [`Error`] if the model does not have the formulation, or the equations cannot give a requested quantity.
@@ -181,7 +183,7 @@ pub fn run(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) -> Result<Run
     run_whole(model, scene, by, watch.as_ref())
 }
 
-/// Runs a scene by one set of whole equations with known first integrals.
+/// Runs a scene by one set of full equations with known first integrals.
 ///
 /// # Errors
 /// Errors of [`run`].
@@ -207,7 +209,7 @@ fn alone(problem: &Problem<'_>, rates: &Code) -> Result<Option<Solution>, Error>
     problem.in_speeds_alone(rates, &options(problem.scene), &mut events, accounted(problem)?)
 }
 
-/// Runs a scene by whole equations. `None` unless the run changes its speeds and does not fail.
+/// Runs a scene by full equations. `None` unless the run changes its speeds and does not fail.
 ///
 /// # Errors
 /// Errors of [`run`].

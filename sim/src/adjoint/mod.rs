@@ -167,8 +167,8 @@ impl<'a> Adjoint<'a> {
         Ok(run)
     }
 
-    /// Computes the derivatives of Σ weightᵢ yᵢ, y at the end of the run, by the state at the start and by the
-    /// parameters.
+    /// Computes the gradient of Σ weightᵢ yᵢ, where y is the state at the end of the run, with respect to the state at
+    /// the start and to the parameters.
     ///
     /// # Errors
     /// [`Unswept`] with the reason, as for [`Adjoint::new`].

@@ -78,9 +78,8 @@ pub trait Scalar:
         let at_zero = Self::int(1) - sign * sign;
         (self.sin_cos().0 + at_zero) / (self + at_zero)
     }
-    /// Computes x·a + b: rounded once if the target of compilation does that in one instruction (as
-    /// `-C target-cpu=native` may say), else twice. Results then differ in their last bits from build to build, as
-    /// those of any program do that a compiler may contract.
+    /// Computes x·a + b. It is rounded once if the processor for which the program is compiled has a fused
+    /// multiply-add, as with `-C target-cpu=native`, else twice. So two builds may differ in last bits.
     #[must_use]
     #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {

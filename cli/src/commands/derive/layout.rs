@@ -38,7 +38,7 @@ pub struct Laid {
 pub struct RowMarks {
     /// End of a line of an equation that goes on.
     pub end: &'static str,
-    /// Beginning of a line with the right side, below a wide left side.
+    /// Indentation of the right side, if it stands on a line of its own below a wide left side.
     pub indent: &'static str,
     /// Beginning of a further line of a right side.
     pub deep: &'static str,

@@ -206,7 +206,7 @@ fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference
 fn equations(out: &mut String, arena: &Arena, difference: &ModelDifference) {
     let (count, compared) = (difference.changes.len(), entries(difference.compared));
     if difference.has_same_equations() {
-        let _ = writeln!(out, "equations of motion: the same, {compared} compared by meaning");
+        let _ = writeln!(out, "equations of motion: the same, {compared} compared by algebra");
     } else if !difference.variables.is_empty() {
         let _ = writeln!(
             out,

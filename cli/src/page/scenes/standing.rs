@@ -8,7 +8,7 @@ use crate::page::markup::html::escape;
 use tripos_derive::plain::significant;
 
 impl Standing {
-    /// Word for the standing; `None` for right equations that run well.
+    /// Short word for the result; `None` for right equations whose run is good.
     pub fn word(&self) -> Option<&'static str> {
         match self {
             Self::Right => None,

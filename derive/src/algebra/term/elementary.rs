@@ -99,7 +99,7 @@ fn less_whole_turns(turns: &Rational) -> Rational {
     turns.add(&Rational::from_big(halves.floor()).mul(&Rational::integer(-2)))
 }
 
-/// Largest number of inverse functions in an angle whose sine is written algebraically.
+/// Largest number of inverse trigonometric functions in an angle whose sine is written without them.
 const MOST_INVERSE: usize = 2;
 /// Largest multiple of an inverse function in an angle whose sine is written algebraically.
 const MOST_MULTIPLE: i64 = 4;

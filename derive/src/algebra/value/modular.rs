@@ -55,7 +55,7 @@ pub fn trials(arena: &Arena, e: Expr) -> Vec<Trial> {
     list
 }
 
-/// Tests if the term `e` is zero by meaning.
+/// Tests if the term `e` is zero for all values of its symbols, however it is written.
 #[must_use]
 pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
     zero_test_at(arena, e, &mut |_| {})

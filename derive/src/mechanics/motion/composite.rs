@@ -231,7 +231,7 @@ impl Tree {
         list
     }
 
-    /// Lists the unit motions of all edges that move.
+    /// Lists the motion at unit speed of every joint that moves.
     fn motions(&self) -> Vec<Motion> {
         let axes = |at: usize| {
             (0..3)

@@ -42,7 +42,7 @@ impl Form {
 const MOST_REDUCED: usize = 400;
 
 /// True if the reduced equations of a scene may be made from the equations of this model. Reduced equations are written
-/// out, replace speeds by momenta and leave out unneeded variables. Larger models run by whole equations. So do models
+/// out, replace speeds by momenta and leave out unneeded variables. Larger models run by full equations. So do models
 /// with loops, because no variable can be left out if the loops are to stay closed. So do models whose rates have
 /// names.
 #[must_use]

@@ -324,7 +324,11 @@ impl Elements {
         let alone = axis.filter(|axis| turns.iter().all(|(other, _)| *other == Some(*axis)));
         let Some(axis) = alone else {
             let help = "state its three moments: inertia = { diagonal = [\"I1\", \"I2\", \"I3\"] }";
-            loading.reader.error(value.span(), "a body that turns about several axes has more than one moment", help);
+            loading.reader.error(
+                value.span(),
+                "a body that turns about several axes has more than one moment of inertia",
+                help,
+            );
             return None;
         };
         let half = loading.arena.scale(moment, &Rational::fraction(1, 2)?);

@@ -138,7 +138,7 @@ fn quantities(basis: &ReductionBasis, list: &[Variable]) -> Vec<Quantity> {
     list.iter().map(quantity).collect()
 }
 
-/// Constants that the reduced system uses: held momenta, positions of the mass centre at the start, and products.
+/// Constants of the reduced system: conserved momenta, the mass centre at the start, and products of parameters.
 fn constants(
     basis: &mut ReductionBasis,
     level: &Level,

@@ -2190,5 +2190,5 @@ impl<S: Scalar> System<S> for NewtonEuler {
 
 #[inline(always)]
 fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
-    slice.try_into().expect("a slice of the length that System states")
+    slice.try_into().expect("a slice of the length that `System` requires")
 }

@@ -49,7 +49,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Runs a scene by whole equations, and makes the motion for a view. Without `by` the first formulation of the
+    /// Runs a scene by full equations, and makes the motion for a view. Without `by` the first formulation of the
     /// model is used.
     ///
     /// # Errors
@@ -76,7 +76,7 @@ impl Motion {
         let (n, names) = (mechanism.coordinates.len(), mechanism.coordinates.iter().map(|c| &c.name));
         if run.names.len() < n + mechanism.speeds.len() || names.zip(&run.names).any(|(own, shown)| own != shown) {
             let what = format!("a run by {} shows no poses", run.by.title());
-            return Err(Error::request(what, "give whole equations, such as --by kane".to_owned()));
+            return Err(Error::request(what, "give full equations, such as --by kane".to_owned()));
         }
         let (mut t, mut states) = (run.solution.t.clone(), run.states.clone());
         // A run that ends early has no sample at its end.

@@ -22,7 +22,7 @@ pub struct Crossing<'c> {
     pub before: &'c [f64],
     /// Contacts that were held before the crossing, each with its mode.
     pub kept: &'c HeldContacts,
-    /// State after the crossing, with the impact and the contacts that are held after it.
+    /// State after the event, with the impact and the contacts that are closed after it.
     pub after: &'c After,
 }
 

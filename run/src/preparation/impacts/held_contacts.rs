@@ -26,7 +26,7 @@ impl HeldContacts {
         self.which.iter().copied().zip(self.modes.iter().copied())
     }
 
-    /// Mode of a contact; `None` if it is not held.
+    /// Mode of a contact, such as sticking; `None` if the contact is open.
     pub fn mode(&self, contact: usize) -> Option<Mode> {
         self.iter().find(|(at, _)| *at == contact).map(|(_, mode)| mode)
     }

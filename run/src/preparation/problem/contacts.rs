@@ -83,7 +83,7 @@ pub(super) fn check(scene: &Scene, by: &EquationsOrigin) -> Result<(), Error> {
     } else if how.method == Integrator::Quadrature {
         ("no motion by quadrature with impacts: what it integrates is smooth", "give a stepping method, such as dop853")
     } else if by.is_reduced() {
-        ("what a scene's reduced equations hold constant changes in impacts", "run the whole equations: name no others")
+        ("what a scene's reduced equations hold constant changes in impacts", "run the full equations: name no others")
     } else if how.project.is_some() {
         ("impacts take energy: no projection onto that of the start", "leave `project` out")
     } else if how.distance.is_some() {

@@ -36,7 +36,7 @@ pub struct Direction<'d> {
 
 /// Motion c of the rows of contacts without impulses or forces, with its derivative along a direction.
 pub enum Without<'c> {
-    /// Accelerations along the rows, from the rates of the state, whose derivatives are `by`.
+    /// Accelerations along the rows of contacts, from the rates of the state; `by` holds the derivatives of `rates`.
     Accelerate { rates: &'c [f64], by: &'c [f64] },
     /// Parts of the velocities along the rows that impulses remove, in the order of all rows. `by` holds the
     /// derivatives of the factors `parts`.

@@ -73,7 +73,7 @@ impl Forces {
         self.grip.rows.iter().map(size).fold(0.0, f64::max)
     }
 
-    /// True if the force along the row of a gap is zero or below, except for rounding.
+    /// True if the contact force of a gap is zero or negative, up to rounding.
     pub fn is_nothing(&self, row: usize) -> bool {
         self.along_rows[row] * self.unit(row) <= NOTHING * self.largest()
     }

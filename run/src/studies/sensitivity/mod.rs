@@ -123,7 +123,7 @@ impl Sensitivities {
     }
 }
 
-/// Runs a scene by whole equations, with the derivatives of its shown quantities with respect to the named parameters
+/// Runs a scene by full equations, with the derivatives of its shown quantities with respect to the named parameters
 /// and numbers of its start. `set` holds the numbers that were set and differ from the scene file.
 ///
 /// # Errors
@@ -255,7 +255,7 @@ fn check_equations(scene: &Scene, by: Option<&EquationsName>) -> Result<(), Erro
     let how = &scene.integration;
     let refuse = |what: &str, help: &str| Err(Error::request(what, help));
     if by == Some(&EquationsName::Reduced) {
-        let help = "leave `--by` out: derivatives need the whole equations";
+        let help = "leave `--by` out: derivatives need the full equations";
         return refuse("a scene's reduced equations are not differentiated", help);
     }
     if how.method == Integrator::Quadrature {
@@ -276,7 +276,7 @@ fn check_equations(scene: &Scene, by: Option<&EquationsName>) -> Result<(), Erro
 fn notes(mechanism: &Mechanism, seeds: &[Seed], carried: &Carried, end: &End) -> Vec<String> {
     let mut list = Vec::new();
     if mechanism.loops.is_empty() {
-        list.push("whole equations are run, since derivatives need them".to_owned());
+        list.push("the full equations are integrated, since derivatives need them".to_owned());
     }
     for (at, seed) in seeds.iter().enumerate() {
         let states = carried.at[at].iter().chain([&carried.end[at]]).flatten();

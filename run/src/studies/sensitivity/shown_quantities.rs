@@ -49,7 +49,7 @@ pub struct Place<'a> {
 
 /// Derivatives of the shown and the watched quantities along a direction.
 pub struct Slopes {
-    /// Derivatives of the shown quantities, in the order of [`Quantities::names`].
+    /// Derivatives of the outputs along the direction of the run, in the order of [`Quantities::names`].
     pub shown: Vec<f64>,
     /// Derivatives of the watched functions, in the order of the events of a run.
     pub watched: Vec<f64>,

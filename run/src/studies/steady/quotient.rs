@@ -35,7 +35,7 @@ pub struct Quotient {
 /// Treatment of the states that symmetries shift.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shifted {
-    /// Shifted states are states of the linear system.
+    /// States that a symmetry shifts, such as cyclic coordinates, stay in the linear system.
     Kept,
     /// Shifted states are left out of the linear system.
     LeftOut,
@@ -98,7 +98,7 @@ impl Quotient {
         let (found, rows) = pivots(&slopes.rounded().transpose(), &[&columns]);
         if rows.len() < slopes.rows.len() {
             let why =
-                "this is a singular pose: the slopes of its loops are dependent, so that its motion is not determined";
+                "this pose is singular: the gradients of its loops are dependent, so that its motion is not determined";
             return Err(Error::Stopped(why.to_owned()));
         }
         let rest: Vec<usize> = columns.iter().copied().filter(|at| !found.contains(at)).collect();

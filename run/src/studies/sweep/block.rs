@@ -70,7 +70,7 @@ impl<'a> Sweep<'a> {
     ) -> Result<Self, Error> {
         let how_own = scene.integration.method == Integrator::Quadrature || scene.integration.project.is_some();
         if how_own {
-            let what = "a sweep runs whole equations, which have neither quadrature nor projection".to_owned();
+            let what = "a sweep runs full equations, which have neither quadrature nor projection".to_owned();
             let help = "give a stepping method, and leave `project` out of the scene".to_owned();
             return Err(Error::request(what, help));
         }

@@ -139,7 +139,7 @@ impl<'w, 'a> Search<'w, 'a> {
         self.work.arena.try_product(&list).unwrap_or(row)
     }
 
-    /// Factors with unknowns of the given terms, each factor once.
+    /// Factors of the given terms that contain an unknown, each factor once.
     fn open_factors(&mut self, terms: &[Expr]) -> Vec<Expr> {
         let mut list = Vec::new();
         for term in terms {

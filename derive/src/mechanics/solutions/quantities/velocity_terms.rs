@@ -14,7 +14,7 @@ impl Quantities<'_> {
     /// Entry M_ij = ∂²T/∂q̇_i ∂q̇_j.
     fn mass(&mut self, i: usize, j: usize) -> Result<Expr, String> {
         if self.model.coordinates.iter().any(|c| c.name == TIME) {
-            return Err("with motions given in time, T is no quadratic form in the rates".to_owned());
+            return Err("with motions given as functions of time, T is not a quadratic form in the rates".to_owned());
         }
         let t = self.equations(Formulation::Lagrange)?.kinetic_energy;
         let model = self.model;

@@ -653,7 +653,7 @@ impl<S: Scalar> System<S> for Reduced {
 
 #[inline(always)]
 fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
-    slice.try_into().expect("a slice of the length that System states")
+    slice.try_into().expect("a slice of the length that `System` requires")
 }
 
 /// What a program needs to find these equations and to trust them.

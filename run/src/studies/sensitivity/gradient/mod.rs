@@ -108,7 +108,7 @@ impl Gradient {
     }
 }
 
-/// Runs a scene by whole equations, with the gradient of the quantity that it shows at its end under the name `of`.
+/// Runs a scene by full equations, with the gradient of the quantity that it shows at its end under the name `of`.
 /// `set` holds the numbers that were set and differ from the scene file.
 ///
 /// # Errors
@@ -252,7 +252,7 @@ fn unit(parts: &Parts<'_>) -> Option<Unit> {
 fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[Number]) -> Vec<String> {
     let mut list = Vec::new();
     if mechanism.loops.is_empty() {
-        list.push("whole equations are run, since derivatives need them".to_owned());
+        list.push("the full equations are integrated, since derivatives need them".to_owned());
     }
     let run = scene.integration.method.name();
     if own.name() != run {
@@ -327,7 +327,8 @@ impl Parts<'_> {
         Ok(list)
     }
 
-    /// Computes the gradient of a run, and its errors by a second run with other steps, from numbers one rounding away.
+    /// Computes the gradient of a run. Its errors come from a second run with other steps, whose start and parameters
+    /// differ from those of the first by one rounding.
     fn assess(&self, problem: &Problem<'_>, first: &Stepped) -> Result<Assessed, Error> {
         let how = options_of_ends(problem.scene);
         let y0 = problem.start()?;
