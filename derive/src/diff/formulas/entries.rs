@@ -8,7 +8,7 @@ use super::rounding::agrees_as_rounded;
 use super::terms::{WrongTerm, wrong_terms};
 use crate::diff::equations::claim::{Claim, Table};
 use crate::diff::equations::rows::Row;
-use crate::diff::repairs::{Book, Formula, Repair, Slip, Tools, pair, repair};
+use crate::diff::repairs::{Book, Formula, Repair, Search, Slip, Tools, pair, repair};
 
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::meaning::permitted::Holds;
@@ -255,7 +255,7 @@ impl Judge<'_, '_> {
                     finding.slip = Slip::of_factor(arena, factor);
                     // A factor in parameters may come of an abbreviation that the formula is multiplied or divided by.
                     if arena.as_number(factor).is_none()
-                        && let Some(mistake) = self.mistake_in_abbreviations(printed, derived)
+                        && let Some(mistake) = self.mistake_in_abbreviations(printed, derived, Search::Values)
                         && mistake.abbreviation.is_some()
                     {
                         finding.factor = None;
@@ -287,7 +287,7 @@ impl Judge<'_, '_> {
     /// Mistake in a printed value: the wrong term of a sum, the smallest change that makes the formula right, all wrong
     /// terms of a sum, or the whole values if they are short.
     pub fn mistake(&mut self, printed: Printed, derived: Expr, difference: Expr) -> Mistake {
-        if let Some(mistake) = self.mistake_in_abbreviations(printed, derived) {
+        if let Some(mistake) = self.mistake_in_abbreviations(printed, derived, Search::Values) {
             return mistake;
         }
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
@@ -299,7 +299,7 @@ impl Judge<'_, '_> {
             [WrongTerm::Other(own, right)] => return Mistake::of_one(words, (own, right), slip),
             _ => {}
         }
-        if let Some(mistake) = self.changed(printed, derived) {
+        if let Some(mistake) = self.changed(printed, derived, Search::Values) {
             return mistake;
         }
         let (model, arena) = (self.quantities.model, &self.quantities.derivations.kinematics.arena);
@@ -326,26 +326,24 @@ impl Judge<'_, '_> {
         Mistake::of_one(vec![format!("{before} should be {after}")], (printed.value, derived), slip)
     }
 
-    /// One change of a printed value that makes it right, also in the formula of an abbreviation; `None` if there is
+    /// One slip in a printed value that is all its mistake, also in the formula of an abbreviation; `None` if there is
     /// none.
-    pub fn single_mistake(&mut self, printed: Printed, derived: Expr) -> Option<Mistake> {
-        if let Some(mistake) = self.mistake_in_abbreviations(printed, derived) {
-            return Some(mistake);
-        }
-        self.changed(printed, derived)
+    pub fn slip(&mut self, printed: Printed, derived: Expr) -> Option<Mistake> {
+        let found = self.mistake_in_abbreviations(printed, derived, Search::Slips);
+        found.or_else(|| self.changed(printed, derived, Search::Slips))
     }
 
     /// One change of a printed value, with its abbreviations written out, that makes it right; `None` if there is none.
-    fn changed(&mut self, printed: Printed, derived: Expr) -> Option<Mistake> {
+    fn changed(&mut self, printed: Printed, derived: Expr, search: Search) -> Option<Mistake> {
         let Repair { words, parts, slip, .. } =
-            self.with_tools(printed, |tools, formula, _| repair(tools, formula, derived))?;
+            self.with_tools(printed, |tools, formula, _| repair(tools, formula, derived, search))?;
         Some(Mistake { words: vec![words], change: parts, slip: Some(slip), abbreviation: None })
     }
 
     /// Mistake of a formula that uses abbreviations, found with the abbreviations as symbols; `None` if there are none,
     /// or if no mistake is found.
-    fn mistake_in_abbreviations(&mut self, printed: Printed, derived: Expr) -> Option<Mistake> {
-        let found = self.with_tools(printed, |tools, _, book| book.mistake(tools, printed.raw, derived))?;
+    fn mistake_in_abbreviations(&mut self, printed: Printed, derived: Expr, search: Search) -> Option<Mistake> {
+        let found = self.with_tools(printed, |tools, _, book| book.mistake(tools, printed.raw, derived, search))?;
         Some(Mistake { words: found.words, change: found.parts, slip: found.slip, abbreviation: found.abbreviation })
     }
 

@@ -62,7 +62,7 @@ impl Judge<'_, '_> {
         let (raw, value) = (of(|printed| printed.raw), of(|printed| printed.value));
         let [raw, value, expected] = [&raw, &value, &judged.expected].map(|row| self.as_term(row, &order.unknowns));
         let whole = Printed { raw, value, reading: row[0].reading };
-        if let Some(mistake) = self.single_mistake(whole, expected) {
+        if let Some(mistake) = self.slip(whole, expected) {
             return Some(WholeRow::Changed(mistake));
         }
         self.solved(finding, row, order)

@@ -5,7 +5,7 @@
 //! mistake of their own.
 
 use super::formula::Formula;
-use super::{Repair, Slip, Tools, is_right, pair, repair};
+use super::{Repair, Search, Slip, Tools, is_right, pair, repair};
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::{Arena, Expr};
 use crate::publication::Shorthand;
@@ -71,7 +71,7 @@ impl Book {
 
     /// Mistake of a printed formula that uses abbreviations, whose value with abbreviations written out is `raw`.
     /// `None` if it uses none, or if no mistake is found.
-    pub fn mistake(&mut self, tools: &mut Tools<'_, '_>, raw: Expr, derived: Expr) -> Option<Found> {
+    pub fn mistake(&mut self, tools: &mut Tools<'_, '_>, raw: Expr, derived: Expr, search: Search) -> Option<Found> {
         let as_printed = self.shorthand.as_printed(raw)?;
         let mut formula = Formula::with_abbreviations(&self.shorthand, as_printed, &self.trusted);
         let known = self.corrected(&mut formula);
@@ -87,14 +87,14 @@ impl Book {
                     abbreviation: Some(first.name.clone()).filter(|_| is_one),
                 });
             }
-            if let Some(found) = repair(tools, &mut formula, derived) {
+            if let Some(found) = repair(tools, &mut formula, derived, search) {
                 self.note(&formula, &found);
                 let words = words.into_iter().chain([found.words]).collect();
                 return Some(Found { words, parts: None, slip: None, abbreviation: None });
             }
             formula = Formula::with_abbreviations(&self.shorthand, as_printed, &self.trusted);
         }
-        let found = repair(tools, &mut formula, derived)?;
+        let found = repair(tools, &mut formula, derived, search)?;
         let abbreviation = self.note(&formula, &found);
         Some(Found { words: vec![found.words], parts: found.parts, slip: Some(found.slip), abbreviation })
     }

@@ -74,9 +74,18 @@ impl Repair {
     }
 }
 
+/// Changes among which a repair is sought.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Search {
+    /// Slips of one place: another sign, number, symbol, function, power, factor or term.
+    Slips,
+    /// Slips, then any simple value of one place.
+    Values,
+}
+
 /// Smallest change of a formula, as it is printed, that makes it the derived value. `None` if no change of one place
 /// does, or if its words are long.
-pub fn repair(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr) -> Option<Repair> {
+pub fn repair(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr, search: Search) -> Option<Repair> {
     let places = formula.places();
     let nodes: Vec<Expr> = places.iter().map(|place| place.formula).collect();
     if *tools.left == 0 || formula.arena.reachable(&nodes).len() > MOST_NODES {
@@ -88,7 +97,7 @@ pub fn repair(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr) -
             return Some(found);
         }
     }
-    solved_spot(tools, formula, derived)
+    if search == Search::Values { solved_spot(tools, formula, derived) } else { None }
 }
 
 /// A change that numbers do not reject.
