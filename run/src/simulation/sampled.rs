@@ -249,7 +249,7 @@ fn check_instants(scene: &Scene, instants: &[f64]) -> Result<(), Error> {
 fn check_integration(scene: &Scene) -> Result<(), Error> {
     let how = &scene.integration;
     if how.method == Integrator::Quadrature || how.project.is_some() {
-        let what = "inputs change the energy: quadrature and projection onto it are not possible";
+        let what = "inputs change the energy: quadrature and projection are not possible";
         return Err(Error::request(what, "give a stepping method, without `project`"));
     }
     if !scene.impacts.is_empty() {
