@@ -8,6 +8,7 @@ use crate::mechanics::{Formulation, Kinematics, Quantities, RowName, balances};
 use crate::model::{Model, MotionConstraintKind};
 
 /// System in the order of the derived unknowns. Each row is its entries, then its right-hand side.
+#[derive(Clone)]
 pub struct Ordered {
     /// Name of each row.
     pub names: Vec<RowName>,

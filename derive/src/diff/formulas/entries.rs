@@ -12,7 +12,7 @@ use crate::diff::repairs::{Book, Formula, Repair, Search, Slip, Tools, pair, rep
 
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::meaning::permitted::Holds;
-use crate::algebra::term::calculus::Differential;
+use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::text::print::text;
 use crate::algebra::{Expr, Node, Rational};
 use crate::mechanics::{Energy, Formulation, Kinematics, Quantities, Quantity, QuantityKind};
@@ -117,10 +117,10 @@ impl Judge<'_, '_> {
         let finding = with_other_zero.unwrap_or(found);
         let finding = match quantity.kind() {
             QuantityKind::Energy(Energy::Lagrangian) => {
-                let finding = self.up_to_its_zero(finding);
+                let finding = self.up_to_its_zero(finding, printed.value);
                 self.up_to_a_rate(finding)
             }
-            QuantityKind::Energy(energy) if energy.has_a_zero() => self.up_to_its_zero(finding),
+            QuantityKind::Energy(energy) if energy.has_a_zero() => self.up_to_its_zero(finding, printed.value),
             _ => finding,
         };
         finding.with_claim(claim)
@@ -168,13 +168,20 @@ impl Judge<'_, '_> {
     }
 
     /// Accepts a potential energy that differs by a constant: it is the same potential with another zero.
-    fn up_to_its_zero(&mut self, finding: Finding) -> Finding {
+    fn up_to_its_zero(&mut self, finding: Finding, printed: Expr) -> Finding {
         let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
             return finding;
         };
-        if !is_constant(self.quantities, difference) {
-            return finding;
-        }
+        // On the constraints, and with the numbers that the print has in the place of parameters.
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let permitted = self.comparer.permitted().put(arena, difference);
+        let parameters = &self.quantities.model.parameters;
+        let has_none = parameters.iter().all(|p| p.is_input || !arena.mentions(printed, p.symbol));
+        let is_in_numbers = has_none && has_decimals(&finding.printed);
+        let in_numbers = is_in_numbers.then(|| Substitution::new(self.numbers).apply(arena, permitted));
+        let forms = [Some(difference), Some(permitted), in_numbers].into_iter().flatten();
+        let Some(difference) = forms.into_iter().find(|e| is_constant(self.quantities, *e)) else { return finding };
+        let difference = self.simplify(difference);
         let arena = &self.quantities.derivations.kinematics.arena;
         let remark = format!(
             "the zero of the quantity is elsewhere: printed − derived = {}, a constant",

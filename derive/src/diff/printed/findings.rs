@@ -11,6 +11,7 @@ use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Engine, Verdict, Witness};
 use crate::algebra::meaning::permitted::Holds;
 use crate::algebra::solve::linear::row_term;
+use crate::algebra::term::calculus::Substitution;
 use crate::algebra::text::print::text;
 use crate::mechanics::Kinematics;
 use crate::publication::{Entry, System};
@@ -27,7 +28,51 @@ pub(super) struct RowPlace<'a> {
 impl Judge<'_, '_> {
     /// Judges a row that is printed with decimals, which may stand for parameters.
     pub(super) fn row_with_decimals(&mut self, row: &Row, order: &Ordered, index: usize) -> RowJudgement {
-        self.rounded(row, order, index).unwrap_or_else(|| self.row(row, order, index))
+        let found = self.rounded(row, order, index).or_else(|| self.rounded_multiple(row, order, index));
+        found.unwrap_or_else(|| self.row(row, order, index))
+    }
+
+    /// Judgement of a row in numbers that is a derived row times a number, to the digits printed; `None` if there is no
+    /// such row.
+    fn rounded_multiple(&mut self, row: &Row, order: &Ordered, index: usize) -> Option<RowJudgement> {
+        let model = self.quantities.model;
+        let mut put = Substitution::new(self.numbers);
+        let arena = &self.quantities.derivations.kinematics.arena;
+        let is_printed = |e: &Expr| model.parameters.iter().any(|p| !p.is_input && arena.mentions(*e, p.symbol));
+        if row.iter().any(is_printed) {
+            return None;
+        }
+        let own = index.min(order.rows.len() - 1);
+        for at in std::iter::once(own).chain((0..order.rows.len()).filter(|at| *at != own)) {
+            for column in (0..row.len()).filter(|column| row[*column] != Expr::ZERO) {
+                let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+                let numbers: Row = order.rows[at].iter().map(|e| put.apply(arena, *e)).collect();
+                let Some(ratio) = arena.div(row[column], numbers[column]) else { continue };
+                let factor = simplifier.simplify(arena, ratio);
+                if arena.as_number(factor).is_none() || factor == Expr::ONE {
+                    continue;
+                }
+                let expected: Row = order.rows[at].iter().map(|e| arena.mul(factor, *e)).collect();
+                let is_right = row.iter().zip(&expected).zip(&numbers).all(|((printed, derived), number)| {
+                    let arena = &mut self.quantities.derivations.kinematics.arena;
+                    let exact = arena.mul(factor, *number);
+                    self.comparer.compare(arena, *printed, exact).is_equal()
+                        || agrees_as_rounded(self.quantities, self.comparer, self.numbers, *printed, *derived)
+                });
+                if is_right {
+                    let entries = vec![Verdict::Equal(Engine::NormalForm); row.len()];
+                    let holds = vec![Holds::EVERYWHERE; row.len()];
+                    return Some(RowJudgement {
+                        by: Match::Row { at, factor },
+                        entries,
+                        expected,
+                        holds,
+                        is_rounded: true,
+                    });
+                }
+            }
+        }
+        None
     }
 
     /// Judges a row without decimals.
@@ -137,7 +182,7 @@ impl Judge<'_, '_> {
             finding.remarks.push(format!("units alone show it: {message}"));
         }
         if let Some(whole) = whole {
-            return self.told_as_whole(finding, whole, row, &judged.expected, order, witness);
+            return self.told_as_whole(finding, whole, row, order, witness);
         }
         let wrong: Vec<usize> = (0..judged.entries.len()).filter(|at| !judged.entries[*at].is_equal()).collect();
         let mut places = Vec::new();

@@ -118,9 +118,11 @@ impl Judge<'_, '_> {
         let both = derived(self.quantities, system.formulation, system.frame).and_then(|order| {
             let order = if mentions_time(model, system) { order } else { order.without_time(model) };
             let rows = printed(self.quantities, self.names, system, &order.unknowns)?;
-            self.near(order, rows)
+            let exact = order.clone();
+            let (order, rows) = self.near(order, rows)?;
+            Ok((exact, order, rows))
         });
-        let (mut order, rows) = match both {
+        let (exact, mut order, rows) = match both {
             Ok(both) => both,
             Err(why) => {
                 let finding = Finding::new(&entry.id, &entry.section, Judgement::Undecided(why), "");
@@ -164,7 +166,14 @@ impl Judge<'_, '_> {
                 raw[i].iter().zip(row).map(|(raw, value)| Printed { raw: *raw, value: *value, reading }).collect();
             // Entries with verdicts of their own contrast with those of one derived row.
             let is_apart = system.matrix_ids.is_some() || system.right_ids.is_some();
-            let whole = if is_apart { None } else { self.whole_row(&finding, &row_printed, &order, &judged) };
+            let whole = if is_apart {
+                None
+            } else {
+                {
+                    let solving = if self.near.is_some() { &exact } else { &order };
+                    self.whole_row(&finding, &row_printed, &order, solving, &judged)
+                }
+            };
             let by = whole.as_ref().map_or_else(|| judged.by.clone(), |whole| whole.matched(judged.by.clone()));
             let place = RowPlace { index: i, system };
             let finding = self.row_finding(finding, &row_printed, &order, &judged, whole, place);

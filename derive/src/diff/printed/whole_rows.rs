@@ -20,12 +20,15 @@ use crate::mechanics::Kinematics;
 /// Most unknowns of a derived system that is solved for one of them.
 const MOST_UNKNOWNS: usize = 8;
 
+/// Most derived rows, each divided by a coefficient, that a wrong row may be meant to be.
+const MOST_MEANT: usize = 8;
+
 /// A wrong row, read as one formula.
 pub(super) enum WholeRow {
     /// The row is not linear in the unknowns, and right with the values that the derived rows give them.
     Holds,
-    /// One mistake makes the whole row wrong, compared with the expected row.
-    Changed(Mistake),
+    /// One mistake makes the whole row wrong, compared with the row that is meant.
+    Changed(Mistake, Row),
     /// The row states the value of one unknown, and this is its finding.
     Solved(Box<Finding>),
 }
@@ -34,25 +37,38 @@ impl WholeRow {
     /// Match of the row: that of its entries, or none with a single derived row.
     pub fn matched(&self, entries: Match) -> Match {
         match self {
-            Self::Changed(_) => entries,
+            Self::Changed(..) => entries,
             Self::Holds | Self::Solved(_) => Match::Combination { multipliers: Vec::new() },
         }
     }
 }
 
 impl Judge<'_, '_> {
-    /// Reading of a wrong row as one formula; `None` if its entries, one by one, tell the mistake.
+    /// Reading of a wrong row as one formula. `solving` are the derived rows that are solved: those of `order`, before
+    /// they are expanded near a point. `None` if its entries, one by one, tell the mistake.
     pub(super) fn whole_row(
         &mut self,
         finding: &Finding,
         row: &[Printed],
         order: &Ordered,
+        solving: &Ordered,
         judged: &RowJudgement,
     ) -> Option<WholeRow> {
         let wrong = judged.entries.iter().filter(|verdict| !verdict.is_equal()).count();
-        let right = row.last()?.raw;
-        let has_unknowns = self.quantities.mentions_accelerations(right);
-        if wrong == 0 || (wrong == 1 && !has_unknowns) {
+        if wrong == 0 {
+            return None;
+        }
+        let solved = self.solved(finding, row, order, solving);
+        if solved.as_ref().is_some_and(|found| found.judgement == Judgement::Equal) {
+            return solved.map(|found| WholeRow::Solved(Box::new(found)));
+        }
+        // The value of a reaction or a multiplier is meant as such. An acceleration alone may also be a balance.
+        let is_force = alone(row).is_some_and(|at| !self.quantities.mentions_accelerations(order.unknowns[at]));
+        if is_force && solved.is_some() {
+            return solved.map(|found| WholeRow::Solved(Box::new(found)));
+        }
+        let has_unknowns = self.quantities.mentions_accelerations(row.last()?.raw);
+        if wrong == 1 && !has_unknowns {
             return None;
         }
         if self.holds_with_solutions(row, order) {
@@ -60,12 +76,42 @@ impl Judge<'_, '_> {
         }
         let of = |part: fn(&Printed) -> Expr| row.iter().map(part).collect::<Row>();
         let (raw, value) = (of(|printed| printed.raw), of(|printed| printed.value));
-        let [raw, value, expected] = [&raw, &value, &judged.expected].map(|row| self.as_term(row, &order.unknowns));
+        let [raw, value] = [&raw, &value].map(|row| self.as_term(row, &order.unknowns));
         let whole = Printed { raw, value, reading: row[0].reading };
-        if let Some(mistake) = self.slip(whole, expected) {
-            return Some(WholeRow::Changed(mistake));
+        for expected in self.meant(order, judged) {
+            let term = self.as_term(&expected, &order.unknowns);
+            if let Some(mistake) = self.slip(whole, term) {
+                return Some(WholeRow::Changed(mistake, expected));
+            }
         }
-        self.solved(finding, row, order)
+        solved.map(|found| WholeRow::Solved(Box::new(found)))
+    }
+
+    /// Rows that a wrong row may be meant to be: that of its match, then derived rows that are divided by a coefficient
+    /// of an unknown in parameters.
+    fn meant(&mut self, order: &Ordered, judged: &RowJudgement) -> Vec<Row> {
+        let mut list = vec![judged.expected.clone()];
+        let parameters = self.quantities.model.p();
+        let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+        let mut divisors: Vec<(usize, Expr)> = Vec::new();
+        for (at, row) in order.rows.iter().enumerate() {
+            for entry in row[..order.unknowns.len()].iter().chain([&Expr::ONE]) {
+                let parts = arena.reachable(&[*entry]);
+                let is_constant = parts.iter().all(|e| arena.symbol_name(*e).is_none() || parameters.contains(e));
+                if *entry != Expr::ZERO && is_constant && !divisors.contains(&(at, *entry)) {
+                    divisors.push((at, *entry));
+                }
+            }
+        }
+        divisors.truncate(MOST_MEANT);
+        for (at, divisor) in divisors {
+            let quotients = order.rows[at].iter().map(|e| arena.div(*e, divisor)).collect::<Option<Row>>();
+            let row: Row = quotients.into_iter().flatten().map(|e| simplifier.simplify(arena, e)).collect();
+            if row.len() == order.rows[at].len() && !list.contains(&row) {
+                list.push(row);
+            }
+        }
+        list
     }
 
     /// True if a row that is not linear in the unknowns holds with their values.
@@ -85,12 +131,12 @@ impl Judge<'_, '_> {
         put.undefined.is_none() && self.comparer.is_zero(arena, residual).is_equal()
     }
 
-    /// Reading of a row with one unknown as its value, if the value is right or its mistake is named.
-    fn solved(&mut self, finding: &Finding, row: &[Printed], order: &Ordered) -> Option<WholeRow> {
+    /// Finding of a row with one unknown as its value, if the value is right or its mistake is named.
+    fn solved(&mut self, finding: &Finding, row: &[Printed], order: &Ordered, solving: &Ordered) -> Option<Finding> {
         let (right, entries) = row.split_last()?;
-        let mut present = (0..entries.len()).filter(|at| entries[*at].value != Expr::ZERO);
-        let (at, None) = (present.next()?, present.next()) else { return None };
-        let derived = self.solutions(order)?[at];
+        let at = alone(row)?;
+        let column = solving.unknowns.iter().position(|unknown| *unknown == order.unknowns[at])?;
+        let derived = self.solutions(solving)?[column];
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let value = arena.div(right.value, entries[at].value)?;
         let raw = arena.div(right.raw, entries[at].raw)?;
@@ -111,7 +157,7 @@ impl Judge<'_, '_> {
         solved[at] = Expr::ONE;
         *solved.last_mut().expect("a row has a right-hand side") = derived;
         found.derived = Some(self.as_term(&solved, &order.unknowns));
-        Some(WholeRow::Solved(Box::new(found)))
+        Some(found)
     }
 
     /// Values of the unknowns by the derived rows; `None` if these do not determine them, or are many.
@@ -138,7 +184,6 @@ impl Judge<'_, '_> {
         mut finding: Finding,
         whole: WholeRow,
         row: &[Printed],
-        expected: &Row,
         order: &Ordered,
         witness: Option<Witness>,
     ) -> Finding {
@@ -147,15 +192,26 @@ impl Judge<'_, '_> {
                 let remark = "with the accelerations and reactions that all equations give".to_owned();
                 finding.accepted("with the derived unknowns", remark)
             }
-            WholeRow::Changed(mistake) => {
+            WholeRow::Changed(mistake, expected) => {
                 let values: Row = row.iter().map(|printed| printed.value).collect();
-                let wrong = mistake.words.join(", ");
+                let words = mistake.words.join(", ");
+                // The sign of a term on the right is turned.
+                let right = finding.printed.split_once('=').map_or("0", |(_, right)| right.trim());
+                let wrong = if right == "0" { words } else { format!("in left − right, {words}") };
+                finding.derived = Some(self.as_term(&expected, &order.unknowns));
                 finding.remarks.push(format!("wrong: {wrong}"));
                 finding.name_mistake(Mistake { words: Vec::new(), ..mistake });
                 finding.wrong = Some(wrong);
-                self.contrasted(finding, order, &values, expected, witness)
+                self.contrasted(finding, order, &values, &expected, witness)
             }
             WholeRow::Solved(found) => *found,
         }
     }
+}
+
+/// Index of the only unknown that a row contains; `None` if it contains none or several.
+fn alone(row: &[Printed]) -> Option<usize> {
+    let mut present = (0..row.len() - 1).filter(|at| row[*at].value != Expr::ZERO);
+    let at = present.next()?;
+    present.next().is_none().then_some(at)
 }
