@@ -238,6 +238,11 @@ pub fn has_decimals(text: &str) -> bool {
     text.match_indices('.').any(|(at, _)| is_digit(Some(at + 1)))
 }
 
+/// True if a printed equation has terms on its right side.
+pub(crate) fn has_right_side(text: &str) -> bool {
+    text.find('=').is_some_and(|at| !text[at + 1..].trim().trim_start_matches('0').is_empty())
+}
+
 impl Publication {
     /// Title of the publication for headings, or "A publication without a title" if it is blank.
     #[must_use]

@@ -16,6 +16,7 @@ use crate::algebra::term::calculus::Substitution;
 use crate::algebra::text::print::text;
 use crate::algebra::value::rank::echelon;
 use crate::mechanics::Kinematics;
+use crate::publication::has_right_side;
 
 /// Most unknowns of a derived system that is solved for one of them.
 const MOST_UNKNOWNS: usize = 8;
@@ -196,8 +197,8 @@ impl Judge<'_, '_> {
                 let values: Row = row.iter().map(|printed| printed.value).collect();
                 let words = mistake.words.join(", ");
                 // The sign of a term on the right is turned.
-                let right = finding.printed.split_once('=').map_or("0", |(_, right)| right.trim());
-                let wrong = if right == "0" { words } else { format!("in left − right, {words}") };
+                let has_right = has_right_side(&finding.printed);
+                let wrong = if has_right { format!("in left − right, {words}") } else { words };
                 finding.derived = Some(self.as_term(&expected, &order.unknowns));
                 finding.remarks.push(format!("wrong: {wrong}"));
                 finding.name_mistake(Mistake { words: Vec::new(), ..mistake });
