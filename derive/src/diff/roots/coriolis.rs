@@ -8,8 +8,8 @@ use crate::diff::equations::claim::Claim;
 use crate::diff::formulas::finding::Finding;
 use crate::mechanics::{QuantityKind, Row};
 
-/// Links wrong claims on an entry of C to the wrong row of C q̇ that the same entry makes wrong. `rates` are those of the
-/// coordinates.
+/// Links wrong claims on an entry of C to the wrong row of C q̇ that the same entry makes wrong. `rates` are those of
+/// the coordinates.
 pub fn link(arena: &mut Arena, rates: &[Expr], stated: &[&Claim], wrong: &[&Finding], reasons: &mut [Option<Reason>]) {
     let kind = |at: usize| match stated[at] {
         Claim::Value { kind, .. } => Some(kind),

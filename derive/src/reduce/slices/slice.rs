@@ -48,7 +48,7 @@ pub struct Carried {
 pub struct Flow {
     /// States: variables on which rates of others depend. Coordinates come first.
     pub core: Vec<Variable>,
-    /// Variables found by quadrature: outputs depend on them, and no other state does. Each stands after those it needs.
+    /// Variables found by quadrature: outputs depend on them, and no other state does. Each follows those it needs.
     pub quadratures: Vec<Variable>,
     /// Variables of the model that the reduced system leaves out.
     pub dropped: Vec<Variable>,
