@@ -355,7 +355,7 @@ fn formulas_may_hold_to_an_order_in_small_parameters() {
     said(
         &text(inverse, "order = 2"),
         &expect![[r"
-            1 different | to second order about I = 0
+            1 different | the term -I^2/(m*length^2) is missing | the term -I^2/(m*length^2) is missing; to second order about I = 0
         "]],
     );
     check(

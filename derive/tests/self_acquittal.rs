@@ -6,11 +6,13 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::meaning::compare::Verdict;
-use tripos_derive::algebra::solve::linear::solve;
+use tripos_derive::algebra::solve::linear::{row_term, solve};
 use tripos_derive::algebra::text::print::whole_text;
+use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::{Judgement, diff};
+use tripos_derive::diff::{Difference, Judgement, diff};
 use tripos_derive::mechanics::{Derivations, Kinematics, Quantities, Quantity, derive_all};
+use tripos_derive::model::MotionConstraintKind;
 use tripos_derive::prove::prove;
 use tripos_derive::{Formulation, Model, model, publication};
 
@@ -74,6 +76,15 @@ fn printed(model: &Model, derivations: &mut Derivations) -> String {
     file
 }
 
+/// Verdicts on a publication about a mechanism.
+fn verdicts(model: &mut Model, file: &str, mechanism: &Mechanism) -> Difference {
+    let publication = publication::load(&Source::from_text("publication.toml", file), model)
+        .unwrap_or_else(|e| panic!("{e}\n{}", mechanism.text));
+    let mut derivations = derive_all(model).unwrap();
+    let proof = prove(model, &mut derivations);
+    diff(model, &mut derivations, &publication, &proof)
+}
+
 /// Goal: right work is acquitted, whatever the mechanism is. Method: T, V, L, M, f, rates and the equations of motion
 /// by every formulation, as they are derived, are read as a publication of the same model.
 #[test]
@@ -100,11 +111,7 @@ fn random_mechanisms_are_acquitted_of_their_own_equations() {
             long += 1;
             continue;
         }
-        let publication = publication::load(&Source::from_text("publication.toml", &file), &mut model)
-            .unwrap_or_else(|e| panic!("{seed}: {e}\n{}", mechanism.text));
-        let mut derivations = derive_all(&model).unwrap();
-        let proof = prove(&model, &mut derivations);
-        let difference = diff(&model, &mut derivations, &publication, &proof);
+        let difference = verdicts(&mut model, &file, &mechanism);
         for finding in &difference.findings {
             entries += 1;
             // Balances have components in frames of their own, and are combinations of those in one frame.
@@ -147,9 +154,20 @@ fn random_mechanisms_are_acquitted_of_their_own_equations() {
 /// Most unknowns of a system that is solved for each of them.
 const MOST_UNKNOWNS: usize = 4;
 
-/// Solved equations `unknown = value` by each formulation, then the same with `-(value)`: texts, each with its id.
-fn solved(model: &Model, derivations: &mut Derivations) -> Vec<(String, String)> {
+/// A printed equation `unknown = value`.
+struct Solved {
+    id: String,
+    text: String,
+    is_right: bool,
+}
+
+/// Equations that are solved for each unknown, by each formulation: right ones, and those with the other sign. The
+/// values are checked in the derived rows, which the solution has no part in.
+fn solved(model: &Model, derivations: &mut Derivations) -> Vec<Solved> {
     let mut list = Vec::new();
+    let time = model.time().map(|at| model.coordinates[at].second_rate);
+    let clocks = model.motion_constraints.iter().filter(|c| c.kind == MotionConstraintKind::Clock);
+    let of_time: Vec<Expr> = time.into_iter().chain(clocks.map(|c| c.multiplier)).collect();
     for formulation in Formulation::STANDARD {
         let Some(e) = derivations.get(formulation).cloned() else { continue };
         if e.unknowns.len() > MOST_UNKNOWNS || e.matrix.len() != e.unknowns.len() {
@@ -158,21 +176,22 @@ fn solved(model: &Model, derivations: &mut Derivations) -> Vec<(String, String)>
         let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
         let right: Vec<Vec<Expr>> = e.forcing.iter().map(|right| vec![*right]).collect();
         let Ok((values, _)) = solve(arena, simplifier, &e.matrix, &right) else { continue };
-        for ((name, _), value) in formulation.unknowns(model).iter().zip(&values) {
-            let of_time = name.starts_with("t'") || name == "lambda_t";
-            if value[0] == Expr::ZERO || of_time {
+        let values: Vec<Expr> = values.into_iter().map(|value| value[0]).collect();
+        for (row, right) in e.matrix.iter().zip(&e.forcing) {
+            let residual = row_term(arena, &values, &[&row[..], &[*right]].concat());
+            assert_ne!(zero_test(arena, residual), ZeroTest::NonZero, "{}", formulation.name());
+        }
+        for ((name, unknown), value) in formulation.unknowns(model).iter().zip(values) {
+            if value == Expr::ZERO || of_time.contains(unknown) {
                 continue;
             }
-            let value = whole_text(arena, value[0]);
-            for (sign, value) in [("right", value.clone()), ("wrong", format!("-({value})"))] {
-                let id = format!("{sign}-{}-{name}", formulation.name()).replace('\'', "d");
-                let by = formulation.name();
-                list.push((
-                    id.clone(),
-                    format!(
-                        "[[equation]]\nid = \"{id}\"\nsection = \"1\"\nformulation = \"{by}\"\nprinted = \"{name} = {value}\"\n"
-                    ),
-                ));
+            let value = whole_text(arena, value);
+            for (is_right, value) in [(true, value.clone()), (false, format!("-({value})"))] {
+                let (id, by) = (format!("e{}", list.len()), formulation.name());
+                let text = format!(
+                    "[[equation]]\nid = \"{id}\"\nsection = \"1\"\nformulation = \"{by}\"\nprinted = \"{name} = {value}\"\n"
+                );
+                list.push(Solved { id, text, is_right });
             }
         }
     }
@@ -192,29 +211,19 @@ fn solved_equations_of_random_mechanisms_are_judged_rightly() {
         let Ok(mut model) = model::load(&Source::from_text("model.toml", &mechanism.text)) else { continue };
         let Ok(mut derivations) = derive_all(&model) else { continue };
         let list = solved(&model, &mut derivations);
-        let file: String = list.iter().map(|(_, text)| text.as_str()).collect();
+        let file: String = list.iter().map(|one| one.text.as_str()).collect();
         if list.is_empty() || file.len() > LONGEST {
             continue;
         }
-        let publication = publication::load(&Source::from_text("publication.toml", &file), &mut model)
-            .unwrap_or_else(|e| panic!("{seed}: {e}\n{}", mechanism.text));
-        let mut derivations = derive_all(&model).unwrap();
-        let proof = prove(&model, &mut derivations);
-        let difference = diff(&model, &mut derivations, &publication, &proof);
-        for finding in &difference.findings {
+        for finding in &verdicts(&mut model, &file, &mechanism).findings {
             entries += 1;
+            let printed = list.iter().find(|one| one.id == finding.id).unwrap();
             let is_right = matches!(finding.judgement, Judgement::Equal | Judgement::Scaled);
-            let is_named = finding.factor.is_some() || finding.wrong.is_some();
-            if is_right != finding.id.starts_with("right") || !(is_right || is_named) {
-                let _ = writeln!(
-                    wrong,
-                    "{seed} {:?}: {}: {:?} {:?} {}",
-                    mechanism.elements,
-                    finding.id,
-                    finding.judgement,
-                    finding.remarks,
-                    &finding.printed[..finding.printed.len().min(300)]
-                );
+            let is_named = finding.factor == Some(Expr::MINUS_ONE) || finding.wrong.is_some();
+            if is_right != printed.is_right || !(is_right || is_named) {
+                let (elements, text) = (&mechanism.elements, &printed.text);
+                let (judgement, remarks) = (&finding.judgement, &finding.remarks);
+                let _ = writeln!(wrong, "{seed} {elements:?}: {judgement:?} {remarks:?}\n{text}");
             }
         }
         judged += 1;

@@ -16,7 +16,7 @@ const fn case(folder: &'static str, roots: usize, says: &'static [&'static str])
     Case { folder, roots, says }
 }
 
-const CASES: [Case; 36] = [
+const CASES: [Case; 37] = [
     // The sign of a multiplier in one system holds for its value below.
     case("03", 0, &["0 different"]),
     case("37", 1, &["the term 2*t1*cos(phi)/R should be 2*t1*cos(phi)/(3*R)"]),
@@ -28,6 +28,7 @@ const CASES: [Case; 36] = [
     case("07", 1, &["it is off by the factor 1/2"]),
     case("08", 1, &["the term -m*l*om^2*sin(theta)/4 should be -m*l*om^2*sin(theta)/2"]),
     case("09", 1, &["tau should be -tau"]),
+    case("b04", 1, &["m*g*sin(alpha) should be m*g*cos(alpha)"]),
     case("10", 1, &["m1 should be 2*m1"]),
     case("27", 1, &["v0*theta'/l should be 2*v0*theta'/l"]),
     case("32", 0, &["2 scaled"]),

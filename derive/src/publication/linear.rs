@@ -214,7 +214,7 @@ impl<'a> Loading<'a, '_> {
         found.or(multiplier.map(|symbol| (Formulation::Lagrange, symbol)))
     }
 
-    /// Reads a printed value of a reaction or a multiplier as the equation symbol = value.
+    /// Reads a printed value of a reaction or a multiplier as the equation value − symbol = 0.
     pub fn value_of_unknown(
         &mut self,
         item: &Item<'a>,
@@ -223,8 +223,9 @@ impl<'a> Loading<'a, '_> {
     ) -> Option<System> {
         let (formulation, symbol) = unknown;
         let right = self.formula(value, item.notation)?;
-        let residual = self.model.arena.sub(symbol, right);
-        self.words.shorthand.keep_difference(&self.model.arena, residual, symbol, right);
+        // Value − symbol: a mistake is told with the signs of the value.
+        let residual = self.model.arena.sub(right, symbol);
+        self.words.shorthand.keep_difference(&self.model.arena, residual, right, symbol);
         self.single_row(item, formulation, residual, value.text.clone())
     }
 

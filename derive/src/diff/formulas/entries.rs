@@ -260,11 +260,21 @@ impl Judge<'_, '_> {
                 Some(factor) => {
                     let arena = &self.quantities.derivations.kinematics.arena;
                     finding.slip = Slip::of_factor(arena, factor);
+                    let is_involved = arena.reachable(&[factor]).iter().any(|e| match arena.node(*e) {
+                        Node::Sum(constant, terms) => terms.len() > 1 || !constant.is_zero(),
+                        Node::Apply(..) => true,
+                        _ => false,
+                    });
                     // A factor in parameters may come of an abbreviation that the formula is multiplied or divided by.
-                    if arena.as_number(factor).is_none()
-                        && let Some(mistake) = self.mistake_in_abbreviations(printed, derived, Search::Values)
-                        && mistake.abbreviation.is_some()
-                    {
+                    // Where all is constant, any mistake makes a factor: one with sums and functions says nothing.
+                    let mistake = if arena.as_number(factor).is_some() {
+                        None
+                    } else {
+                        let found = self.mistake_in_abbreviations(printed, derived, Search::Values);
+                        let found = found.filter(|mistake| mistake.abbreviation.is_some());
+                        found.or_else(|| self.changed(printed, derived, Search::Values).filter(|_| is_involved))
+                    };
+                    if let Some(mistake) = mistake {
                         finding.factor = None;
                         finding.name_mistake(mistake);
                     }
@@ -333,8 +343,7 @@ impl Judge<'_, '_> {
         Mistake::of_one(vec![format!("{before} should be {after}")], (printed.value, derived), slip)
     }
 
-    /// One slip in a printed value that is all its mistake, also in the formula of an abbreviation; `None` if there is
-    /// none.
+    /// Slip that is the whole mistake of a printed value, also in an abbreviation; `None` if there is no such slip.
     pub fn slip(&mut self, printed: Printed, derived: Expr) -> Option<Mistake> {
         let found = self.mistake_in_abbreviations(printed, derived, Search::Slips);
         found.or_else(|| self.changed(printed, derived, Search::Slips))

@@ -100,6 +100,10 @@ impl Near {
     /// Compares what follows to the order in the deviations and to the order in the parameters, if one of these printed
     /// formulas has a term of both that would be beyond the order otherwise.
     pub fn keep_products_of(&mut self, quantities: &mut Quantities<'_>, printed: &[Expr]) {
+        let parameters = quantities.model.p();
+        if self.point.iter().all(|(symbol, _)| !parameters.contains(symbol)) {
+            return;
+        }
         for e in printed {
             self.keeps_products = true;
             let whole = self.formula(quantities, *e);

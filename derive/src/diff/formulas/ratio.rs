@@ -29,6 +29,9 @@ pub fn constant_ratio(quantities: &mut Quantities<'_>, comparer: &mut Comparer, 
     let mut at_one = Substitution::new(&symbols.iter().map(|s| (*s, Expr::ONE)).collect::<Vec<_>>());
     let value = at_one.apply(arena, ratio);
     let value = simplifier.simplify(arena, value);
+    // Roots may hide that the ratio is 1 or −1.
+    let plain = [Expr::ONE, Expr::MINUS_ONE].into_iter().find(|n| comparer.compare(arena, value, *n).is_equal());
+    let value = plain.unwrap_or(value);
     let back = arena.mul(value, b);
     comparer.compare(arena, a, back).is_equal().then_some(value)
 }

@@ -2,6 +2,7 @@
 
 use super::findings::{RowPlace, stated};
 use super::motion::Motion;
+use super::whole_rows::Solving;
 use crate::diff::equations::claim::{Claim, Table};
 use crate::diff::equations::derived_system::{Ordered, derived, is_of_time};
 use crate::diff::equations::rows::{Match, Row, Terms};
@@ -15,6 +16,7 @@ use crate::algebra::value::rank::rank;
 use crate::mechanics::{Formulation, Kinematics, Quantities};
 use crate::model::Model;
 use crate::publication::{Entry, Names, System, has_decimals, row_text};
+use std::cell::OnceCell;
 
 /// Printed system as equations of motion, with the derived matrix with which it is compared.
 #[derive(Clone, Debug)]
@@ -133,6 +135,8 @@ impl Judge<'_, '_> {
         let reading = Reading::of(system.formulation);
 
         let multipliers = self.own_multipliers(&mut order, &rows);
+        let exact = if self.near.is_some() { exact } else { order.clone() };
+        let solving = Solving { order: &exact, values: OnceCell::new() };
         let total = self.with_total_rates(system, &raw, &order);
         let mut findings: Vec<TracedFinding> = Vec::new();
         let (mut matches, mut kept) = (Vec::new(), Vec::new());
@@ -166,14 +170,7 @@ impl Judge<'_, '_> {
                 raw[i].iter().zip(row).map(|(raw, value)| Printed { raw: *raw, value: *value, reading }).collect();
             // Entries with verdicts of their own contrast with those of one derived row.
             let is_apart = system.matrix_ids.is_some() || system.right_ids.is_some();
-            let whole = if is_apart {
-                None
-            } else {
-                {
-                    let solving = if self.near.is_some() { &exact } else { &order };
-                    self.whole_row(&finding, &row_printed, &order, solving, &judged)
-                }
-            };
+            let whole = if is_apart { None } else { self.whole_row(&finding, &row_printed, &order, &solving, &judged) };
             let by = whole.as_ref().map_or_else(|| judged.by.clone(), |whole| whole.matched(judged.by.clone()));
             let place = RowPlace { index: i, system };
             let finding = self.row_finding(finding, &row_printed, &order, &judged, whole, place);

@@ -9,14 +9,15 @@ use crate::diff::equations::rows::{Match, Row, RowJudgement};
 use crate::diff::formulas::entries::{Judge, Printed};
 use crate::diff::formulas::finding::{Finding, Judgement, Mistake};
 
-use crate::algebra::Expr;
-use crate::algebra::meaning::compare::Witness;
+use crate::algebra::meaning::compare::{Verdict, Witness};
 use crate::algebra::solve::linear::solve;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::text::print::text;
 use crate::algebra::value::rank::echelon;
+use crate::algebra::{Expr, Node};
 use crate::mechanics::Kinematics;
 use crate::publication::has_right_side;
+use std::cell::OnceCell;
 
 /// Most unknowns of a derived system that is solved for one of them.
 const MOST_UNKNOWNS: usize = 8;
@@ -34,6 +35,14 @@ pub(super) enum WholeRow {
     Solved(Box<Finding>),
 }
 
+/// Derived rows, and the values that they give their unknowns once these are asked for.
+pub(super) struct Solving<'a> {
+    /// Derived rows that are solved: those of the system, before they are expanded near a point.
+    pub order: &'a Ordered,
+    /// Values of the unknowns, once they were asked for; `None` if the rows do not determine them, or are many.
+    pub values: OnceCell<Option<Vec<Expr>>>,
+}
+
 impl WholeRow {
     /// Match of the row: that of its entries, or none with a single derived row.
     pub fn matched(&self, entries: Match) -> Match {
@@ -45,14 +54,14 @@ impl WholeRow {
 }
 
 impl Judge<'_, '_> {
-    /// Reading of a wrong row as one formula. `solving` are the derived rows that are solved: those of `order`, before
-    /// they are expanded near a point. `None` if its entries, one by one, tell the mistake.
+    /// Reading of a wrong row as one formula; `None` if its entries, one by one, tell the mistake, or if nothing is
+    /// proved to be wrong.
     pub(super) fn whole_row(
         &mut self,
         finding: &Finding,
         row: &[Printed],
         order: &Ordered,
-        solving: &Ordered,
+        solving: &Solving<'_>,
         judged: &RowJudgement,
     ) -> Option<WholeRow> {
         let wrong = judged.entries.iter().filter(|verdict| !verdict.is_equal()).count();
@@ -68,12 +77,13 @@ impl Judge<'_, '_> {
         if is_force && solved.is_some() {
             return solved.map(|found| WholeRow::Solved(Box::new(found)));
         }
-        let has_unknowns = self.quantities.mentions_accelerations(row.last()?.raw);
-        if wrong == 1 && !has_unknowns {
-            return None;
-        }
-        if self.holds_with_solutions(row, order) {
+        if self.holds_with_solutions(row, solving) {
             return Some(WholeRow::Holds);
+        }
+        let has_unknowns = self.quantities.mentions_accelerations(row.last()?.raw);
+        let is_different = judged.entries.iter().any(|verdict| matches!(verdict, Verdict::Different(_)));
+        if !is_different || (wrong == 1 && !has_unknowns) {
+            return None;
         }
         let of = |part: fn(&Printed) -> Expr| row.iter().map(part).collect::<Row>();
         let (raw, value) = (of(|printed| printed.raw), of(|printed| printed.value));
@@ -116,14 +126,15 @@ impl Judge<'_, '_> {
     }
 
     /// True if a row that is not linear in the unknowns holds with their values.
-    fn holds_with_solutions(&mut self, row: &[Printed], order: &Ordered) -> bool {
+    fn holds_with_solutions(&mut self, row: &[Printed], solving: &Solving<'_>) -> bool {
+        let order = solving.order;
         let values: Row = row.iter().map(|printed| printed.value).collect();
         let arena = &self.quantities.derivations.kinematics.arena;
         let mentions = |unknown: &Expr| arena.mentions(values[values.len() - 1], *unknown);
         if self.near.is_some() || !order.unknowns.iter().any(mentions) {
             return false;
         }
-        let Some(solutions) = self.solutions(order) else { return false };
+        let Some(solutions) = self.solutions(solving) else { return false };
         let whole = self.as_term(&values, &order.unknowns);
         let pairs: Vec<(Expr, Expr)> = order.unknowns.iter().copied().zip(solutions).collect();
         let arena = &mut self.quantities.derivations.kinematics.arena;
@@ -133,10 +144,16 @@ impl Judge<'_, '_> {
     }
 
     /// Finding of a row with one unknown as its value, if the value is right or its mistake is named.
-    fn solved(&mut self, finding: &Finding, row: &[Printed], order: &Ordered, solving: &Ordered) -> Option<Finding> {
+    fn solved(
+        &mut self,
+        finding: &Finding,
+        row: &[Printed],
+        order: &Ordered,
+        solving: &Solving<'_>,
+    ) -> Option<Finding> {
         let (right, entries) = row.split_last()?;
         let at = alone(row)?;
-        let column = solving.unknowns.iter().position(|unknown| *unknown == order.unknowns[at])?;
+        let column = solving.order.unknowns.iter().position(|unknown| *unknown == order.unknowns[at])?;
         let derived = self.solutions(solving)?[column];
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let value = arena.div(right.value, entries[at].value)?;
@@ -148,8 +165,11 @@ impl Judge<'_, '_> {
         let derived = self.simplify(derived);
         let value = Printed { raw, value, reading: right.reading };
         let mut found = self.compare(finding.clone(), value, derived);
-        let is_named = found.factor.is_some() || found.change.is_some_and(|(own, _)| own != value.value);
-        if found.judgement == Judgement::Different && !is_named {
+        // A sum that is contrasted as a whole has no named mistake.
+        let arena = &self.quantities.derivations.kinematics.arena;
+        let is_sum = matches!(arena.node(value.value), Node::Sum(_, terms) if terms.len() > 1);
+        let is_named = found.factor.is_some() || found.change.is_some_and(|(own, _)| own != value.value || !is_sum);
+        if found.judgement != Judgement::Equal && !(found.judgement == Judgement::Different && is_named) {
             return None;
         }
         let name = text(&self.quantities.derivations.kinematics.arena, order.unknowns[at]);
@@ -162,7 +182,12 @@ impl Judge<'_, '_> {
     }
 
     /// Values of the unknowns by the derived rows; `None` if these do not determine them, or are many.
-    fn solutions(&mut self, order: &Ordered) -> Option<Vec<Expr>> {
+    fn solutions(&mut self, solving: &Solving<'_>) -> Option<Vec<Expr>> {
+        let order = solving.order;
+        solving.values.get_or_init(|| self.solved_rows(order)).clone()
+    }
+
+    fn solved_rows(&mut self, order: &Ordered) -> Option<Vec<Expr>> {
         let n = order.unknowns.len();
         if n > MOST_UNKNOWNS {
             return None;
