@@ -129,8 +129,9 @@ impl Target for Modules<'_> {
             .with_inverse_dynamics(&mut arena)
             .map_err(|why| model.diagnose(&DeriveError::Unsolved(why.into())))?;
         let wants_regressor = Regression::FUNCTIONS.iter().any(|name| self.names(name));
-        // The forces are those along the generalized speeds, with no reaction beside them.
-        let is_in_speeds = equations.variables == model.u()
+        // The forces are those along the generalized speeds, with no reaction beside them: those of inverse dynamics.
+        let is_in_speeds = !equations.required.is_empty()
+            && equations.variables == model.u()
             && equations.unknowns.iter().copied().eq(model.speeds.iter().map(|speed| speed.rate));
         let regression = if wants_regressor && is_in_speeds {
             Some(Regression::new(model, &equations).map_err(|why| model.diagnose(&why))?)
