@@ -321,7 +321,7 @@ printed = "m*g*l*(1 - cos(theta))"
 id = "rate"
 section = "1"
 quantity = "L"
-printed = "(M + m)*x'^2/2 + m*l*x'*theta'*cos(theta) + (J + m*l^2)*theta'^2/2 + m*g*l*cos(theta) + m*l*x'*sin(theta) + m*l*x*theta'*cos(theta)"
+printed = "(M + m)*x'^2/2 + m*l*x'*theta'*cos(theta) + (J + m*l^2)*theta'^2/2 + m*g*l*cos(theta) + m*l*sqrt(g/l)*(x'*sin(theta) + x*theta'*cos(theta))"
 [[equation]]
 id = "left"
 section = "1"

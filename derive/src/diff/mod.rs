@@ -29,6 +29,7 @@ pub use roots::{Follower, Link, Root};
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::text::definitions::write_down;
+use crate::algebra::text::print::text;
 use crate::mechanics::{Derivations, Quantities};
 use crate::model::Model;
 use crate::prove::Proof;
@@ -96,7 +97,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
     let Tools { mut quantities, mut comparer, .. } = tools;
     let Found { findings, claims, tables, motions } = found;
     let swapped = formulas::swapped_lists::swapped_lists(model, publication);
-    let roots = roots::find(&mut quantities, &permitted, &findings, &claims, &tables, &swapped);
+    let roots = roots::find(&mut quantities, &permitted, &findings, &claims, &tables, &swapped, publication);
     let (consequences, agreements) = printed::consequences::draw(model, derivations, &mut comparer, proof, &motions);
     Difference { findings, roots, consequences, agreements }
 }
@@ -117,6 +118,7 @@ fn judged(model: &Model, publication: &Publication, tools: &mut Tools<'_>, book:
     let mut changes_left = repairs::MOST_CHANGES;
     let mut multipliers = None;
     let mut found = Found::default();
+    let other_meanings = other_meanings(quantities, publication);
     for entry in &publication.entries {
         let first = found.findings.len();
         let earlier = found.tables.as_slice();
@@ -148,6 +150,9 @@ fn judged(model: &Model, publication: &Publication, tools: &mut Tools<'_>, book:
             EntryKind::Listing(listing) => found.take(judge.listing(entry, listing)),
             EntryKind::Initial(_) => found.push(formulas::initial::judge(model, publication, entry)),
         }
+        for finding in found.findings[first..].iter_mut().filter(|finding| finding.wrong.is_some()) {
+            finding.remarks.extend(other_meanings.iter().cloned());
+        }
         // The first row of a system or listing carries the remarks about the whole.
         if let Some(finding) = found.findings.get_mut(first) {
             finding.remarks.extend(words);
@@ -156,6 +161,15 @@ fn judged(model: &Model, publication: &Publication, tools: &mut Tools<'_>, book:
         }
     }
     found
+}
+
+/// Remarks that the publication gives names of the model another meaning: verdicts are written in the model's variables.
+fn other_meanings(quantities: &Quantities<'_>, publication: &Publication) -> Vec<String> {
+    let arena = &quantities.derivations.kinematics.arena;
+    let remark = |(name, value): &(String, Expr)| {
+        format!("{name} stands for the model's {name} here; the printed {name} is {}", text(arena, *value))
+    };
+    publication.redefined.iter().map(remark).collect()
 }
 
 /// Parameters with their numbers: those that the publication states first, or else those of the model, or 0 for

@@ -89,6 +89,9 @@ pub struct Publication {
     pub abbreviations: Vec<(String, Expr)>,
     /// Coordinates and speeds of the printed text that the model does not have: (name, formula).
     pub coordinates: Vec<(String, Expr)>,
+    /// Coordinates and speeds of the model to which the printed text gives another meaning: (name, formula in those of
+    /// the model).
+    pub redefined: Vec<(String, Expr)>,
     /// Formulas as printed, with abbreviations as symbols.
     pub shorthand: Shorthand,
     /// Symbols of the printed text for derived quantities: (name, quantity, symbol in the formulas).

@@ -107,6 +107,7 @@ fn load_all(
         files: Files::new(read),
         stated,
         coordinates: Vec::new(),
+        redefined: Vec::new(),
     };
     let title = loading.text(table, "title").unwrap_or_default();
     let reference = loading.text(table, "source").unwrap_or_default();
@@ -119,9 +120,9 @@ fn load_all(
     let entries = loading.entries(table);
     let shorthand = loading.words.shorthand;
     loading.reader.finish()?;
-    let coordinates = loading.coordinates;
+    let (coordinates, redefined) = (loading.coordinates, loading.redefined);
     let source = source.clone();
-    Ok(Publication { source, title, reference, abbreviations, coordinates, shorthand, names, entries })
+    Ok(Publication { source, title, reference, abbreviations, coordinates, redefined, shorthand, names, entries })
 }
 
 /// State of reading a publication file: the file, the model, and the names and entries read so far.
@@ -143,6 +144,8 @@ pub struct Loading<'a, 'm> {
     stated: Option<&'m [(String, String)]>,
     /// Coordinates and speeds of the publication that the model does not have.
     pub(super) coordinates: Vec<(String, Expr)>,
+    /// Coordinates and speeds of the model to which the publication gives another meaning.
+    redefined: Vec<(String, Expr)>,
 }
 
 impl<'a> Loading<'a, '_> {
@@ -261,6 +264,7 @@ impl<'a> Loading<'a, '_> {
         }
         for (name, formula) in renamed {
             self.words.redefine(&mut self.reader, &mut self.model.arena, &name, formula);
+            self.redefined.extend(formula.map(|e| (name.text, e)));
         }
     }
 

@@ -114,6 +114,19 @@ impl Shorthand {
         self.printed.entry(difference).or_insert(as_printed);
     }
 
+    /// Keeps the quotient of two formulas as printed, if one of them uses an abbreviation.
+    pub fn keep_quotient(&mut self, model: &Arena, quotient: Expr, dividend: Expr, divisor: Expr) {
+        if self.as_printed(dividend).or(self.as_printed(divisor)).is_none() {
+            return;
+        }
+        let mut transfer = Transfer::new(model);
+        let [dividend, divisor] =
+            [dividend, divisor].map(|e| self.as_printed(e).unwrap_or_else(|| transfer.term(&mut self.arena, e)));
+        if let Some(as_printed) = self.arena.div(dividend, divisor) {
+            self.printed.entry(quotient).or_insert(as_printed);
+        }
+    }
+
     /// Keeps a row of an equation as printed, its coefficients of the unknowns and then its right-hand side, if the
     /// equation uses an abbreviation. In `row`, abbreviations are written out.
     pub(super) fn keep_row(&mut self, model: &mut Arena, equation: Expr, unknowns: &[Expr], row: &[Expr]) {

@@ -1,25 +1,41 @@
 //! Multipliers of printed equations, whose names, signs and sizes are the author's choice.
 //!
 //! Aᵀλ = Aᵀ B μ for λ = B μ. Equations of motion with μ are equivalent to those with λ for every regular B. Rows that
-//! agree with the derived rows up to their multipliers determine B. B is used if it explains more rows than λ = μ does,
-//! and holds for later entries of the publication too.
+//! agree with the derived rows, or with combinations of these, up to their multipliers determine B. B is used if it
+//! explains more rows than λ = μ does, and holds for later entries of the publication too.
 
 use super::derived_system::Ordered;
 use super::matching::explained;
-use super::rows::{Row, Terms, seen};
-use crate::algebra::Expr;
+use super::rows::{Row, Terms, combination, seen};
 use crate::algebra::solve::linear::{determinant, solve};
 use crate::algebra::text::print::text;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::value::rank::echelon;
+use crate::algebra::{Arena, Expr};
 
 /// Most choices of rows that determine multipliers.
 const MOST_CHOICES: usize = 50;
 
-/// Coefficients of the multipliers in a derived and a printed row that agree in all other coefficients.
+/// Coefficients of the multipliers in a printed row, and in the multiple or the combination of derived rows that agrees
+/// with it in all other coefficients.
 struct Pair {
     derived: Row,
     printed: Row,
+}
+
+/// Form of a matrix B, the plainest first. Of matrices that explain the same number of rows the plainest is meant.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Form {
+    /// λ = μ, or the matrix of earlier entries.
+    Known,
+    /// All entries are numbers.
+    Numbers,
+    /// All entries are parameters and numbers.
+    Parameters,
+    /// Entries depend on the state, and the determinant does not: B is regular everywhere.
+    Turning,
+    /// The determinant depends on the state.
+    Other,
 }
 
 impl Terms<'_> {
@@ -30,6 +46,7 @@ impl Terms<'_> {
         order: &mut Ordered,
         printed: &[Row],
         multipliers: &[Expr],
+        parameters: &[Expr],
         known: &mut Option<Vec<Row>>,
     ) -> Option<String> {
         let at = |m: &Expr| order.unknowns.iter().position(|u| u == m);
@@ -39,11 +56,11 @@ impl Terms<'_> {
         }
         let pairs = self.pairs(order, printed, &columns);
         let as_derived = unit(columns.len());
-        let mut best = (self.explained(&pairs, &as_derived), true, as_derived.clone());
+        let mut best = (self.explained(&pairs, &as_derived), Form::Known, as_derived.clone());
         if let Some(known) = known.as_ref().filter(|known| known.len() == columns.len()) {
             let count = self.explained(&pairs, known);
             if count >= best.0 {
-                best = (count, true, known.clone());
+                best = (count, Form::Known, known.clone());
             }
         }
         let mentions = |row: &Row| columns.iter().any(|c| row[*c] != Expr::ZERO);
@@ -52,10 +69,13 @@ impl Terms<'_> {
                 let Some(change) = self.change(&chosen.iter().map(|at| &pairs[*at]).collect::<Vec<_>>()) else {
                     continue;
                 };
-                let is_plain = change.iter().flatten().all(|e| self.arena.as_number(*e).is_some());
                 let count = self.explained(&pairs, &change);
-                if count > best.0 || (count == best.0 && is_plain && !best.1) {
-                    best = (count, is_plain, change);
+                if count < best.0 {
+                    continue;
+                }
+                let form = self.form(&change, parameters);
+                if count > best.0 || form < best.1 {
+                    best = (count, form, change);
                 }
             }
         }
@@ -74,7 +94,8 @@ impl Terms<'_> {
         printed.iter().any(mentions).then_some(words)
     }
 
-    /// Coefficients of the multipliers in the printed rows that agree with derived rows up to their multipliers.
+    /// Coefficients of the multipliers in the printed rows that agree with derived rows, or with combinations of these,
+    /// up to their multipliers.
     fn pairs(&mut self, order: &Ordered, printed: &[Row], columns: &[usize]) -> Vec<Pair> {
         let without = |row: &Row| {
             let mut row = row.clone();
@@ -88,14 +109,49 @@ impl Terms<'_> {
         let mut list = Vec::new();
         for (index, row) in printed.iter().enumerate() {
             let row_seen = seen(self.arena, self.comparer, &without(row));
-            let Some((at, column)) = explained(self.arena, &row_seen, &derived, index) else { continue };
-            let Some(factor) = self.arena.div(row[column], order.rows[at][column]) else { continue };
-            let scaled: Row = of(&order.rows[at]).into_iter().map(|e| self.arena.mul(factor, e)).collect();
+            let factors = if let Some((at, column)) = explained(self.arena, &row_seen, &derived, index) {
+                let Some(factor) = self.arena.div(row[column], order.rows[at][column]) else { continue };
+                let mut factors = vec![Expr::ZERO; derived.len()];
+                factors[at] = factor;
+                factors
+            } else {
+                // Constraints have no multipliers, and more rows than unknowns have no unique combination.
+                let equations = &derived[..derived.len() - columns.len()];
+                let Terms { arena, simplifier, comparer } = self;
+                match combination(arena, simplifier, comparer, &row_seen, equations) {
+                    Ok(Some(factors)) if factors.len() == equations.len() => factors,
+                    _ => continue,
+                }
+            };
+            let mut sums = vec![Vec::new(); columns.len()];
+            for (factor, row) in factors.iter().zip(&order.rows).filter(|(factor, _)| **factor != Expr::ZERO) {
+                for (sum, entry) in sums.iter_mut().zip(of(row)) {
+                    sum.push(self.arena.mul(*factor, entry));
+                }
+            }
+            let scaled: Row = sums.iter().map(|sum| self.arena.sum(sum)).collect();
+            let scaled: Row = scaled.into_iter().map(|e| self.simplifier.simplify(self.arena, e)).collect();
             if scaled.iter().any(|e| *e != Expr::ZERO) {
                 list.push(Pair { derived: scaled, printed: of(row) });
             }
         }
         list
+    }
+
+    fn form(&mut self, change: &[Row], parameters: &[Expr]) -> Form {
+        let arena = &mut *self.arena;
+        let is_fixed = |arena: &Arena, e: Expr| {
+            arena.reachable(&[e]).iter().all(|part| arena.symbol_name(*part).is_none() || parameters.contains(part))
+        };
+        if change.iter().flatten().all(|e| arena.as_number(*e).is_some()) {
+            Form::Numbers
+        } else if change.iter().flatten().all(|e| is_fixed(arena, *e)) {
+            Form::Parameters
+        } else {
+            let regular = determinant(arena, self.simplifier, change);
+            let regular = self.simplifier.simplify(arena, regular);
+            if is_fixed(arena, regular) { Form::Turning } else { Form::Other }
+        }
     }
 
     /// Matrix B with derived · B = printed for as many pairs as there are multipliers. `None` if it is not determined,

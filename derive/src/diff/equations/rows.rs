@@ -3,6 +3,7 @@
 //! The factor is searched (`matching`), so that a row with one wrong entry is still matched, and this entry is
 //! named. The search proves nothing. Its result is then proved entry by entry.
 
+use super::independence::is_independent;
 use super::matching::{Found, best_match};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::meaning::compare::{Comparer, Engine, Verdict};
@@ -153,7 +154,7 @@ pub fn seen(arena: &mut Arena, comparer: &mut Comparer, row: &Row) -> Row {
 
 /// Multipliers λ with Σ λ_i derived_i = printed; empty for large systems. `None` if the printed row is no combination
 /// of the derived rows. The error is the reason why this cannot be decided.
-fn combination(
+pub(super) fn combination(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
     comparer: &mut Comparer,
@@ -180,7 +181,11 @@ fn combination(
         return Ok(None);
     }
     if independent.len() > WRITTEN {
-        return if follows { Ok(Some(Vec::new())) } else { Err(unknown()) };
+        if follows {
+            return Ok(Some(Vec::new()));
+        }
+        let rows: Vec<Row> = independent.iter().map(|at| derived[*at].clone()).chain([printed.clone()]).collect();
+        return if is_independent(arena, comparer, &rows) { Ok(None) } else { Err(unknown()) };
     }
     let transposed: Vec<Row> =
         columns.iter().map(|c| independent.iter().map(|at| derived[*at][*c]).collect()).collect();

@@ -1,6 +1,7 @@
 //! Test for terms that do not depend on the state.
 
 use crate::algebra::Expr;
+use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::mechanics::Quantities;
@@ -14,4 +15,17 @@ pub fn is_constant(quantities: &mut Quantities<'_>, e: Expr) -> bool {
         let slope = Differential::partial(symbol).apply(arena, e);
         zero_test(arena, slope) == ZeroTest::Zero
     })
+}
+
+/// True if a term keeps its value in every motion of the mechanism: it does not depend on the speeds, and its rate is 0
+/// in permitted states.
+pub fn is_kept(quantities: &mut Quantities<'_>, comparer: &mut Comparer, e: Expr) -> bool {
+    let model = quantities.model;
+    let e = quantities.in_speeds(e);
+    let along = model.q().into_iter().zip(model.kinematic_equations.rates.iter().copied());
+    let rate = Differential::along(&along.collect::<Vec<_>>()).apply(&mut quantities.derivations.kinematics.arena, e);
+    let arena = &mut quantities.derivations.kinematics.arena;
+    let slopes = model.u().into_iter().map(|speed| Differential::partial(speed).apply(arena, e));
+    let slopes: Vec<Expr> = slopes.chain([rate]).collect();
+    slopes.into_iter().all(|slope| comparer.compare(arena, slope, Expr::ZERO).is_equal())
 }

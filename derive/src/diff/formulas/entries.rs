@@ -1,11 +1,11 @@
 //! Judgement of printed values of named quantities.
 
-use super::constant::is_constant;
+use super::constant::{is_constant, is_kept};
 use super::finding::{Finding, Judgement, Mistake, ROUNDED, TracedFinding};
 use super::near::Near;
 use super::ratio::constant_ratio;
 use super::rounding::agrees_as_rounded;
-use super::terms::{WrongTerm, wrong_terms};
+use super::terms::{WrongTerm, spread, wrong_terms};
 use crate::diff::equations::claim::{Claim, Table};
 use crate::diff::equations::rows::Row;
 use crate::diff::repairs::{Book, Formula, Repair, Search, Slip, Tools, pair, repair};
@@ -14,8 +14,8 @@ use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::meaning::permitted::Holds;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::text::print::text;
-use crate::algebra::{Expr, Node, Rational};
-use crate::mechanics::{Energy, Formulation, Kinematics, Quantities, Quantity, QuantityKind};
+use crate::algebra::{Expr, Node};
+use crate::mechanics::{Energy, Formulation, Kinematics, LoadPotential, Quantities, Quantity, QuantityKind};
 use crate::publication::{Names, has_decimals};
 
 /// Most rounds in which sums of a derived value are shortened.
@@ -111,16 +111,17 @@ impl Judge<'_, '_> {
         let TracedFinding { finding: found, claim } = self.value(finding.clone(), quantity.kind(), printed, derived);
         let has_a_zero = matches!(quantity.kind(), QuantityKind::Energy(energy) if energy.has_a_zero());
         let is_told = found.change.is_some_and(|(own, _)| own != printed.value) || found.factor.is_some();
-        let is_unnamed = found.judgement == Judgement::Different && !is_told;
+        let is_different = found.judgement == Judgement::Different;
         let with_other_zero =
-            if has_a_zero && is_unnamed { self.with_other_zero(finding, printed, derived) } else { None };
+            if has_a_zero && is_different { self.with_other_zero(finding, printed, derived, is_told) } else { None };
         let finding = with_other_zero.unwrap_or(found);
         let finding = match quantity.kind() {
-            QuantityKind::Energy(Energy::Lagrangian) => {
+            // What is added to an energy is an energy.
+            QuantityKind::Energy(energy) if energy.has_a_zero() && self.units(raw, derived).is_none() => {
                 let finding = self.up_to_its_zero(finding, printed.value);
-                self.up_to_a_rate(finding)
+                let finding = if *energy == Energy::Gravity { finding } else { self.up_to_loads(finding, *energy) };
+                if *energy == Energy::Lagrangian { self.up_to_a_rate(finding) } else { finding }
             }
-            QuantityKind::Energy(energy) if energy.has_a_zero() => self.up_to_its_zero(finding, printed.value),
             _ => finding,
         };
         finding.with_claim(claim)
@@ -145,23 +146,24 @@ impl Judge<'_, '_> {
     }
 
     /// Finding of a wrong energy by one mistake beside constant terms, which move the zero of the energy. `None` if it
-    /// differs in no constant term, or if no mistake is found so.
-    fn with_other_zero(&mut self, finding: Finding, printed: Printed, derived: Expr) -> Option<Finding> {
+    /// differs in no constant term, or if no mistake is found so: no slip, if `is_told` is true, since the whole energy
+    /// has another mistake then.
+    fn with_other_zero(&mut self, finding: Finding, printed: Printed, derived: Expr, is_told: bool) -> Option<Finding> {
         let difference = self.quantities.derivations.kinematics.arena.sub(printed.value, derived);
         let difference = self.simplify(difference);
-        let Node::Sum(_, terms) = self.quantities.derivations.kinematics.arena.node(difference).clone() else {
-            return None;
-        };
-        let constants: Vec<(Expr, Rational)> =
-            terms.iter().filter(|(term, _)| is_constant(self.quantities, *term)).cloned().collect();
+        let terms = spread(&mut self.quantities.derivations.kinematics.arena, difference);
+        let constants: Vec<Expr> = terms.into_iter().filter(|term| is_constant(self.quantities, *term)).collect();
         if constants.is_empty() || self.near.is_some() {
             return None;
         }
         let arena = &mut self.quantities.derivations.kinematics.arena;
-        let zero = arena.linear_combination(&constants);
+        let zero = arena.sum(&constants);
         let shifted = arena.add(derived, zero);
         let shifted = self.simplify(shifted);
         let mut found = self.compare(finding, printed, shifted);
+        if is_told && found.slip.is_none_or(|slip| slip > Slip::Function) {
+            return None;
+        }
         let zero = text(&self.quantities.derivations.kinematics.arena, zero);
         found.remarks.push(format!("the derived value is shown with the printed zero, {zero} higher"));
         found.change.is_some_and(|(own, _)| own != printed.value).then_some(found)
@@ -180,7 +182,13 @@ impl Judge<'_, '_> {
         let is_in_numbers = has_none && has_decimals(&finding.printed);
         let in_numbers = is_in_numbers.then(|| Substitution::new(self.numbers).apply(arena, permitted));
         let forms = [Some(difference), Some(permitted), in_numbers].into_iter().flatten();
-        let Some(difference) = forms.into_iter().find(|e| is_constant(self.quantities, *e)) else { return finding };
+        let Some(difference) = forms.into_iter().find(|e| is_constant(self.quantities, *e)) else {
+            if !is_kept(self.quantities, self.comparer, difference) {
+                return finding;
+            }
+            let remark = "the zero of the quantity is elsewhere: printed − derived keeps its value in every motion";
+            return finding.accepted("up to a constant", remark.to_owned());
+        };
         let difference = self.simplify(difference);
         let arena = &self.quantities.derivations.kinematics.arena;
         let remark = format!(
@@ -188,6 +196,44 @@ impl Judge<'_, '_> {
             text(arena, difference)
         );
         finding.accepted("up to a constant", remark)
+    }
+
+    /// Accepts an energy that contains the potential of one load, or of all loads, that the derived energy leaves out,
+    /// such as of a spring with a driven end: the same forces follow from it.
+    fn up_to_loads(&mut self, finding: Finding, energy: Energy) -> Finding {
+        let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
+            return finding;
+        };
+        let model = self.quantities.model;
+        let kinematics = &mut self.quantities.derivations.kinematics;
+        if model.u().into_iter().chain(model.q_dot()).any(|rate| kinematics.arena.mentions(difference, rate)) {
+            return finding;
+        }
+        let names: Vec<&String> =
+            model.forces.iter().map(|f| &f.name).chain(model.torques.iter().map(|t| &t.name)).collect();
+        let LoadPotential { rest, outside, .. } = kinematics.load_potential(model);
+        let forces = kinematics.load_forces(model);
+        let named = outside.into_iter().filter_map(|at| Some((format!("`{}`", names.get(at)?), forces[at].clone())));
+        let mut loads: Vec<(String, Vec<Expr>)> = named.collect();
+        loads.push(("all loads".to_owned(), rest));
+        // A function of time has no slopes, and is the potential of no force.
+        loads.retain(|(_, load)| load.iter().any(|force| *force != Expr::ZERO));
+        // L contains −V.
+        let sign = if energy == Energy::Lagrangian { Expr::ONE } else { Expr::MINUS_ONE };
+        let slopes: Vec<(usize, Expr)> = (0..model.coordinates.len())
+            .filter(|at| model.time() != Some(*at))
+            .map(|at| {
+                let arena = &mut kinematics.arena;
+                let slope = Differential::partial(model.coordinates[at].symbol).apply(arena, difference);
+                (at, arena.mul(sign, slope))
+            })
+            .collect();
+        let found = loads.into_iter().find(|(_, load)| {
+            slopes.iter().all(|(at, slope)| self.comparer.compare(&mut kinematics.arena, *slope, load[*at]).is_equal())
+        });
+        let Some((load, _)) = found else { return finding };
+        let remark = format!("it contains the potential of {load}, which the model states as a load");
+        finding.accepted("with the potential of a load", remark)
     }
 
     /// Accepts a Lagrangian that differs by the total time derivative of a function of q and t: Lagrange's equations
@@ -271,7 +317,7 @@ impl Judge<'_, '_> {
                         None
                     } else {
                         let found = self.mistake_in_abbreviations(printed, derived, Search::Values);
-                        let found = found.filter(|mistake| mistake.abbreviation.is_some());
+                        let found = found.filter(|mistake| !mistake.abbreviations.is_empty());
                         found.or_else(|| self.changed(printed, derived, Search::Values).filter(|_| is_involved))
                     };
                     if let Some(mistake) = mistake {
@@ -338,7 +384,7 @@ impl Judge<'_, '_> {
         let is_long = before.len() > LONGEST || after.len() > LONGEST;
         let is_each_printed = !terms.is_empty() && terms.iter().all(|term| !matches!(term, WrongTerm::Missing(_)));
         if is_long || is_each_printed {
-            return Mistake { words, change: None, slip, abbreviation: None };
+            return Mistake { words, change: None, slip, abbreviations: Vec::new() };
         }
         Mistake::of_one(vec![format!("{before} should be {after}")], (printed.value, derived), slip)
     }
@@ -353,14 +399,14 @@ impl Judge<'_, '_> {
     fn changed(&mut self, printed: Printed, derived: Expr, search: Search) -> Option<Mistake> {
         let Repair { words, parts, slip, .. } =
             self.with_tools(printed, |tools, formula, _| repair(tools, formula, derived, search))?;
-        Some(Mistake { words: vec![words], change: parts, slip: Some(slip), abbreviation: None })
+        Some(Mistake { words: vec![words], change: parts, slip: Some(slip), abbreviations: Vec::new() })
     }
 
     /// Mistake of a formula that uses abbreviations, found with the abbreviations as symbols; `None` if there are none,
     /// or if no mistake is found.
     fn mistake_in_abbreviations(&mut self, printed: Printed, derived: Expr, search: Search) -> Option<Mistake> {
         let found = self.with_tools(printed, |tools, _, book| book.mistake(tools, printed.raw, derived, search))?;
-        Some(Mistake { words: found.words, change: found.parts, slip: found.slip, abbreviation: found.abbreviation })
+        Some(Mistake { words: found.words, change: found.parts, slip: found.slip, abbreviations: found.abbreviations })
     }
 
     /// Descriptions of two mistakes that are all of a formula's, with abbreviations as symbols if they are found so.

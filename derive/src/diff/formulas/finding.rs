@@ -51,7 +51,7 @@ impl Finding {
             wrong: None,
             change: None,
             slip: None,
-            abbreviation: None,
+            abbreviations: Vec::new(),
             places: Vec::new(),
             witness: None,
             factor: None,
@@ -69,14 +69,14 @@ pub(in crate::diff) struct Mistake {
     pub(in crate::diff) change: Option<(Expr, Expr)>,
     /// Kind of the mistake, if there is one alone.
     pub(in crate::diff) slip: Option<Slip>,
-    /// Name of the abbreviation in whose formula the mistake is, if this is the whole mistake.
-    pub(in crate::diff) abbreviation: Option<String>,
+    /// Names of the abbreviations in whose formulas the mistakes are, if these are the whole mistake.
+    pub(in crate::diff) abbreviations: Vec<String>,
 }
 
 impl Mistake {
     /// Mistake of one part, with the right part in its place.
     pub(in crate::diff) fn of_one(words: Vec<String>, change: (Expr, Expr), slip: Option<Slip>) -> Self {
-        Self { words, change: Some(change), slip, abbreviation: None }
+        Self { words, change: Some(change), slip, ..Self::default() }
     }
 }
 
@@ -108,8 +108,8 @@ pub struct Finding {
     pub change: Option<(Expr, Expr)>,
     /// Kind of the mistake, if there is one alone.
     pub slip: Option<Slip>,
-    /// Name of the abbreviation in whose formula the mistake is, if this is the whole mistake.
-    pub abbreviation: Option<String>,
+    /// Names of the abbreviations in whose formulas the mistakes are, if these are the whole mistake.
+    pub abbreviations: Vec<String>,
     /// Places of the mistakes in a row, such as "the right-hand side"; empty for other entries.
     pub places: Vec<String>,
     /// State in which the printed and the derived value differ.
@@ -145,7 +145,7 @@ impl Finding {
             wrong: None,
             change: None,
             slip: None,
-            abbreviation: None,
+            abbreviations: Vec::new(),
             places: Vec::new(),
             witness: None,
             remarks: Vec::new(),
@@ -159,8 +159,8 @@ impl Finding {
 
     /// Adds the description of the mistake, if there is one.
     pub(in crate::diff) fn name_mistake(&mut self, mistake: Mistake) {
-        let Mistake { words, change, slip, abbreviation } = mistake;
-        (self.slip, self.abbreviation) = (slip, abbreviation);
+        let Mistake { words, change, slip, abbreviations } = mistake;
+        (self.slip, self.abbreviations) = (slip, abbreviations);
         self.wrong = (!words.is_empty()).then(|| words.join("; "));
         self.remarks.extend(words);
         self.change = change;

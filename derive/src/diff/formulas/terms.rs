@@ -81,7 +81,7 @@ pub fn wrong_terms(arena: &mut Arena, simplifier: &mut Simplifier, printed: Expr
 }
 
 /// Terms of a sum, or of a product of one sum with other factors, multiplied out.
-fn spread(arena: &mut Arena, e: Expr) -> Vec<Expr> {
+pub fn spread(arena: &mut Arena, e: Expr) -> Vec<Expr> {
     let scaled = |arena: &mut Arena, terms: &[(Expr, Rational)], constant: &Rational| {
         let mut list: Vec<Expr> = terms.iter().map(|(term, k)| arena.scale(*term, k)).collect();
         if !constant.is_zero() {

@@ -152,14 +152,16 @@ impl Judge<'_, '_> {
             finding.up_to = Some("to the digits printed");
             finding.remarks.push(ROUNDED.to_owned());
         }
-        if judged.is_right() {
-            // A factor in parameters or of the state may be a wrong abbreviation, by which the whole row is multiplied.
-            let arena = &self.quantities.derivations.kinematics.arena;
-            if matches!(&judged.by, Match::Row { factor, .. } if arena.as_number(*factor).is_some()) {
-                for printed in row {
-                    self.book.trust(printed.raw);
-                }
+        // A factor in parameters or of the state may be a wrong abbreviation, by which the whole row is multiplied.
+        let arena = &self.quantities.derivations.kinematics.arena;
+        let is_plain = matches!(&judged.by, Match::Row { factor, .. } if arena.as_number(*factor).is_some());
+        let right = judged.entries.iter().filter(|verdict| verdict.is_equal()).count();
+        if is_plain && right + 1 >= row.len() {
+            for (printed, _) in row.iter().zip(&judged.entries).filter(|(_, verdict)| verdict.is_equal()) {
+                self.book.trust(printed.raw);
             }
+        }
+        if judged.is_right() {
             return finding;
         }
         finding.holds = Holds::EVERYWHERE;
@@ -196,7 +198,7 @@ impl Judge<'_, '_> {
         }
         if let [mistake] = mistakes.as_slice() {
             (finding.change, finding.slip) = (mistake.change, mistake.slip);
-            finding.abbreviation.clone_from(&mistake.abbreviation);
+            finding.abbreviations.clone_from(&mistake.abbreviations);
         }
         let wrong = places.join("; ");
         finding.remarks.push(format!("wrong: {wrong}"));

@@ -227,8 +227,10 @@ impl Judge<'_, '_> {
     fn own_multipliers(&mut self, order: &mut Ordered, rows: &[Row]) -> Option<String> {
         let multipliers: Vec<Expr> =
             self.quantities.model.motion_constraints.iter().map(|constraint| constraint.multiplier).collect();
+        let parameters: Vec<Expr> = self.quantities.model.parameters.iter().map(|p| p.symbol).collect();
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
-        Terms { arena, simplifier, comparer: self.comparer }.adapt(order, rows, &multipliers, self.multipliers)
+        let mut terms = Terms { arena, simplifier, comparer: self.comparer };
+        terms.adapt(order, rows, &multipliers, &parameters, self.multipliers)
     }
 
     /// Expands derived and printed rows up to the order of an entry that holds near a point. Rows of other entries are

@@ -143,7 +143,8 @@ impl Judge<'_, '_> {
         put.undefined.is_none() && self.comparer.is_zero(arena, residual).is_equal()
     }
 
-    /// Finding of a row with one unknown as its value, if the value is right or its mistake is named.
+    /// Finding of a row with one unknown as its value, or with a sum of unknowns, each times a number, as the value of
+    /// this sum. `None` unless the value is right or its mistake is named.
     fn solved(
         &mut self,
         finding: &Finding,
@@ -152,12 +153,26 @@ impl Judge<'_, '_> {
         solving: &Solving<'_>,
     ) -> Option<Finding> {
         let (right, entries) = row.split_last()?;
-        let at = alone(row)?;
-        let column = solving.order.unknowns.iter().position(|unknown| *unknown == order.unknowns[at])?;
-        let derived = self.solutions(solving)?[column];
+        let arena = &self.quantities.derivations.kinematics.arena;
+        let numbers = || entries.iter().all(|entry| arena.as_number(entry.value).is_some());
+        let first = alone(row).or_else(|| entries.iter().position(|e| e.value != Expr::ZERO).filter(|_| numbers()))?;
+        let solutions = self.solutions(solving)?;
+        let divisor = entries[first];
         let arena = &mut self.quantities.derivations.kinematics.arena;
-        let value = arena.div(right.value, entries[at].value)?;
-        let raw = arena.div(right.raw, entries[at].raw)?;
+        let value = arena.div(right.value, divisor.value)?;
+        let raw = arena.div(right.raw, divisor.raw)?;
+        self.book.keep_quotient(arena, raw, right.raw, divisor.raw);
+        let mut solved: Row = Vec::new();
+        let mut terms = Vec::new();
+        for (entry, unknown) in entries.iter().zip(&order.unknowns) {
+            let factor = arena.div(entry.value, divisor.value)?;
+            solved.push(factor);
+            if factor != Expr::ZERO {
+                let column = solving.order.unknowns.iter().position(|own| own == unknown)?;
+                terms.push(arena.mul(factor, solutions[column]));
+            }
+        }
+        let derived = arena.sum(&terms);
         let (value, derived) = match &mut self.near {
             Some(near) => (near.formula(self.quantities, value).ok()?, near.formula(self.quantities, derived).ok()?),
             None => (value, derived),
@@ -166,17 +181,19 @@ impl Judge<'_, '_> {
         let value = Printed { raw, value, reading: right.reading };
         let mut found = self.compare(finding.clone(), value, derived);
         // A sum that is contrasted as a whole has no named mistake.
-        let arena = &self.quantities.derivations.kinematics.arena;
+        let arena = &mut self.quantities.derivations.kinematics.arena;
         let is_sum = matches!(arena.node(value.value), Node::Sum(_, terms) if terms.len() > 1);
-        let is_named = found.factor.is_some() || found.change.is_some_and(|(own, _)| own != value.value || !is_sum);
+        let is_named = found.factor.is_some()
+            || !found.abbreviations.is_empty()
+            || found.change.is_some_and(|(own, _)| own != value.value || !is_sum);
         if found.judgement != Judgement::Equal && !(found.judgement == Judgement::Different && is_named) {
             return None;
         }
-        let name = text(&self.quantities.derivations.kinematics.arena, order.unknowns[at]);
+        let products: Vec<Expr> = solved.iter().zip(&order.unknowns).map(|(k, x)| arena.mul(*k, *x)).collect();
+        let sum = arena.sum(&products);
+        let name = text(arena, sum);
         found.remarks.insert(0, format!("compared with the value of {name} that all equations give"));
-        let mut solved: Row = vec![Expr::ZERO; order.unknowns.len() + 1];
-        solved[at] = Expr::ONE;
-        *solved.last_mut().expect("a row has a right-hand side") = derived;
+        solved.push(derived);
         found.derived = Some(self.as_term(&solved, &order.unknowns));
         Some(found)
     }

@@ -5,7 +5,7 @@
 //! mistake of their own.
 
 use super::formula::Formula;
-use super::{Repair, Search, Slip, Tools, is_right, pair, repair};
+use super::{Repair, Search, Slip, Tools, is_right, pair, repair, repairs_of_abbreviations};
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::{Arena, Expr};
 use crate::publication::Shorthand;
@@ -28,6 +28,8 @@ pub struct Book {
     corrections: Vec<Correction>,
     /// Names of abbreviations that right entries use: no mistake is sought in them.
     trusted: FxHashSet<String>,
+    /// Mistakes in abbreviations that would be all of an entry's, each with the formulas of these entries.
+    suspected: Vec<(Correction, Vec<Expr>)>,
 }
 
 /// Mistake of a formula that uses abbreviations.
@@ -38,15 +40,16 @@ pub struct Found {
     pub parts: Option<(Expr, Expr)>,
     /// Kind of the mistake, if there is one.
     pub slip: Option<Slip>,
-    /// Name of the abbreviation whose mistake is the only one.
-    pub abbreviation: Option<String>,
+    /// Names of the abbreviations whose mistakes are all mistakes.
+    pub abbreviations: Vec<String>,
 }
 
 impl Book {
     /// Book in which no abbreviation is wrong.
     pub fn new(shorthand: &Shorthand) -> Self {
         let (shorthand, arena) = (shorthand.clone(), Arena::new());
-        Self { shorthand, arena, corrections: Vec::new(), trusted: FxHashSet::default() }
+        let (corrections, suspected) = (Vec::new(), Vec::new());
+        Self { shorthand, arena, corrections, trusted: FxHashSet::default(), suspected }
     }
 
     /// Notes that an entry with this formula, abbreviations written out, is right.
@@ -56,12 +59,30 @@ impl Book {
         self.trusted.extend(used.into_iter().map(|one| one.name.clone()));
     }
 
-    /// Drops the mistakes in abbreviations that right entries use. True if entries may be judged otherwise with what
-    /// the book knows now.
+    /// Drops the mistakes in abbreviations that right entries use, and believes those that would be all of several
+    /// entries'. True if entries may be judged otherwise with what the book knows now.
     pub fn learn(&mut self) -> bool {
+        let mut suspected = std::mem::take(&mut self.suspected);
+        let declared = |one: &Correction| self.shorthand.abbreviations().iter().position(|own| own.name == one.name);
+        // Of two mistakes that would explain the same entries, the one nearer to them is meant.
+        suspected.sort_by_key(|(one, entries)| std::cmp::Reverse((entries.len(), declared(one))));
+        let mut explained: FxHashSet<Expr> = FxHashSet::default();
+        for (suspect, entries) in suspected.into_iter().filter(|(_, entries)| entries.len() > 1) {
+            if entries.iter().all(|entry| !explained.contains(entry))
+                && self.corrections.iter().all(|one| one.name != suspect.name)
+            {
+                explained.extend(entries);
+                self.corrections.push(suspect);
+            }
+        }
         let had_corrections = !self.corrections.is_empty();
         self.corrections.retain(|one| !self.trusted.contains(&one.name));
         had_corrections
+    }
+
+    /// Keeps the quotient of two formulas as printed, if one of them uses an abbreviation.
+    pub fn keep_quotient(&mut self, model: &Arena, quotient: Expr, dividend: Expr, divisor: Expr) {
+        self.shorthand.keep_quotient(model, quotient, dividend, divisor);
     }
 
     /// True if a formula, with abbreviations written out, is printed as the name of an abbreviation alone.
@@ -84,19 +105,24 @@ impl Book {
                     words,
                     parts: first.parts.filter(|_| is_one),
                     slip: Some(first.slip).filter(|_| is_one),
-                    abbreviation: Some(first.name.clone()).filter(|_| is_one),
+                    abbreviations: known.iter().map(|at| self.corrections[*at].name.clone()).collect(),
                 });
             }
             if let Some(found) = repair(tools, &mut formula, derived, search) {
                 self.note(&formula, &found);
                 let words = words.into_iter().chain([found.words]).collect();
-                return Some(Found { words, parts: None, slip: None, abbreviation: None });
+                return Some(Found { words, parts: None, slip: None, abbreviations: Vec::new() });
             }
             formula = Formula::with_abbreviations(&self.shorthand, as_printed, &self.trusted);
         }
         let found = repair(tools, &mut formula, derived, search)?;
-        let abbreviation = self.note(&formula, &found);
-        Some(Found { words: vec![found.words], parts: found.parts, slip: Some(found.slip), abbreviation })
+        let abbreviations = Vec::from_iter(self.note(&formula, &found));
+        if abbreviations.is_empty() {
+            for other in repairs_of_abbreviations(tools, &mut formula, derived) {
+                self.suspect(&formula, &other, raw);
+            }
+        }
+        Some(Found { words: vec![found.words], parts: found.parts, slip: Some(found.slip), abbreviations })
     }
 
     /// Two mistakes of a printed formula, also beside those of abbreviations that are known to be wrong. `None` if it
@@ -110,7 +136,7 @@ impl Book {
             self.note(&formula, &found);
             words.push(found.words);
         }
-        Some(Found { words, parts: None, slip: None, abbreviation: None })
+        Some(Found { words, parts: None, slip: None, abbreviations: Vec::new() })
     }
 
     /// Puts the right formulas of known wrong abbreviations into a formula; returns the indices of those that it uses.
@@ -128,11 +154,27 @@ impl Book {
 
     /// Notes the mistake of an abbreviation; returns its name.
     fn note(&mut self, formula: &Formula, found: &Repair) -> Option<String> {
+        let correction = self.correction(formula, found)?;
+        let name = correction.name.clone();
+        self.corrections.retain(|one| one.name != name);
+        self.corrections.push(correction);
+        Some(name)
+    }
+
+    /// Notes a mistake of an abbreviation that the entry with the formula `raw` may have instead of its own.
+    fn suspect(&mut self, formula: &Formula, found: &Repair, raw: Expr) {
+        let Some(correction) = self.correction(formula, found) else { return };
+        let is_same = |one: &Correction| (&one.name, one.right) == (&correction.name, correction.right);
+        match self.suspected.iter_mut().find(|(one, _)| is_same(one)) {
+            Some((_, entries)) if entries.contains(&raw) => {}
+            Some((_, entries)) => entries.push(raw),
+            None => self.suspected.push((correction, vec![raw])),
+        }
+    }
+
+    fn correction(&mut self, formula: &Formula, found: &Repair) -> Option<Correction> {
         let name = formula.parts[found.place?].name.clone();
         let right = Transfer::new(&formula.arena).term(&mut self.arena, found.changed);
-        let (words, parts, slip) = (found.words.clone(), found.parts, found.slip);
-        self.corrections.retain(|one| one.name != name);
-        self.corrections.push(Correction { name: name.clone(), right, words, parts, slip });
-        Some(name)
+        Some(Correction { name, right, words: found.words.clone(), parts: found.parts, slip: found.slip })
     }
 }

@@ -239,6 +239,14 @@ fn variants(arena: &mut Arena, pool: &Pool, part: Expr) -> Vec<Variant> {
                     if let Ok(power) = arena.pow(part, n) {
                         list.push(Variant { slip, part: arena.mul(rest, power) });
                     }
+                    // Of equal factors, such as w1 in w1 w1, one may be wrong.
+                    if (2..=MOST_EQUAL).contains(&i64::from(n))
+                        && matches!(slip, Slip::Symbol | Slip::Function)
+                        && let Ok(others) = arena.pow(base, n - 1)
+                    {
+                        let power = arena.mul(others, part);
+                        list.push(Variant { slip, part: arena.mul(rest, power) });
+                    }
                 }
             }
             list

@@ -14,10 +14,12 @@ mod pool;
 mod spots;
 
 use crate::algebra::meaning::compare::Comparer;
+use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::Quantities;
+use crate::model::Unit;
 pub use book::Book;
 pub use change::Slip;
 use change::{Change, changes};
@@ -25,6 +27,7 @@ pub use formula::Formula;
 use formula::Place;
 pub use pairs::pair;
 use points::Points;
+pub use points::drawn;
 use pool::Pool;
 use spots::solved_spot;
 
@@ -100,6 +103,23 @@ pub fn repair(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr, s
     if search == Search::Values { solved_spot(tools, formula, derived) } else { None }
 }
 
+/// Changes of abbreviations, one each at most, of which every one makes a formula the derived value: mistakes that may
+/// be meant instead of one in the formula itself.
+fn repairs_of_abbreviations(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr) -> Vec<Repair> {
+    let places: Vec<Place> = formula.places().into_iter().filter(|place| place.at.is_some()).collect();
+    let nodes: Vec<Expr> = places.iter().map(|place| place.formula).collect();
+    if places.is_empty() || *tools.left == 0 || formula.arena.reachable(&nodes).len() > MOST_NODES {
+        return Vec::new();
+    }
+    let mut list: Vec<Repair> = Vec::new();
+    for candidate in close_changes(tools, formula, &places, derived).into_iter().flatten().take(MOST_PROOFS) {
+        if list.iter().all(|known| known.place != candidate.place.at) {
+            list.extend(proved(tools, formula, candidate, derived));
+        }
+    }
+    list
+}
+
 /// A change that numbers do not reject.
 #[derive(Clone, Copy)]
 struct Candidate {
@@ -119,7 +139,7 @@ fn close_changes(
 ) -> Option<Vec<Candidate>> {
     // Changes are built in an arena of their own: they must not change the order of terms in the main one.
     let mut arena = std::mem::take(&mut formula.arena);
-    let pools = pools(tools, &mut arena, places, derived);
+    let pools = pools(tools, formula, &mut arena, places, derived);
     let Some(mut points) = states(tools, formula, &arena, &pools, derived) else {
         formula.arena = arena;
         return None;
@@ -140,8 +160,42 @@ fn close_changes(
 }
 
 /// Symbols and factors that changes of each place may bring in.
-fn pools(tools: &Tools<'_, '_>, arena: &mut Arena, places: &[Place], derived: Expr) -> Vec<Pool> {
-    places.iter().map(|place| Pool::new(tools.quantities, arena, place.formula, derived)).collect()
+fn pools(
+    tools: &mut Tools<'_, '_>,
+    formula: &Formula,
+    arena: &mut Arena,
+    places: &[Place],
+    derived: Expr,
+) -> Vec<Pool> {
+    let units = units(tools, formula, arena);
+    let pool = |place: &Place| {
+        // An abbreviation uses those that are declared before it.
+        let known = place.at.unwrap_or(formula.parts.len());
+        let units: Vec<(Expr, Unit)> =
+            units.iter().filter(|(at, ..)| *at < known).map(|(_, symbol, unit)| (*symbol, unit.clone())).collect();
+        Pool::new(tools.quantities, arena, place.formula, derived, &units)
+    };
+    places.iter().map(pool).collect()
+}
+
+/// Index, symbol and unit of each abbreviation of a formula that has a unit.
+fn units(tools: &mut Tools<'_, '_>, formula: &Formula, arena: &mut Arena) -> Vec<(usize, Expr, Unit)> {
+    let mut list = Vec::new();
+    let mut written: Vec<(Expr, Expr)> = Vec::new();
+    for (at, part) in formula.parts.iter().enumerate() {
+        let mut put = Substitution::new(&written);
+        let whole = put.apply(arena, part.formula);
+        if put.undefined.is_some() {
+            continue;
+        }
+        written.push((part.symbol, whole));
+        let main = &mut tools.quantities.derivations.kinematics.arena;
+        let whole = Transfer::new(arena).term(main, whole);
+        if let Ok(Some(unit)) = tools.quantities.model.checked_unit_of(main, whole) {
+            list.push((at, part.symbol, unit));
+        }
+    }
+    list
 }
 
 /// States at which changes of a formula, whose terms are in `arena`, are evaluated; `None` if there are none.

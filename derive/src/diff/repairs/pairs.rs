@@ -77,7 +77,7 @@ fn singles(
     derived: crate::algebra::Expr,
 ) -> Option<(Vec<Single>, [f64; POINTS], [f64; POINTS])> {
     let mut arena = std::mem::take(&mut formula.arena);
-    let pools = pools(tools, &mut arena, places, derived);
+    let pools = pools(tools, formula, &mut arena, places, derived);
     let Some(mut points) = states(tools, formula, &arena, &pools, derived) else {
         formula.arena = arena;
         return None;

@@ -152,8 +152,8 @@ fn applied(f: Function, x: f64) -> f64 {
     }
 }
 
-/// Random number whose size is 0.3 to 1.7.
-fn drawn(generator: &mut Generator, arena: &Arena, symbol: Expr) -> f64 {
+/// Random number for a symbol, whose size is 0.3 to 1.7; positive for positive symbols.
+pub fn drawn(generator: &mut Generator, arena: &Arena, symbol: Expr) -> f64 {
     let size = 0.3 + (generator.next() % 1_400_000) as f64 * 1e-6;
     if arena.is_positive(symbol) || generator.next().is_multiple_of(2) { size } else { -size }
 }

@@ -20,8 +20,14 @@ pub struct Pool {
 
 impl Pool {
     /// Pool for changes of `root`, a formula in `arena`, whose right value is `derived`, a formula in the arena of the
-    /// derivations.
-    pub fn new(quantities: &Quantities<'_>, arena: &mut Arena, root: Expr, derived: Expr) -> Self {
+    /// derivations. `abbreviations` are those that may stand in the formula, each with its unit.
+    pub fn new(
+        quantities: &Quantities<'_>,
+        arena: &mut Arena,
+        root: Expr,
+        derived: Expr,
+        abbreviations: &[(Expr, Unit)],
+    ) -> Self {
         let model = quantities.model;
         let main = &quantities.derivations.kinematics.arena;
         let mut transfer = Transfer::new(main);
@@ -82,6 +88,10 @@ impl Pool {
                 other != symbol && (its == unit || dotted || speed || index)
             };
             swaps.insert(*symbol, known.iter().filter(same).map(|(other, ..)| *other).collect());
+        }
+        for (symbol, unit) in abbreviations.iter().filter(|(symbol, _)| printed.contains(symbol)) {
+            let others = abbreviations.iter().filter(|(other, its)| other != symbol && its == unit);
+            swaps.insert(*symbol, others.map(|(other, _)| *other).collect());
         }
         let mut symbols: Vec<Expr> = printed.iter().copied().chain(known.iter().map(|(s, ..)| *s)).collect();
         symbols.sort_unstable();

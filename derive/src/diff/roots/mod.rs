@@ -28,6 +28,7 @@ use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::Quantities;
 use crate::model::TIME;
+use crate::publication::Publication;
 use search::{Reason, Search};
 
 /// Most characters of a description of a mistake in a title.
@@ -41,6 +42,7 @@ pub fn find(
     claims: &[Claim],
     tables: &[Table],
     swapped: &[Swapped],
+    publication: &Publication,
 ) -> Vec<Root> {
     let wrong: Vec<usize> = (0..findings.len()).filter(|at| findings[*at].judgement == Judgement::Different).collect();
     let stated: Vec<&Claim> = wrong.iter().map(|at| &claims[*at]).collect();
@@ -53,7 +55,7 @@ pub fn find(
     let rates: Vec<Expr> = quantities.model.coordinates.iter().filter(|c| c.name != TIME).map(|c| c.rate).collect();
     coriolis::link(&mut quantities.derivations.kinematics.arena, &rates, &stated, &different, &mut reasons);
     let arena = &quantities.derivations.kinematics.arena;
-    alike(arena, &different, &mut reasons);
+    alike(arena, publication, &different, &mut reasons);
     let words = |at: usize| match (&shared[at], stated[at]) {
         (Some(words), _) => words.clone(),
         (None, Claim::Number { .. }) => {
@@ -69,20 +71,28 @@ pub fn find(
 const FEWEST_PARTS: usize = 5;
 
 /// Links an entry without a reason to an earlier one in which the same term is wrong alike.
-fn alike(arena: &Arena, wrong: &[&Finding], reasons: &mut [Option<Reason>]) {
+fn alike(arena: &Arena, publication: &Publication, wrong: &[&Finding], reasons: &mut [Option<Reason>]) {
     for at in 0..wrong.len() {
-        let Some(change) = wrong[at].change.filter(|_| reasons[at].is_none()) else { continue };
-        // The formula of an abbreviation stands once, whoever uses it.
-        let is_same = |source: &usize| {
-            wrong[*source].abbreviation == wrong[at].abbreviation && wrong[*source].change == wrong[at].change
-        };
-        if wrong[at].abbreviation.is_some()
-            && let Some(source) = (0..at).find(is_same)
-        {
-            reasons[at] = Some(Reason::new(Link::Repeated, vec![source]));
+        if reasons[at].is_some() {
             continue;
         }
-        if arena.reachable(&[change.0]).len() < FEWEST_PARTS {
+        // The formula of an abbreviation stands once, whoever uses it.
+        let own = &wrong[at].abbreviations;
+        let first = |name: &String| (0..at).find(|source| wrong[*source].abbreviations.iter().eq([name]));
+        let same = match own.as_slice() {
+            [_] => (0..at)
+                .find(|source| wrong[*source].abbreviations == *own && wrong[*source].change == wrong[at].change)
+                .map(|source| vec![source]),
+            _ => own.iter().map(first).collect::<Option<Vec<usize>>>().filter(|sources| !sources.is_empty()),
+        };
+        if let Some(sources) = same {
+            reasons[at] = Some(Reason::new(Link::Repeated, sources));
+            continue;
+        }
+        let Some(change) = wrong[at].change else { continue };
+        // A term with a name of its own, such as s12 for sin(q1 + q2), is written once.
+        let is_named = publication.abbreviations.iter().any(|(_, value)| *value == change.0);
+        if arena.reachable(&[change.0]).len() < FEWEST_PARTS && !(is_named && arena.symbol_name(change.0).is_none()) {
             continue;
         }
         if let Some(source) = (0..at).find(|source| wrong[*source].change == Some(change)) {

@@ -41,6 +41,8 @@ pub struct LoadPotential {
     pub energy: Expr,
     /// Q + ∂U/∂q, one entry a coordinate: generalized forces in q and q̇, simplified.
     pub rest: Vec<Expr>,
+    /// Indices of the loads whose potential is not in U, forces first, then torques and stated potentials.
+    pub outside: Vec<usize>,
 }
 
 /// Angular velocities of all frames and velocities of all points, in one choice of motion variables.

@@ -76,7 +76,9 @@ impl Kinematics {
             stated.map(|energy| energy.filter(|energy| !jumps_in_time(&self.arena, model, *energy))).collect();
         let driven = driven(model);
         let is_sought = |at: &usize| known[*at].is_none() && !driven[*at];
-        let groups: Vec<&Vec<Load>> = (0..groups.len()).filter(is_sought).map(|at| &groups[at]).collect();
+        let mut outside: Vec<usize> = (0..known.len()).filter(|at| known[*at].is_none() && driven[*at]).collect();
+        let indices: Vec<usize> = (0..groups.len()).filter(is_sought).collect();
+        let groups: Vec<&Vec<Load>> = indices.iter().map(|at| &groups[*at]).collect();
         let sought = if groups.len() == known.len() {
             all.clone()
         } else {
@@ -87,13 +89,20 @@ impl Kinematics {
         found.extend(match potential_at_rest(&mut self.arena, &mut self.simplifier, model, &sought) {
             Some(energy) => vec![energy],
             None if groups.len() > 1 => {
-                let one = |group: &&Vec<Load>| {
+                let mut one = |(group, at): (&&Vec<Load>, usize)| {
                     let forces = forces_of(model, self, group.iter());
-                    potential_at_rest(&mut self.arena, &mut self.simplifier, model, &forces)
+                    let energy = potential_at_rest(&mut self.arena, &mut self.simplifier, model, &forces);
+                    if energy.is_none() {
+                        outside.push(at);
+                    }
+                    energy
                 };
-                groups.iter().filter_map(one).collect()
+                groups.iter().zip(indices).filter_map(&mut one).collect()
             }
-            None => Vec::new(),
+            None => {
+                outside.extend(indices);
+                Vec::new()
+            }
         });
         let energy = self.arena.sum(&found);
         let energy = self.zeroed_where_it_can_be(model, energy);
@@ -107,7 +116,7 @@ impl Kinematics {
                 *force = Expr::ZERO;
             }
         }
-        LoadPotential { energy, rest }
+        LoadPotential { energy, rest, outside }
     }
 
     fn zeroed_where_it_can_be(&mut self, model: &Model, energy: Expr) -> Expr {
