@@ -6,7 +6,7 @@
 
 #[cfg(feature = "rust")]
 use crate::extras::Extras;
-use crate::files::{self, WriteError};
+use crate::files::{self, Draft, WriteError};
 #[cfg(feature = "rust")]
 use crate::origin::Origin;
 use crate::origin::{EMIT, is_written_by, source_in};
@@ -101,6 +101,9 @@ impl fmt::Display for Placed {
 pub enum PlaceError {
     /// A file that [`place`] did not write has the name of a file of the module.
     Foreign(PathBuf),
+    /// A file of the module was written from another model, which has the same name as a word: the path of the file, and
+    /// the other model file.
+    OtherModel(PathBuf, String),
     /// A file or folder cannot be read or removed.
     Io(PathBuf, std::io::Error),
     /// A file cannot be written.
@@ -119,6 +122,9 @@ impl fmt::Display for PlaceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Foreign(path) => write!(f, "the file `{}` was not written by `tripos {EMIT}`", path_in_line(path)),
+            Self::OtherModel(path, model) => {
+                write!(f, "the file `{}` was written from another model, `{model}`", path_in_line(path))
+            }
             Self::Io(path, error) => write!(f, "cannot read or remove `{}`: {error}", path_in_line(path)),
             Self::Write(error) => error.fmt(f),
         }
@@ -129,17 +135,24 @@ impl fmt::Display for PlaceError {
 /// other files stay.
 ///
 /// # Errors
-/// [`PlaceError`]. [`PlaceError::Foreign`] is returned before any file is changed.
+/// [`PlaceError`]. If a file is in the way, is another model's, or cannot be written, no file is changed.
 pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceError> {
     let old = written_before(folder, emission)?;
-    for file in emission.files.keys() {
+    for (file, text) in &emission.files {
         let path = folder.join(file);
-        if !old.contains_key(file) && path.symlink_metadata().is_ok() {
-            return Err(PlaceError::Foreign(path));
+        let Some(old) = old.get(file) else {
+            if path.symlink_metadata().is_ok() {
+                return Err(PlaceError::Foreign(path));
+            }
+            continue;
+        };
+        let sources = source_in(text, emission.command).zip(source_in(old, emission.command));
+        if let Some(other) = sources.and_then(|(own, old)| own.other_model(&old)) {
+            return Err(PlaceError::OtherModel(path, other));
         }
     }
     files::folder(folder)?;
-    let mut placed = Vec::new();
+    let (mut placed, mut drafts) = (Vec::new(), Vec::new());
     for (file, text) in &emission.files {
         if old.get(file) == Some(text) {
             placed.push(Placed::Unchanged(file.clone()));
@@ -147,9 +160,11 @@ pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceErr
         }
         let path = folder.join(file);
         files::folder(path.parent().unwrap_or(folder))?;
-        files::write(&path, text)?;
+        drafts.push(files::draft(&path, text)?);
         placed.push(Placed::Written(file.clone()));
     }
+    // All texts are on the disk, under temporary names, before the first file is replaced.
+    drafts.into_iter().try_for_each(Draft::finish)?;
     // Files of other models stay, so that several can share a folder.
     let own: Vec<_> = emission.files.values().filter_map(|text| source_in(text, emission.command)).collect();
     let is_own = |text: &str| {

@@ -219,9 +219,18 @@ impl Write for Draft {
 /// # Errors
 /// [`WriteError`]; an existing file is unchanged then.
 pub fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), WriteError> {
+    draft(path, bytes)?.finish()
+}
+
+/// Writes the text of a file beside it, to replace it once the draft is finished. Waits up to 10 s for another writer.
+///
+/// # Errors
+/// [`WriteError`]; an existing file is unchanged.
+pub fn draft(path: &Path, bytes: impl AsRef<[u8]>) -> Result<Draft, WriteError> {
     let mut draft = Draft::begin(path, Existing::Replaced, Unfinished::Removed, PATIENCE)?;
-    draft.write_all(bytes.as_ref()).map_err(|error| WriteError::Io(path.to_owned(), error))?;
-    draft.finish()
+    let written = draft.write_all(bytes.as_ref()).and_then(|()| draft.flush());
+    written.map_err(|error| WriteError::Io(path.to_owned(), error))?;
+    Ok(draft)
 }
 
 /// Creates a folder and its parents, unless the folder exists.

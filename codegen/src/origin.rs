@@ -95,6 +95,14 @@ impl StatedSource {
         let is_publication = |source: &Self| source.file == PUBLICATION;
         self.folder == other.folder && (self.file == other.file || is_publication(self) || is_publication(other))
     }
+
+    /// Path of the other text's model if it has another file name than this one's: a folder may have moved.
+    pub(crate) fn other_model(&self, other: &Self) -> Option<String> {
+        let is_publication = |source: &Self| source.file == PUBLICATION;
+        let path =
+            if other.folder.is_empty() { other.file.clone() } else { format!("{}/{}", other.folder, other.file) };
+        (self.file != other.file && !is_publication(self) && !is_publication(other)).then_some(path)
+    }
 }
 
 /// File from which a command generated the text, as its header states it; `None` if the command did not write the text.

@@ -185,3 +185,19 @@ fn wrong_added_masses_are_refused() {
     );
     assert!(read(BASE).is_ok_and(|model| model.added_masses.is_empty()));
 }
+
+/// Goal: a number with a unit that stands on both sides of the diagonal is one parameter. Method: the ship with the
+/// number 0.5 kg m twice, and with two numbers that differ.
+#[test]
+fn equal_numbers_beside_the_diagonal_are_one() {
+    let with = |second: &str| {
+        ship(&[
+            ("[0, \"Ay\", 0, 0, 0, \"Ayr\"]", "[0, \"Ay\", 0, 0, 0, \"0.5 kg*m\"]"),
+            ("[0, \"Ayr\", 0, 0, 0, \"Ar\"]", second),
+        ])
+    };
+    let model = with("[0, \"0.5 kg*m\", 0, 0, 0, \"Ar\"]").unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(model.parameters.iter().filter(|p| p.unit.words() == "kg*m").count(), 2, "it, and Ayr");
+    let Err(error) = with("[0, \"0.6 kg*m\", 0, 0, 0, \"Ar\"]") else { panic!("this must not be accepted") };
+    assert!(error.contains("entries 6, 2 and 2, 6 differ"), "{error}");
+}

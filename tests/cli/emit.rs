@@ -117,6 +117,43 @@ fn what_another_wrote_is_never_overwritten() {
     assert_eq!(emit(&model, &out, &[]).0, 2);
 }
 
+/// Goal: a module is written whole or not at all. Method: a second model whose name is the same word, and a file that is
+/// read-only, the last of three. The folder keeps its bytes.
+#[test]
+fn a_folder_in_which_one_file_cannot_be_replaced_keeps_all() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let text = std::fs::read_to_string(root().join("models/pendulum/model.toml")).unwrap();
+    for (file, text) in [("a-b.toml", text.clone()), ("a_b.toml", text.replace("9.81", "1.62"))] {
+        std::fs::write(folder.path().join(file), text).unwrap();
+    }
+    let python = ["--language", "python"];
+    assert_eq!(emit(&folder.path().join("a-b.toml"), &out, &python).0, 0);
+    let before = files_in(&out);
+    let (status, _, err) = emit(&folder.path().join("a_b.toml"), &out, &python);
+    assert_eq!(status, 2, "{err}");
+    assert!(err.contains("was written from another model, `") && err.contains("a-b.toml`\nhelp: "), "{err}");
+    assert_eq!(files_in(&out), before);
+
+    std::fs::write(folder.path().join("a-b.toml"), text.replace("9.81", "3.7")).unwrap();
+    let last = before.keys().rfind(|name| name.starts_with("a_b")).unwrap();
+    let locked = out.join(last);
+    let mut permissions = std::fs::metadata(&locked).unwrap().permissions();
+    permissions.set_readonly(true);
+    std::fs::set_permissions(&locked, permissions).unwrap();
+    let (status, _, err) = emit(&folder.path().join("a-b.toml"), &out, &python);
+    assert_eq!(status, 2, "{err}");
+    assert!(err.contains("cannot write `") && err.contains(last.as_str()), "{err}");
+    assert_eq!(files_in(&out), before);
+}
+
+/// All files of a folder, with their texts.
+fn files_in(folder: &Path) -> BTreeMap<String, String> {
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
+    let text = |path: &Path| std::fs::read_to_string(path).unwrap();
+    entries.map(|entry| (entry.file_name().into_string().unwrap(), text(&entry.path()))).collect()
+}
+
 #[test]
 fn bad_requests_are_answered_with_what_to_do() {
     let folder = tempfile::tempdir().unwrap();

@@ -95,6 +95,11 @@ def check(folder, path):
     q = random.uniform(0.2, 1.2, len(module.COORDINATES))
     v = random.uniform(-1.5, 1.5, len(module.VARIABLES))
     if hasattr(module, "project"):
+        several = numpy.stack([p, 1.001 * p], axis=1)
+        together = numpy.concatenate(module.project(several, q, v))
+        for at in range(2):
+            alone = numpy.concatenate(module.project(several[:, at], q, v))
+            compare(place, "project with several parameters", together[:, at], alone, 1e-9)
         q, v = module.project(p, q, v)
         if not (numpy.isfinite(q).all() and numpy.isfinite(v).all()):
             counts["open"] = counts.get("open", 0) + 1

@@ -79,7 +79,7 @@ pub fn emit(request: &Emit, output: Output) -> Result<u8, Failure> {
         say(&format!("not emitted: {error}"));
     }
     let placed = place(&emission, out).map_err(|error| match error {
-        PlaceError::Foreign(_) => {
+        PlaceError::Foreign(_) | PlaceError::OtherModel(..) => {
             Failure::request(error.to_string(), "give another folder, or move the file away".to_owned())
         }
         PlaceError::Write(error) => error.into(),

@@ -314,7 +314,8 @@ fn script(module: &Module<'_>, stem: &str, run: &SceneRun) -> String {
     let (start, end) = run.span;
     let f = format!("@(t, state) {stem}_state_derivative(t, state, p)");
     writer.raw(&format!("[t, states] = ode45({f}, [{start:?}, {end:?}], state, options);"));
-    writer.raw(&format!("if t(end) < {end:?} || any(isnan(states(end, :)))"));
+    let before = if end < start { '>' } else { '<' };
+    writer.raw(&format!("if t(end) {before} {end:?} || any(isnan(states(end, :)))"));
     writer.raw("  error('the run ends at t = %g s', t(end));\nend");
     let names = module.model().coordinates.iter().map(|c| c.name.clone());
     let variables = module.equations().variables.iter();

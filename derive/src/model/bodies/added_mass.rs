@@ -131,10 +131,15 @@ fn diagonal_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>
 
 fn full_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Option<Matrix> {
     let mut matrix = [[Expr::ZERO; SIZE]; SIZE];
+    let mut texts: Vec<Vec<String>> = Vec::new();
     for (i, row) in six(loading, value, "the matrix of an added mass")?.into_iter().enumerate() {
+        texts.push(Vec::new());
         for (j, value) in six(loading, row, "a row of an added mass")?.into_iter().enumerate() {
             let formula = loading.reader.formula(value, "an entry of `matrix`")?;
-            matrix[i][j] = entry(loading, &formula, i, j)?;
+            // A number with a unit that stands on both sides of the diagonal is one parameter.
+            let is_repeated = i > j && texts[j][i] == formula.text;
+            matrix[i][j] = if is_repeated { matrix[j][i] } else { entry(loading, &formula, i, j)? };
+            texts[i].push(formula.text.clone());
             let difference = loading.arena.sub(matrix[i][j], matrix[j][i]);
             if i > j && zero_test(&loading.arena, difference) != ZeroTest::Zero {
                 let message = format!(
