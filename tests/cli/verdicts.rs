@@ -16,7 +16,7 @@ const fn case(folder: &'static str, roots: usize, says: &'static [&'static str])
     Case { folder, roots, says }
 }
 
-const CASES: [Case; 53] = [
+const CASES: [Case; 68] = [
     // The sign of a multiplier in one system holds for its value below.
     case("03", 0, &["0 different"]),
     case("37", 1, &["the term 2*t1*cos(phi)/R should be 2*t1*cos(phi)/(3*R)"]),
@@ -84,6 +84,24 @@ const CASES: [Case; 53] = [
     case("a08", 1, &["2 entries", "in D, m*cos(theta)^2 should be m*sin(theta)^2"]),
     case("h21", 2, &["s-row1, 3 entries", "in b1,", "in b2,"]),
     case("f19", 1, &["-a*n1 should be -b*n1"]),
+    // Multipliers are the author's in all entries alike, whether these are systems or single equations, and wherever the
+    // value of one stands. What no choice of multipliers makes right is wrong.
+    case("tg10", 1, &["a should be -a"]),
+    case("tg12", 1, &["1 should be 2"]),
+    case("tg31", 1, &["-y should be y"]),
+    case("tg25", 1, &["r1, 1 entry"]),
+    case("ta2d", 1, &["in the coefficient of phi'', the term m should not be there"]),
+    case("tf06", 1, &["in the coefficient of phi'', the term m*a should not be there"]),
+    case("tf30", 0, &["2 equal, 1 scaled"]),
+    case("tf20", 0, &["2 equal"]),
+    case("ta39", 0, &["1 equal, 1 scaled"]),
+    case("tf15", 0, &["2 equal, 1 scaled"]),
+    case("te4osums", 0, &["2 equal, 6 scaled"]),
+    case("tg084", 1, &["s-row3, 1 entry"]),
+    // Potentials of all loads beside a damper, of some loads, and up to a constant on the constraint.
+    case("tb07", 0, &["with the potential of a load"]),
+    case("tb0a", 0, &["with the potential of a load"]),
+    case("tb34", 0, &["with the potential of a load"]),
 ];
 
 /// Status and whole answer of `tripos diff` on a folder.

@@ -30,11 +30,13 @@ use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::text::definitions::write_down;
 use crate::algebra::text::print::text;
-use crate::mechanics::{Derivations, Quantities};
+use crate::mechanics::{Derivations, Kinematics, Quantities};
 use crate::model::Model;
 use crate::prove::Proof;
 use crate::publication::{EntryKind, Names, Publication};
 use equations::claim::{Claim, Table};
+use equations::multipliers::Multipliers;
+use equations::rows::Terms;
 use formulas::finding::TracedFinding;
 use formulas::near::Near;
 use printed::motion::Motion;
@@ -89,10 +91,13 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
     let numbers = numbers(model, &mut quantities, publication);
     let mut book = repairs::Book::new(&publication.shorthand);
     let mut tools = Tools { quantities, comparer, names, numbers };
-    let mut found = judged(model, publication, &mut tools, &mut book);
-    if book.learn() {
-        // Mistakes in abbreviations are known now, for entries that stand before the one that showed them too.
-        found = judged(model, publication, &mut tools, &mut book);
+    let mut multipliers = Multipliers::default();
+    let mut found = judged(model, publication, &mut tools, &mut book, &mut multipliers);
+    let Kinematics { arena, simplifier, .. } = &mut tools.quantities.derivations.kinematics;
+    let mut terms = Terms { arena, simplifier, comparer: &mut tools.comparer };
+    if book.learn() | multipliers.decide(&mut terms, &model.p()) {
+        // Mistakes in abbreviations, and the author's multipliers, are known now for all entries.
+        found = judged(model, publication, &mut tools, &mut book, &mut multipliers);
     }
     let Tools { mut quantities, mut comparer, .. } = tools;
     let Found { findings, claims, tables, motions } = found;
@@ -112,11 +117,16 @@ struct Tools<'a> {
 }
 
 /// Judges the entries of a publication one by one.
-fn judged(model: &Model, publication: &Publication, tools: &mut Tools<'_>, book: &mut repairs::Book) -> Found {
+fn judged(
+    model: &Model,
+    publication: &Publication,
+    tools: &mut Tools<'_>,
+    book: &mut repairs::Book,
+    multipliers: &mut Multipliers,
+) -> Found {
     let Tools { quantities, comparer, names, numbers } = tools;
     let mut anywhere = Comparer::default();
     let mut changes_left = repairs::MOST_CHANGES;
-    let mut multipliers = None;
     let mut found = Found::default();
     let other_meanings = other_meanings(quantities, publication);
     for entry in &publication.entries {
@@ -134,7 +144,7 @@ fn judged(model: &Model, publication: &Publication, tools: &mut Tools<'_>, book:
             near,
             changes_left: &mut changes_left,
             book: &mut *book,
-            multipliers: &mut multipliers,
+            multipliers: &mut *multipliers,
             numbers,
         };
         match &entry.kind {

@@ -6,81 +6,98 @@
 
 use super::derived_system::Ordered;
 use super::matching::explained;
-use super::rows::{Row, Terms, combination, seen};
+use super::rows::{Row, Terms, WRITTEN, combination, seen};
 use crate::algebra::solve::linear::{determinant, solve};
 use crate::algebra::text::print::text;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::value::rank::echelon;
 use crate::algebra::{Arena, Expr};
+use std::cmp::Reverse;
 
 /// Most choices of rows that determine multipliers.
 const MOST_CHOICES: usize = 50;
 
 /// Coefficients of the multipliers in a printed row, and in the multiple or the combination of derived rows that agrees
 /// with it in all other coefficients.
+#[derive(Clone)]
 struct Pair {
     derived: Row,
     printed: Row,
+    /// True if the factors of the derived rows are 1.
+    is_plain: bool,
+}
+
+/// Multipliers of a publication: what its entries show of them, and the matrix B that explains most of the entries.
+#[derive(Default)]
+pub struct Multipliers {
+    pairs: Vec<Pair>,
+    entries: usize,
+    decided: Option<Vec<Row>>,
+}
+
+impl Multipliers {
+    /// Decides on one matrix B for all entries, if several mention multipliers. True if it did.
+    pub fn decide(&mut self, terms: &mut Terms<'_>, parameters: &[Expr]) -> bool {
+        let Some(width) = self.pairs.first().map(|pair| pair.printed.len()).filter(|_| self.entries > 1) else {
+            return false;
+        };
+        let pairs: Vec<Pair> = self.pairs.iter().filter(|pair| pair.printed.len() == width).cloned().collect();
+        self.decided = Some(terms.best(&pairs, width, parameters).1);
+        true
+    }
 }
 
 /// Form of a matrix B, the plainest first. Of matrices that explain the same number of rows the plainest is meant.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Form {
-    /// λ = μ, or the matrix of earlier entries.
-    Known,
+    /// λ = μ.
+    Derived,
     /// All entries are numbers.
     Numbers,
     /// All entries are parameters and numbers.
     Parameters,
-    /// Entries depend on the state, and the determinant does not: B is regular everywhere.
+    /// Entries depend on the state, and the determinant is 1 or −1, as of a rotation.
     Turning,
-    /// The determinant depends on the state.
+    /// Another matrix.
     Other,
 }
 
 impl Terms<'_> {
-    /// Writes the derived rows with the printed multipliers, and describes these in words. `known` is the matrix B of
-    /// earlier entries, and becomes that of these rows. `None` if the printed multipliers are the derived ones.
+    /// Writes the derived rows with the printed multipliers, and describes these in words. `known` are the multipliers
+    /// of the publication. `None` if the printed multipliers are the derived ones.
     pub fn adapt(
         &mut self,
         order: &mut Ordered,
         printed: &[Row],
         multipliers: &[Expr],
         parameters: &[Expr],
-        known: &mut Option<Vec<Row>>,
+        known: &mut Multipliers,
     ) -> Option<String> {
         let at = |m: &Expr| order.unknowns.iter().position(|u| u == m);
         let columns: Vec<usize> = multipliers.iter().filter_map(at).collect();
+        let width = columns.len();
         if columns.is_empty() {
             return None;
         }
-        let pairs = self.pairs(order, printed, &columns);
-        let as_derived = unit(columns.len());
-        let mut best = (self.explained(&pairs, &as_derived), Form::Known, as_derived.clone());
-        if let Some(known) = known.as_ref().filter(|known| known.len() == columns.len()) {
-            let count = self.explained(&pairs, known);
-            if count >= best.0 {
-                best = (count, Form::Known, known.clone());
-            }
-        }
         let mentions = |row: &Row| columns.iter().any(|c| row[*c] != Expr::ZERO);
-        if best.0 < pairs.len() && printed.iter().any(mentions) {
-            for chosen in choices(pairs.len(), columns.len()) {
-                let Some(change) = self.change(&chosen.iter().map(|at| &pairs[*at]).collect::<Vec<_>>()) else {
-                    continue;
-                };
-                let count = self.explained(&pairs, &change);
-                if count < best.0 {
-                    continue;
-                }
-                let form = self.form(&change, parameters);
-                if count > best.0 || form < best.1 {
-                    best = (count, form, change);
-                }
+        let is_mentioned = printed.iter().any(mentions);
+        let pairs = self.pairs(order, printed, &columns);
+        let decided = known.decided.clone().filter(|decided| decided.len() == width);
+        let change = match decided {
+            Some(decided) => {
+                // Another part of the publication may define its multipliers anew, if all its rows agree on them.
+                let count = if pairs.len() > width { self.explained(&pairs, &decided) } else { pairs.len() };
+                let own = (count < pairs.len()).then(|| self.best(&pairs, width, parameters));
+                own.filter(|((most, ..), _)| *most == pairs.len()).map_or(decided, |(_, change)| change)
             }
+            None if is_mentioned => self.best(&pairs, width, parameters).1,
+            None => unit(width),
+        };
+        if is_mentioned && known.decided.is_none() {
+            known.entries += 1;
+            known.pairs.extend(pairs);
         }
-        let change = best.2;
-        if change == as_derived {
+        if change == unit(width) {
             return None;
         }
         for row in &mut order.rows {
@@ -89,9 +106,64 @@ impl Terms<'_> {
                 row[*column] = value;
             }
         }
-        let words = self.words(order, &columns, &change);
-        *known = Some(change);
-        printed.iter().any(mentions).then_some(words)
+        is_mentioned.then(|| self.words(order, &columns, &change))
+    }
+
+    /// Matrix B that explains most pairs, with their number, the number of plain ones, and its form. Of matrices that
+    /// explain as many, the plainest is meant.
+    fn best(&mut self, pairs: &[Pair], width: usize, parameters: &[Expr]) -> ((usize, usize, Reverse<Form>), Vec<Row>) {
+        let score = |terms: &mut Self, change: &[Row], form: Form| {
+            let explained: Vec<&Pair> = pairs.iter().filter(|pair| terms.explains(pair, change)).collect();
+            let plain = explained.iter().filter(|pair| pair.is_plain).count();
+            (explained.len(), plain, Reverse(form))
+        };
+        let as_derived = unit(width);
+        let mut best = (score(self, &as_derived, Form::Derived), as_derived);
+        let mut list: Vec<Vec<Row>> = (0..pairs.len()).filter_map(|first| self.scaled(pairs, first, width)).collect();
+        list.dedup();
+        list.truncate(MOST_CHOICES);
+        for chosen in [true, false] {
+            if !chosen && best.0.0 < pairs.len() {
+                for chosen in choices(pairs.len(), width) {
+                    list.extend(self.change(&chosen.iter().map(|at| &pairs[*at]).collect::<Vec<_>>()));
+                }
+            }
+            for change in list.drain(..) {
+                let form = self.form(&change, parameters);
+                let found = score(self, &change, form);
+                if found > best.0 {
+                    best = (found, change);
+                }
+            }
+        }
+        best
+    }
+
+    /// Diagonal matrix B: each multiplier has a factor of its own, by the first pair that shows it, the pair `first`
+    /// before the others. `None` if a pair shows that the multipliers are mixed.
+    fn scaled(&mut self, pairs: &[Pair], first: usize, width: usize) -> Option<Vec<Row>> {
+        let mut change = unit(width);
+        let mut known = vec![false; width];
+        let order = std::iter::once(first).chain((0..pairs.len()).filter(|at| *at != first));
+        for at in order {
+            let pair = &pairs[at];
+            let is_present = |row: &Row, column: usize| row[column] != Expr::ZERO;
+            if (0..width).any(|column| is_present(&pair.derived, column) != is_present(&pair.printed, column)) {
+                if at == first {
+                    return None;
+                }
+                continue;
+            }
+            for column in 0..width {
+                if known[column] || !is_present(&pair.derived, column) {
+                    continue;
+                }
+                let factor = self.arena.div(pair.printed[column], pair.derived[column])?;
+                change[column][column] = self.simplifier.simplify(self.arena, factor);
+                known[column] = true;
+            }
+        }
+        Some(change)
     }
 
     /// Coefficients of the multipliers in the printed rows that agree with derived rows, or with combinations of these,
@@ -116,13 +188,26 @@ impl Terms<'_> {
                 factors
             } else {
                 // Constraints have no multipliers, and more rows than unknowns have no unique combination.
-                let equations = &derived[..derived.len() - columns.len()];
+                let mut chosen: Vec<usize> = (0..derived.len() - columns.len()).collect();
+                if chosen.len() > WRITTEN {
+                    let width = row_seen.len() - 1;
+                    let within = |other: &Row| {
+                        (0..width).all(|column| other[column] == Expr::ZERO || row_seen[column] != Expr::ZERO)
+                    };
+                    chosen.retain(|at| within(&derived[*at]));
+                }
+                let equations: Vec<Row> = chosen.iter().map(|at| derived[*at].clone()).collect();
                 let Terms { arena, simplifier, comparer } = self;
-                match combination(arena, simplifier, comparer, &row_seen, equations) {
-                    Ok(Some(factors)) if factors.len() == equations.len() => factors,
+                match combination(arena, simplifier, comparer, &row_seen, &equations) {
+                    Ok(Some(found)) if found.len() == equations.len() => {
+                        let mut factors = vec![Expr::ZERO; derived.len()];
+                        chosen.iter().zip(found).for_each(|(at, factor)| factors[*at] = factor);
+                        factors
+                    }
                     _ => continue,
                 }
             };
+            let is_plain = factors.iter().all(|factor| matches!(*factor, Expr::ZERO | Expr::ONE));
             let mut sums = vec![Vec::new(); columns.len()];
             for (factor, row) in factors.iter().zip(&order.rows).filter(|(factor, _)| **factor != Expr::ZERO) {
                 for (sum, entry) in sums.iter_mut().zip(of(row)) {
@@ -132,7 +217,7 @@ impl Terms<'_> {
             let scaled: Row = sums.iter().map(|sum| self.arena.sum(sum)).collect();
             let scaled: Row = scaled.into_iter().map(|e| self.simplifier.simplify(self.arena, e)).collect();
             if scaled.iter().any(|e| *e != Expr::ZERO) {
-                list.push(Pair { derived: scaled, printed: of(row) });
+                list.push(Pair { derived: scaled, printed: of(row), is_plain });
             }
         }
         list
@@ -150,7 +235,7 @@ impl Terms<'_> {
         } else {
             let regular = determinant(arena, self.simplifier, change);
             let regular = self.simplifier.simplify(arena, regular);
-            if is_fixed(arena, regular) { Form::Turning } else { Form::Other }
+            if matches!(regular, Expr::ONE | Expr::MINUS_ONE) { Form::Turning } else { Form::Other }
         }
     }
 
@@ -171,13 +256,14 @@ impl Terms<'_> {
 
     /// Number of pairs that agree if the printed multipliers are those of the matrix B, `change`.
     fn explained(&mut self, pairs: &[Pair], change: &[Row]) -> usize {
-        let mut count = 0;
-        for pair in pairs {
-            let expected = self.times(&pair.derived, change);
-            let mut same = |(a, b): (&Expr, &Expr)| self.comparer.compare(self.arena, *a, *b).is_equal();
-            count += usize::from(expected.iter().zip(&pair.printed).all(&mut same));
-        }
-        count
+        pairs.iter().filter(|pair| self.explains(pair, change)).count()
+    }
+
+    /// True if the coefficients of a pair agree with the multipliers of the matrix B, `change`.
+    fn explains(&mut self, pair: &Pair, change: &[Row]) -> bool {
+        let expected = self.times(&pair.derived, change);
+        let mut same = |(a, b): (&Expr, &Expr)| self.comparer.compare(self.arena, *a, *b).is_equal();
+        expected.iter().zip(&pair.printed).all(&mut same)
     }
 
     fn times(&mut self, row: &[Expr], matrix: &[Row]) -> Row {
@@ -197,6 +283,10 @@ impl Terms<'_> {
             let own: Vec<Expr> = columns.iter().map(|c| order.unknowns[*c]).collect();
             let terms: Vec<Expr> = line.iter().zip(own).map(|(k, m)| self.arena.mul(*k, m)).collect();
             let sum = self.arena.sum(&terms);
+            // What is the author's as it is derived goes without saying.
+            if sum == order.unknowns[*row] {
+                continue;
+            }
             let name = text(self.arena, order.unknowns[*row]);
             list.push(format!("with the printed values, the derived {name} is {}", text(self.arena, sum)));
         }

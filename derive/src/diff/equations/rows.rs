@@ -76,7 +76,7 @@ impl RowJudgement {
 }
 
 /// Most rows of a system whose combinations of rows are written out and proved entry by entry.
-const WRITTEN: usize = 6;
+pub(super) const WRITTEN: usize = 6;
 /// Longest multipliers that are stated, in characters.
 const LONGEST: usize = 200;
 

@@ -7,7 +7,7 @@ use super::ratio::constant_ratio;
 use super::rounding::agrees_as_rounded;
 use super::terms::{WrongTerm, spread, wrong_terms};
 use crate::diff::equations::claim::{Claim, Table};
-use crate::diff::equations::rows::Row;
+use crate::diff::equations::multipliers::Multipliers;
 use crate::diff::repairs::{Book, Formula, Repair, Search, Slip, Tools, pair, repair};
 
 use crate::algebra::meaning::compare::Comparer;
@@ -26,6 +26,9 @@ const LONGEST: usize = 70;
 
 /// Longest list of wrong terms in the place of which two changes of the formula are sought, in bytes.
 const LONGEST_LIST: usize = 150;
+
+/// Most loads of which some may have their potential in a printed energy.
+const MOST_LOADS: usize = 4;
 
 /// Variables in which a printed formula is compared.
 #[derive(Clone, Copy, Debug)]
@@ -80,8 +83,8 @@ pub struct Judge<'a, 'b> {
     pub changes_left: &'a mut usize,
     /// Abbreviations of the publication, and those that are known to be wrong.
     pub book: &'a mut Book,
-    /// Derived multipliers in the printed ones, λ = B μ, as rows of B; `None` while no entry has shown them.
-    pub multipliers: &'a mut Option<Vec<Row>>,
+    /// Multipliers of the publication.
+    pub multipliers: &'a mut Multipliers,
     /// Parameters with the numbers that the publication, or else the model, gives them.
     pub numbers: &'a [(Expr, Expr)],
 }
@@ -198,8 +201,8 @@ impl Judge<'_, '_> {
         finding.accepted("up to a constant", remark)
     }
 
-    /// Accepts an energy that contains the potential of one load, or of all loads, that the derived energy leaves out,
-    /// such as of a spring with a driven end: the same forces follow from it.
+    /// Accepts an energy that contains the potential of some loads, or of all, that the derived energy leaves out, such
+    /// as of a spring with a driven end: the same forces follow from it.
     fn up_to_loads(&mut self, finding: Finding, energy: Energy) -> Finding {
         let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
             return finding;
@@ -213,23 +216,48 @@ impl Judge<'_, '_> {
             model.forces.iter().map(|f| &f.name).chain(model.torques.iter().map(|t| &t.name)).collect();
         let LoadPotential { rest, outside, .. } = kinematics.load_potential(model);
         let forces = kinematics.load_forces(model);
-        let named = outside.into_iter().filter_map(|at| Some((format!("`{}`", names.get(at)?), forces[at].clone())));
-        let mut loads: Vec<(String, Vec<Expr>)> = named.collect();
-        loads.push(("all loads".to_owned(), rest));
+        let arena = &mut kinematics.arena;
+        // A damper works in motion alone.
+        let mut at_rest =
+            Substitution::new(&model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect::<Vec<_>>());
+        let resting: Vec<Expr> = rest.into_iter().map(|force| at_rest.apply(arena, force)).collect();
+        let named: Vec<(&String, &Vec<Expr>)> =
+            outside.into_iter().filter_map(|at| Some((*names.get(at)?, &forces[at]))).collect();
+        let mut loads: Vec<(String, Vec<Expr>)> = Vec::new();
+        if at_rest.undefined.is_none() {
+            loads.push(("all loads".to_owned(), resting));
+        }
+        for chosen in 1..(1_usize << named.len().min(MOST_LOADS)) {
+            let some = named.iter().enumerate().filter(|(at, _)| chosen >> at & 1 == 1).map(|(_, load)| load);
+            let words: Vec<String> = some.clone().map(|(name, _)| format!("`{name}`")).collect();
+            let sum = |at: usize| some.clone().map(|(_, force)| force[at]).collect::<Vec<Expr>>();
+            loads.push((words.join(" and "), (0..model.coordinates.len()).map(|at| arena.sum(&sum(at))).collect()));
+        }
         // A function of time has no slopes, and is the potential of no force.
         loads.retain(|(_, load)| load.iter().any(|force| *force != Expr::ZERO));
         // L contains −V.
         let sign = if energy == Energy::Lagrangian { Expr::ONE } else { Expr::MINUS_ONE };
-        let slopes: Vec<(usize, Expr)> = (0..model.coordinates.len())
-            .filter(|at| model.time() != Some(*at))
+        let moving: Vec<usize> = (0..model.coordinates.len()).filter(|at| model.time() != Some(*at)).collect();
+        let slopes: Vec<Expr> = moving
+            .iter()
             .map(|at| {
-                let arena = &mut kinematics.arena;
-                let slope = Differential::partial(model.coordinates[at].symbol).apply(arena, difference);
-                (at, arena.mul(sign, slope))
+                let slope = Differential::partial(model.coordinates[*at].symbol).apply(arena, difference);
+                arena.mul(sign, slope)
             })
             .collect();
+        // The forces do the same work in every motion that the constraints permit.
         let found = loads.into_iter().find(|(_, load)| {
-            slopes.iter().all(|(at, slope)| self.comparer.compare(&mut kinematics.arena, *slope, load[*at]).is_equal())
+            model.u().into_iter().all(|speed| {
+                let terms = moving.iter().zip(&slopes).map(|(at, slope)| {
+                    let arena = &mut kinematics.arena;
+                    let motion = Differential::partial(speed).apply(arena, model.kinematic_equations.rates[*at]);
+                    let rest = arena.sub(*slope, load[*at]);
+                    arena.mul(rest, motion)
+                });
+                let terms: Vec<Expr> = terms.collect();
+                let power = kinematics.arena.sum(&terms);
+                self.comparer.compare(&mut kinematics.arena, power, Expr::ZERO).is_equal()
+            })
         });
         let Some((load, _)) = found else { return finding };
         let remark = format!("it contains the potential of {load}, which the model states as a load");
