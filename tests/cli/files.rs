@@ -152,7 +152,7 @@ fn a_full_disk_leaves_the_old_file() {
         let path = folder.path().join(file);
         let inside = path.parent().unwrap().to_owned();
         std::fs::create_dir_all(&inside).unwrap();
-        let old = "// Generated from `x`. Do not edit; run `tripos emit`.\nold";
+        let old = "// Generated from `model.toml`. Do not edit; run `tripos emit`.\nold";
         if file == "emitted/mod.rs" {
             std::fs::write(&path, format!("//! {}", &old[3..])).unwrap();
         } else {
