@@ -101,8 +101,8 @@ impl fmt::Display for Placed {
 pub enum PlaceError {
     /// A file that [`place`] did not write has the name of a file of the module.
     Foreign(PathBuf),
-    /// A file of the module was written from another model, which has the same name as a word: the path of the file, and
-    /// the other model file.
+    /// A file of the module was written from another model, which has the same name as a word: the path of the file,
+    /// and the other model file.
     OtherModel(PathBuf, String),
     /// A file or folder cannot be read or removed.
     Io(PathBuf, std::io::Error),

@@ -173,7 +173,8 @@ fn judged(
     found
 }
 
-/// Remarks that the publication gives names of the model another meaning: verdicts are written in the model's variables.
+/// Remarks that the publication gives names of the model another meaning: verdicts are written in the model's
+/// variables.
 fn other_meanings(quantities: &Quantities<'_>, publication: &Publication) -> Vec<String> {
     let arena = &quantities.derivations.kinematics.arena;
     let remark = |(name, value): &(String, Expr)| {

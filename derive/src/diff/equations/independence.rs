@@ -1,6 +1,5 @@
 //! Proof in numbers that a row is no combination of other rows: at one permitted state it is independent of them.
 
-use super::rows::Row;
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::value::evaluate::Tape;
 use crate::algebra::value::field::Generator;
@@ -13,7 +12,7 @@ const ROUNDED_OFF: f64 = 1e-6;
 const DRAWN: usize = 200;
 
 /// True if the last row is independent of the others at a permitted state, by far more than rounding makes.
-pub fn is_independent(arena: &mut Arena, comparer: &mut Comparer, rows: &[Row]) -> bool {
+pub fn is_independent(arena: &mut Arena, comparer: &mut Comparer, rows: &[Vec<Expr>]) -> bool {
     let entries = rows.concat();
     let mut outputs: Vec<Expr> = entries.into_iter().map(|e| comparer.permitted().put(arena, e)).collect();
     let conditions = outputs.len();

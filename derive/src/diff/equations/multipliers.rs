@@ -50,7 +50,7 @@ impl Multipliers {
 /// Form of a matrix B, the plainest first. Of matrices that explain the same number of rows the plainest is meant.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Form {
-    /// λ = μ.
+    /// The unit matrix: λ = μ.
     Derived,
     /// All entries are numbers.
     Numbers,
