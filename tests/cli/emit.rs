@@ -117,8 +117,8 @@ fn what_another_wrote_is_never_overwritten() {
     assert_eq!(emit(&model, &out, &[]).0, 2);
 }
 
-/// Goal: a module is written whole or not at all. Method: a second model whose name is the same word, and a file that is
-/// read-only, the last of three. The folder keeps its bytes.
+/// Goal: a module is written whole or not at all. Method: a second model whose name is the same word, and a read-only
+/// file, the last of three. The folder keeps its bytes.
 #[test]
 fn a_folder_in_which_one_file_cannot_be_replaced_keeps_all() {
     let folder = tempfile::tempdir().unwrap();

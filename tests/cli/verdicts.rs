@@ -84,8 +84,8 @@ const CASES: [Case; 68] = [
     case("a08", 1, &["2 entries", "in D, m*cos(theta)^2 should be m*sin(theta)^2"]),
     case("h21", 2, &["s-row1, 3 entries", "in b1,", "in b2,"]),
     case("f19", 1, &["-a*n1 should be -b*n1"]),
-    // Multipliers are the author's in all entries alike, whether these are systems or single equations, and wherever the
-    // value of one stands. What no choice of multipliers makes right is wrong.
+    // Multipliers are the author's in all entries alike, whether these are systems or single equations, and wherever
+    // the value of one stands. What no choice of multipliers makes right is wrong.
     case("tg10", 1, &["a should be -a"]),
     case("tg12", 1, &["1 should be 2"]),
     case("tg31", 1, &["-y should be y"]),
