@@ -92,16 +92,18 @@ pub(crate) struct StatedSource {
 impl StatedSource {
     /// True if two texts were generated from one model, or from the publication beside it.
     pub(crate) fn is_of_one_model(&self, other: &Self) -> bool {
-        let is_publication = |source: &Self| source.file == PUBLICATION;
-        self.folder == other.folder && (self.file == other.file || is_publication(self) || is_publication(other))
+        self.folder == other.folder && !self.differs(other)
     }
 
     /// Path of the other text's model if it has another file name than this one's: a folder may have moved.
     pub(crate) fn other_model(&self, other: &Self) -> Option<String> {
-        let is_publication = |source: &Self| source.file == PUBLICATION;
-        let path =
-            if other.folder.is_empty() { other.file.clone() } else { format!("{}/{}", other.folder, other.file) };
-        (self.file != other.file && !is_publication(self) && !is_publication(other)).then_some(path)
+        let Self { folder, file } = other;
+        self.differs(other).then(|| if folder.is_empty() { file.clone() } else { format!("{folder}/{file}") })
+    }
+
+    /// True if the names of the files are those of different models.
+    fn differs(&self, other: &Self) -> bool {
+        self.file != other.file && [self, other].iter().all(|source| source.file != PUBLICATION)
     }
 }
 

@@ -16,7 +16,7 @@ const fn case(folder: &'static str, roots: usize, says: &'static [&'static str])
     Case { folder, roots, says }
 }
 
-const CASES: [Case; 68] = [
+const CASES: [Case; 72] = [
     // The sign of a multiplier in one system holds for its value below.
     case("03", 0, &["0 different"]),
     case("37", 1, &["the term 2*t1*cos(phi)/R should be 2*t1*cos(phi)/(3*R)"]),
@@ -102,6 +102,11 @@ const CASES: [Case; 68] = [
     case("tb07", 0, &["with the potential of a load"]),
     case("tb0a", 0, &["with the potential of a load"]),
     case("tb34", 0, &["with the potential of a load"]),
+    case("tb3a", 0, &["with the potential of a load"]),
+    case("tb17", 0, &["with the potential of a load"]),
+    case("tb16", 1, &["units alone show it"]),
+    // A factor in front of a matrix, and a transpose; the second entry of the vector has the other sign.
+    case("tfactor", 1, &["5 equal, 0 scaled, 1 different", "it is off by the factor -1", "m*l*(g*sin(theta))"]),
 ];
 
 /// Status and whole answer of `tripos diff` on a folder.

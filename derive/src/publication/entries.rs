@@ -1,6 +1,6 @@
 //! Entries of a publication: the keys common to all, and entries with a single formula.
 
-use super::matrix::cells;
+use super::matrix::{Cells, cells};
 use super::printed::Choice;
 use super::read::{KEYS, Loading};
 use super::{Entry, EntryKind, Initial};
@@ -82,6 +82,15 @@ fn trimmed(text: &str, range: Range<usize>) -> Range<usize> {
     let part = &text[range.clone()];
     let start = range.start + part.len() - part.trim_start().len();
     start..start + part.trim().len()
+}
+
+/// Part of a printed formula, with its place.
+fn part(printed: &Located, range: Range<usize>) -> Located {
+    Located {
+        text: printed.text[range.clone()].trim().to_owned(),
+        span: printed.part(trimmed(&printed.text, range)),
+        exact: printed.exact,
+    }
 }
 
 /// An entry as it stands in the publication file.
@@ -207,17 +216,22 @@ impl<'a> Loading<'a, '_> {
     fn matrix_entries(&mut self, item: &Item<'a>) -> Option<Vec<(String, EntryKind)>> {
         let quantity = self.required_text(item, "quantity");
         let printed = self.printed(item)?;
-        let rows = match cells(&printed.text, item.notation) {
-            Ok(rows) => rows,
+        let Cells { rows, factor } = match cells(&printed.text, item.notation) {
+            Ok(cells) => cells,
             Err(why) => {
                 let help = "print the whole matrix, or give each component an [[equation]] of its own";
                 self.reader.error(printed.span, why, help);
                 return None;
             }
         };
+        let factor = match factor {
+            Some(factor) => Some(self.factor(&part(&printed, factor), item.notation)?),
+            None => None,
+        };
+        let factor = factor.as_ref();
         let quantity = quantity?;
         if quantity.text.trim() == "C" {
-            let cells = self.cells(rows, &printed, item)?;
+            let cells = self.cells(rows, factor, &printed, item)?;
             return self.coriolis(item, &cells, &printed);
         }
         if let Some(value) = self.reader.get(item.table, "claims") {
@@ -235,19 +249,17 @@ impl<'a> Loading<'a, '_> {
             for (j, cell) in row.into_iter().enumerate() {
                 let index = if by_one { format!("[{}]", i.max(j) + 1) } else { format!("[{},{}]", i + 1, j + 1) };
                 let name = Located { exact: false, ..named(&index) };
-                let formula = Located {
-                    text: printed.text[cell.clone()].trim().to_owned(),
-                    span: printed.part(trimmed(&printed.text, cell)),
-                    exact: printed.exact,
-                };
-                let (quantity, value) = (self.quantity(&name), self.formula(&formula, item.notation));
+                let formula = part(&printed, cell);
+                let (quantity, value) = (self.quantity(&name), self.times(factor, &formula, item.notation));
                 // One reason for an unknown quantity is enough.
-                let own = self.in_own_coordinates(item, &quantity?, value.unwrap_or(Expr::ZERO));
+                let of = value.as_ref().map_or(Expr::ZERO, |(value, _)| *value);
+                let own = self.in_own_coordinates(item, &quantity?, of);
                 let suffix = format!("{}{comma}{}", i + 1, j + 1);
-                entries.push(own.filter(|_| value.is_some()).map(|(quantity, printed)| {
-                    let text = formula.text;
-                    (suffix, EntryKind::Equation { quantity, printed, text })
-                }));
+                entries.push(
+                    own.zip(value).map(|((quantity, printed), (_, text))| {
+                        (suffix, EntryKind::Equation { quantity, printed, text })
+                    }),
+                );
             }
             list.push(entries.into_iter().collect::<Option<Vec<_>>>());
         }
@@ -258,6 +270,7 @@ impl<'a> Loading<'a, '_> {
     fn cells(
         &mut self,
         rows: Vec<Vec<Range<usize>>>,
+        factor: Option<&(Expr, String)>,
         printed: &Located,
         item: &Item<'a>,
     ) -> Option<Vec<Vec<(Expr, String)>>> {
@@ -265,14 +278,33 @@ impl<'a> Loading<'a, '_> {
         for row in rows {
             let mut cells = Vec::new();
             for cell in row {
-                let text = printed.text[cell.clone()].trim().to_owned();
-                let span = printed.part(trimmed(&printed.text, cell));
-                let formula = Located { text, span, exact: printed.exact };
-                cells.push(self.formula(&formula, item.notation).map(|e| (e, formula.text)));
+                let formula = part(printed, cell);
+                cells.push(self.times(factor, &formula, item.notation));
             }
             list.push(cells);
         }
         list.into_iter().map(|row| row.into_iter().collect()).collect()
+    }
+
+    /// Value and text of the factor in front of a matrix, which may be a sign alone.
+    fn factor(&mut self, printed: &Located, notation: Notation) -> Option<(Expr, String)> {
+        let value = if printed.text == "-" { Expr::MINUS_ONE } else { self.formula(printed, notation)? };
+        let times = if printed.text == "-" || notation == Notation::Latex { "" } else { "*" };
+        Some((value, format!("{}{times}", printed.text)))
+    }
+
+    /// Value and text of an entry of a matrix, times the factor in front of the matrix.
+    fn times(
+        &mut self,
+        factor: Option<&(Expr, String)>,
+        formula: &Located,
+        notation: Notation,
+    ) -> Option<(Expr, String)> {
+        let value = self.formula(formula, notation)?;
+        Some(match factor {
+            Some((factor, text)) => (self.model.arena.mul(*factor, value), format!("{text}({})", formula.text)),
+            None => (value, formula.text.clone()),
+        })
     }
 
     /// String under a key that must be present.

@@ -3,18 +3,134 @@
 use crate::algebra::text::notation::Notation;
 use std::ops::Range;
 
-/// Places, in bytes, of the entries of a printed matrix, row by row. The error is the reason why the text is no matrix.
-pub fn cells(text: &str, notation: Notation) -> Result<Vec<Vec<Range<usize>>>, &'static str> {
-    let rows = if notation == Notation::Latex { latex(text)? } else { brackets(text)? };
-    match rows.first().map(Vec::len) {
-        None | Some(0) => Err("the matrix has no entries"),
-        Some(width) if rows.iter().any(|row| row.len() != width) => Err("the rows of the matrix differ in length"),
-        Some(_) => Ok(rows),
+/// Entries of a printed matrix.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Cells {
+    /// Places, in bytes, of the entries, row by row. All rows have the same length.
+    pub rows: Vec<Vec<Range<usize>>>,
+    /// Place of the factor in front of the matrix; `None` if there is none.
+    pub factor: Option<Range<usize>>,
+}
+
+/// Entries of a printed matrix. What stands around it is read as well: a factor in front, and the mark of a transpose
+/// behind. The error is the reason why the text is no matrix.
+pub fn cells(text: &str, notation: Notation) -> Result<Cells, &'static str> {
+    let (mut rows, around) = if notation == Notation::Latex { latex(text)? } else { brackets(text)? };
+    let width = match rows.first().map(Vec::len) {
+        None | Some(0) => return Err("the matrix has no entries"),
+        Some(width) if rows.iter().any(|row| row.len() != width) => {
+            return Err("the rows of the matrix differ in length");
+        }
+        Some(width) => width,
+    };
+    let Some(around) = around else { return Ok(Cells { rows, factor: None }) };
+    let (factor, is_transposed) =
+        if notation == Notation::Latex { beside_latex(text, &around)? } else { beside_brackets(text, &around)? };
+    if is_transposed {
+        rows = (0..width).map(|column| rows.iter().map(|row| row[column].clone()).collect()).collect();
+    }
+    Ok(Cells { rows, factor })
+}
+
+/// Factor in front of an environment, and true if it is transposed.
+fn beside_latex(text: &str, around: &Range<usize>) -> Result<(Option<Range<usize>>, bool), &'static str> {
+    const OPENING: [&str; 12] =
+        ["\\left[", "\\left(", "\\left\\{", "(", "[", "&", "\\,", "\\;", "\\:", "\\!", "\\quad", "\\qquad"];
+    const CLOSING: [&str; 15] = [
+        "\\right]",
+        "\\right)",
+        "\\right\\}",
+        ")",
+        "]",
+        "\\,",
+        "\\;",
+        "\\:",
+        "\\!",
+        ".",
+        ",",
+        ";",
+        "\\nonumber",
+        "\\notag",
+        "\\\\",
+    ];
+    const TRANSPOSES: [&str; 9] = [
+        "^T",
+        "^{T}",
+        "^\\top",
+        "^{\\top}",
+        "^\\mathsf{T}",
+        "^{\\mathsf{T}}",
+        "^{\\mathsf T}",
+        "^\\mathrm{T}",
+        "^{\\mathrm{T}}",
+    ];
+    let start = text[..around.start].rfind('=').map_or(0, |at| at + 1);
+    let mut front = text[start..around.start].trim_end();
+    while let Some(rest) = OPENING.iter().find_map(|mark| front.strip_suffix(mark)) {
+        front = rest.trim_end();
+    }
+    let end = start + front.len();
+    let front = front.trim_start_matches(|c: char| c == '&' || c.is_whitespace());
+    let factor = (!front.is_empty()).then(|| end - front.len()..end);
+    let mut behind = text[around.end..].trim_start();
+    let mut is_transposed = false;
+    loop {
+        if let Some(rest) = TRANSPOSES.iter().find_map(|mark| behind.strip_prefix(mark)) {
+            (behind, is_transposed) = (rest.trim_start(), !is_transposed);
+        } else if let Some(rest) = CLOSING.iter().find_map(|mark| behind.strip_prefix(mark)) {
+            behind = rest.trim_start();
+        } else if behind.starts_with("\\label{") {
+            behind = behind.split_once('}').map_or("", |(_, rest)| rest).trim_start();
+        } else if behind.is_empty() {
+            return Ok((factor, is_transposed));
+        } else {
+            return Err("what stands behind the matrix is not read: print the matrix alone under `printed`");
+        }
     }
 }
 
+/// Factor in front of brackets, and true if they are transposed.
+fn beside_brackets(text: &str, around: &Range<usize>) -> Result<(Option<Range<usize>>, bool), &'static str> {
+    let start = text[..around.start].rfind('=').map_or(0, |at| at + 1);
+    let front = text[start..around.start].trim_end();
+    // The name of a function, as in `np.array(` or `vertcat(*`.
+    let name = front.trim_end_matches('*');
+    let is_call =
+        name.ends_with('(') && name.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '.' | '(' | ' '));
+    let factor = if front.trim().is_empty() || is_call {
+        None
+    } else if let Some(factor) = front.strip_suffix('*') {
+        let inner = factor.trim();
+        let from = start + factor.len() - factor.trim_start().len();
+        (!inner.is_empty()).then(|| from..from + inner.len())
+    } else {
+        return Err("what stands in front of the matrix is not read: multiply it into the entries");
+    };
+    let mut behind = text[around.end..].trim_start();
+    let mut is_transposed = false;
+    loop {
+        let transposed = [".transpose()", ".T", ".'", "'"].iter().find_map(|mark| behind.strip_prefix(mark));
+        // A named argument, as in `, dtype=float)`.
+        let named = behind.strip_prefix(',').filter(|rest| rest.trim_start().starts_with(|c: char| c.is_alphabetic()));
+        if let Some(rest) = transposed {
+            (behind, is_transposed) = (rest.trim_start(), !is_transposed);
+        } else if let Some(rest) = named {
+            behind = rest.find(')').map_or("", |close| &rest[close..]);
+        } else if let Some(rest) = behind.strip_prefix([')', ';', ',', '.']) {
+            behind = rest.trim_start();
+        } else if behind.is_empty() || behind.starts_with(['%', '#']) {
+            return Ok((factor, is_transposed));
+        } else {
+            return Err("what stands behind the matrix is not read: write it into the entries");
+        }
+    }
+}
+
+/// Places of entries, row by row, and that of the matrix as a whole; `None` for the whole text.
+type Found = (Vec<Vec<Range<usize>>>, Option<Range<usize>>);
+
 /// Entries of an environment such as bmatrix or array.
-fn latex(text: &str) -> Result<Vec<Vec<Range<usize>>>, &'static str> {
+fn latex(text: &str) -> Result<Found, &'static str> {
     let no_end = "the matrix has no `\\end{…}`";
     let begin = text
         .find("\\begin{")
@@ -69,24 +185,28 @@ fn latex(text: &str) -> Result<Vec<Vec<Range<usize>>>, &'static str> {
     } else {
         rows.last_mut().expect("one row at least").push(from..end);
     }
-    Ok(rows)
+    let whole_end = text[end..].find('}').map_or(text.len(), |close| end + close + 1);
+    Ok((rows, Some(begin..whole_end)))
 }
 
 /// Entries of `[a, b; c, d]`, `[a b; c d]` or `[[a, b], [c, d]]`, with anything in front, such as `np.array(`.
-fn brackets(text: &str) -> Result<Vec<Vec<Range<usize>>>, &'static str> {
+fn brackets(text: &str) -> Result<Found, &'static str> {
     if let Some(rows) = stacked(text) {
-        return rows;
+        return rows.map(|rows| (rows, None));
     }
     let open = text.find('[').ok_or("the matrix has no `[`, as in [a, b; c, d] or [[a, b], [c, d]]")?;
-    let close = text.rfind(']').filter(|close| *close > open).ok_or("the `[` of the matrix is never closed")?;
+    let mut depth = 0_i64;
+    let closes = |(_, c): &(usize, char)| {
+        depth += i64::from(*c == '[') - i64::from(*c == ']');
+        depth == 0
+    };
+    let closing = text[open..].char_indices().find(closes);
+    let close = closing.map(|(at, _)| open + at).ok_or("the `[` of the matrix is never closed")?;
     let inside = open + 1..close;
     if !text[inside.clone()].trim_start().starts_with('[') {
-        let rows = split(text, inside, |c| c == ';' || c == '\n');
-        return Ok(rows
-            .into_iter()
-            .filter(|row| !text[row.clone()].trim().is_empty())
-            .map(|row| row_of(text, row))
-            .collect());
+        let rows = split(text, inside, |c| c == ';' || c == '\n').into_iter();
+        let rows = rows.filter(|row| !text[row.clone()].trim().is_empty()).map(|row| row_of(text, row));
+        return Ok((rows.collect(), Some(open..close + 1)));
     }
     let mut rows = Vec::new();
     for part in split(text, inside, |c| c == ',') {
@@ -99,7 +219,7 @@ fn brackets(text: &str) -> Result<Vec<Vec<Range<usize>>>, &'static str> {
         };
         rows.push(row_of(text, part.start + from + 1..part.start + to));
     }
-    Ok(rows)
+    Ok((rows, Some(open..close + 1)))
 }
 
 /// Entries of `vertcat(horzcat(a, b), horzcat(c, d))`, of `horzcat(vertcat(a, c), vertcat(b, d))`, or of a vector
@@ -190,9 +310,9 @@ mod tests {
     use crate::algebra::text::notation::Notation;
 
     fn read(text: &str, notation: Notation) -> Result<Vec<Vec<String>>, &'static str> {
-        let rows = cells(text, notation)?;
+        let cells = cells(text, notation)?;
         let cell = |cell: &std::ops::Range<usize>| text[cell.clone()].trim().to_owned();
-        Ok(rows.iter().map(|row| row.iter().map(cell).collect()).collect())
+        Ok(cells.rows.iter().map(|row| row.iter().map(cell).collect()).collect())
     }
 
     #[test]
@@ -220,5 +340,44 @@ mod tests {
         assert_eq!(read("[1 2; 3]", Notation::Matlab), Err("the rows of the matrix differ in length"));
         assert!(read("a, b", Notation::Python).is_err() && read("[]", Notation::Matlab).is_err());
         assert!(read(r"\begin{bmatrix} a", Notation::Latex).is_err() && read("]é[", Notation::C).is_err());
+    }
+    #[test]
+    fn what_stands_around_a_matrix_is_not_lost() {
+        let of = |text: &str, notation: Notation| {
+            cells(text, notation).map(|found| {
+                let factor = found.factor.map(|range| text[range].to_owned());
+                let rows = found
+                    .rows
+                    .iter()
+                    .map(|row| row.iter().map(|c| text[c.clone()].trim().to_owned()).collect::<Vec<_>>());
+                (factor, rows.collect::<Vec<_>>())
+            })
+        };
+        let (latex, matlab, python) = (Notation::Latex, Notation::Matlab, Notation::Python);
+        let [a, b] = ["a", "b"].map(str::to_owned);
+        let (whole, turned) = (vec![vec![a.clone(), b.clone()]], vec![vec![a], vec![b]]);
+        let some = |factor: &str| Some(factor.to_owned());
+        for (text, factor) in [
+            (r"M = \frac12 m l^2 \begin{bmatrix} a & b \end{bmatrix}, \label{eq:M}", some(r"\frac12 m l^2")),
+            (r"M(q) &= \left[\begin{array}{cc} a & b \end{array}\right].", None),
+            (r"-\begin{pmatrix} a & b \end{pmatrix}", some("-")),
+        ] {
+            assert_eq!(of(text, latex), Ok((factor, whole.clone())), "{text}");
+        }
+        for mark in ["^T", r"^{\mathsf{T}}", r"^\top"] {
+            let text = format!(r"\begin{{bmatrix}} a & b \end{{bmatrix}}{mark}");
+            assert_eq!(of(&text, latex), Ok((None, turned.clone())), "{text}");
+        }
+        assert_eq!(of("m*l^2*[a, b]';", matlab), Ok((some("m*l^2"), turned.clone())));
+        assert_eq!(of("[a, b].';", matlab), Ok((None, turned.clone())));
+        assert_eq!(
+            of("M = 0.5*np.array([[a, b]], dtype=float)", python),
+            Err("what stands in front of the matrix is not read: multiply it into the entries")
+        );
+        assert_eq!(of("M = np.array([[a, b]], dtype=float).T", python), Ok((None, turned)));
+        assert!(of(r"\begin{bmatrix} a & b \end{bmatrix}, \qquad h = m l", latex).is_err());
+        assert!(of(r"\begin{bmatrix} a & b \end{bmatrix} + C", latex).is_err());
+        assert!(of("m*np.array([a, b])", python).is_err() && of("vertcat(*[a, b])", python).is_ok());
+        assert!(of("[a, b]*m", matlab).is_err() && of("[a, b] + [c, d]", matlab).is_err());
     }
 }

@@ -3,7 +3,7 @@
 use super::entries::Item;
 use super::files::notation_of_file;
 use super::locals::{Local, Locals, Unread};
-use super::matrix::cells;
+use super::matrix::{Cells, cells};
 use super::printed::{Choice, Paper, Problem, Statement, Traced, is_access, is_number, statements, without_comments};
 use super::read::Loading;
 use crate::algebra::Expr;
@@ -326,7 +326,7 @@ impl<'a> Loading<'a, '_> {
             (_, true) => (format!("[{whole}]"), 1),
             _ => (formula.text.clone(), 0),
         };
-        let Ok(rows) = cells(&text, notation) else { return false };
+        let Ok(Cells { rows, factor: None }) = cells(&text, notation) else { return false };
         let is_row = rows.len() == 1;
         let is_column = rows.iter().all(|row| row.len() == 1);
         let first = usize::from(notation == Notation::Matlab);

@@ -143,7 +143,8 @@ impl Spell for Speller<'_> {
             let help = format!("say in [symbols] which of {} it is", names.join(", "));
             return Err((format!("`{symbol}` may stand for several names"), Some(help)));
         }
-        let stated = quoted(&symbol);
+        // The spelling of a coordinate holds for its rates too.
+        let stated = quoted(symbol.trim_end_matches('\''));
         let help = match self.spellings.words.iter().find(|word| *word == run) {
             Some(word) => {
                 format!("side by side letters are a product: the name `{word}` is written {}", latex_name(word))

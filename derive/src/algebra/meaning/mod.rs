@@ -3,5 +3,6 @@
 pub mod compare;
 pub mod identity;
 pub mod permitted;
+mod samples;
 pub(crate) mod signs;
 pub(super) mod witness;

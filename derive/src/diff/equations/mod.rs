@@ -2,7 +2,7 @@
 
 pub(super) mod claim;
 pub(super) mod derived_system;
-pub(super) mod independence;
+mod independence;
 mod matching;
 pub(super) mod multipliers;
 pub mod rows;

@@ -2,7 +2,7 @@
 //!
 //! Aᵀλ = Aᵀ B μ for λ = B μ. Equations of motion with μ are equivalent to those with λ for every regular B. Rows that
 //! agree with the derived rows, or with combinations of these, up to their multipliers determine B. B is used if it
-//! explains more rows than λ = μ does, and holds for later entries of the publication too.
+//! explains more rows than λ = μ does. One B holds for all entries of a publication.
 
 use super::derived_system::Ordered;
 use super::matching::explained;
@@ -62,6 +62,16 @@ enum Form {
     Other,
 }
 
+/// Measure of how well a matrix B explains pairs; the higher, the better.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Score {
+    /// Number of pairs that it explains.
+    explained: usize,
+    /// Number of these whose derived rows have the factor 1.
+    plain: usize,
+    form: Reverse<Form>,
+}
+
 impl Terms<'_> {
     /// Writes the derived rows with the printed multipliers, and describes these in words. `known` are the multipliers
     /// of the publication. `None` if the printed multipliers are the derived ones.
@@ -88,7 +98,7 @@ impl Terms<'_> {
                 // Another part of the publication may define its multipliers anew, if all its rows agree on them.
                 let count = if pairs.len() > width { self.explained(&pairs, &decided) } else { pairs.len() };
                 let own = (count < pairs.len()).then(|| self.best(&pairs, width, parameters));
-                own.filter(|((most, ..), _)| *most == pairs.len()).map_or(decided, |(_, change)| change)
+                own.filter(|(score, _)| score.explained == pairs.len()).map_or(decided, |(_, change)| change)
             }
             None if is_mentioned => self.best(&pairs, width, parameters).1,
             None => unit(width),
@@ -109,34 +119,40 @@ impl Terms<'_> {
         is_mentioned.then(|| self.words(order, &columns, &change))
     }
 
-    /// Matrix B that explains most pairs, with their number, the number of plain ones, and its form. Of matrices that
-    /// explain as many, the plainest is meant.
-    fn best(&mut self, pairs: &[Pair], width: usize, parameters: &[Expr]) -> ((usize, usize, Reverse<Form>), Vec<Row>) {
-        let score = |terms: &mut Self, change: &[Row], form: Form| {
-            let explained: Vec<&Pair> = pairs.iter().filter(|pair| terms.explains(pair, change)).collect();
-            let plain = explained.iter().filter(|pair| pair.is_plain).count();
-            (explained.len(), plain, Reverse(form))
-        };
+    /// Matrix B that explains most pairs, with its score. Of matrices that explain as many, the plainest is meant.
+    /// Scales of single multipliers are tried first, and mixed multipliers if these leave a pair unexplained.
+    fn best(&mut self, pairs: &[Pair], width: usize, parameters: &[Expr]) -> (Score, Vec<Row>) {
         let as_derived = unit(width);
-        let mut best = (score(self, &as_derived, Form::Derived), as_derived);
-        let mut list: Vec<Vec<Row>> = (0..pairs.len()).filter_map(|first| self.scaled(pairs, first, width)).collect();
-        list.dedup();
-        list.truncate(MOST_CHOICES);
-        for chosen in [true, false] {
-            if !chosen && best.0.0 < pairs.len() {
-                for chosen in choices(pairs.len(), width) {
-                    list.extend(self.change(&chosen.iter().map(|at| &pairs[*at]).collect::<Vec<_>>()));
-                }
-            }
-            for change in list.drain(..) {
-                let form = self.form(&change, parameters);
-                let found = score(self, &change, form);
-                if found > best.0 {
-                    best = (found, change);
+        let mut best = (self.score(pairs, &as_derived, Form::Derived), as_derived);
+        let mut scaled: Vec<Vec<Row>> = (0..pairs.len()).filter_map(|first| self.scaled(pairs, first, width)).collect();
+        scaled.dedup();
+        for change in scaled.into_iter().take(MOST_CHOICES) {
+            self.prefer(&mut best, change, pairs, parameters);
+        }
+        if best.0.explained < pairs.len() {
+            for chosen in choices(pairs.len(), width) {
+                let chosen: Vec<&Pair> = chosen.iter().map(|at| &pairs[*at]).collect();
+                if let Some(change) = self.change(&chosen) {
+                    self.prefer(&mut best, change, pairs, parameters);
                 }
             }
         }
         best
+    }
+
+    /// Puts a matrix in the place of the best one if its score is higher.
+    fn prefer(&mut self, best: &mut (Score, Vec<Row>), change: Vec<Row>, pairs: &[Pair], parameters: &[Expr]) {
+        let form = self.form(&change, parameters);
+        let score = self.score(pairs, &change, form);
+        if score > best.0 {
+            *best = (score, change);
+        }
+    }
+
+    fn score(&mut self, pairs: &[Pair], change: &[Row], form: Form) -> Score {
+        let explained: Vec<&Pair> = pairs.iter().filter(|pair| self.explains(pair, change)).collect();
+        let plain = explained.iter().filter(|pair| pair.is_plain).count();
+        Score { explained: explained.len(), plain, form: Reverse(form) }
     }
 
     /// Diagonal matrix B: each multiplier has a factor of its own, by the first pair that shows it, the pair `first`

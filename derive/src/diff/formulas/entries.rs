@@ -1,34 +1,29 @@
 //! Judgement of printed values of named quantities.
 
-use super::constant::{is_constant, is_kept};
 use super::finding::{Finding, Judgement, Mistake, ROUNDED, TracedFinding};
 use super::near::Near;
 use super::ratio::constant_ratio;
 use super::rounding::agrees_as_rounded;
-use super::terms::{WrongTerm, spread, wrong_terms};
+use super::terms::{WrongTerm, wrong_terms};
 use crate::diff::equations::claim::{Claim, Table};
 use crate::diff::equations::multipliers::Multipliers;
 use crate::diff::repairs::{Book, Formula, Repair, Search, Slip, Tools, pair, repair};
 
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::meaning::permitted::Holds;
-use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::text::print::text;
 use crate::algebra::{Expr, Node};
-use crate::mechanics::{Energy, Formulation, Kinematics, LoadPotential, Quantities, Quantity, QuantityKind};
+use crate::mechanics::{Formulation, Kinematics, Quantities, Quantity, QuantityKind};
 use crate::publication::{Names, has_decimals};
 
 /// Most rounds in which sums of a derived value are shortened.
 const MOST_ROUNDS: usize = 4;
 
 /// Longest text of a printed and of a derived value that are set against one another as a whole, in bytes.
-const LONGEST: usize = 70;
+pub(super) const LONGEST: usize = 70;
 
 /// Longest list of wrong terms in the place of which two changes of the formula are sought, in bytes.
 const LONGEST_LIST: usize = 150;
-
-/// Most loads of which some may have their potential in a printed energy.
-const MOST_LOADS: usize = 4;
 
 /// Variables in which a printed formula is compared.
 #[derive(Clone, Copy, Debug)]
@@ -112,20 +107,17 @@ impl Judge<'_, '_> {
         let derived = self.simplify(derived);
         let printed = Printed { raw, value: printed, reading: Reading { in_rates, is_solved } };
         let TracedFinding { finding: found, claim } = self.value(finding.clone(), quantity.kind(), printed, derived);
-        let has_a_zero = matches!(quantity.kind(), QuantityKind::Energy(energy) if energy.has_a_zero());
-        let is_told = found.change.is_some_and(|(own, _)| own != printed.value) || found.factor.is_some();
-        let is_different = found.judgement == Judgement::Different;
-        let with_other_zero =
-            if has_a_zero && is_different { self.with_other_zero(finding, printed, derived, is_told) } else { None };
-        let finding = with_other_zero.unwrap_or(found);
         let finding = match quantity.kind() {
             // What is added to an energy is an energy.
-            QuantityKind::Energy(energy) if energy.has_a_zero() && self.units(raw, derived).is_none() => {
-                let finding = self.up_to_its_zero(finding, printed.value);
-                let finding = if *energy == Energy::Gravity { finding } else { self.up_to_loads(finding, *energy) };
-                if *energy == Energy::Lagrangian { self.up_to_a_rate(finding) } else { finding }
+            QuantityKind::Energy(energy) if energy.has_a_zero() => {
+                let found = self.with_other_zero(finding, &found, printed, derived).unwrap_or(found);
+                if self.units(raw, derived).is_none() {
+                    self.up_to_free_parts(found, *energy, printed.value)
+                } else {
+                    found
+                }
             }
-            _ => finding,
+            _ => found,
         };
         finding.with_claim(claim)
     }
@@ -146,158 +138,6 @@ impl Judge<'_, '_> {
         }
         let finding = self.compare(finding, printed, derived);
         finding.with_claim(Claim::Value { kind: kind.clone(), printed: printed.value, derived, by: None })
-    }
-
-    /// Finding of a wrong energy by one mistake beside constant terms, which move the zero of the energy. `None` if it
-    /// differs in no constant term, or if no mistake is found so: no slip, if `is_told` is true, since the whole energy
-    /// has another mistake then.
-    fn with_other_zero(&mut self, finding: Finding, printed: Printed, derived: Expr, is_told: bool) -> Option<Finding> {
-        let difference = self.quantities.derivations.kinematics.arena.sub(printed.value, derived);
-        let difference = self.simplify(difference);
-        let terms = spread(&mut self.quantities.derivations.kinematics.arena, difference);
-        let constants: Vec<Expr> = terms.into_iter().filter(|term| is_constant(self.quantities, *term)).collect();
-        if constants.is_empty() || self.near.is_some() {
-            return None;
-        }
-        let arena = &mut self.quantities.derivations.kinematics.arena;
-        let zero = arena.sum(&constants);
-        let shifted = arena.add(derived, zero);
-        let shifted = self.simplify(shifted);
-        let mut found = self.compare(finding, printed, shifted);
-        if is_told && found.slip.is_none_or(|slip| slip > Slip::Function) {
-            return None;
-        }
-        let zero = text(&self.quantities.derivations.kinematics.arena, zero);
-        found.remarks.push(format!("the derived value is shown with the printed zero, {zero} higher"));
-        found.change.is_some_and(|(own, _)| own != printed.value).then_some(found)
-    }
-
-    /// Accepts a potential energy that differs by a constant: it is the same potential with another zero.
-    fn up_to_its_zero(&mut self, finding: Finding, printed: Expr) -> Finding {
-        let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
-            return finding;
-        };
-        // On the constraints, and with the numbers that the print has in the place of parameters.
-        let arena = &mut self.quantities.derivations.kinematics.arena;
-        let permitted = self.comparer.permitted().put(arena, difference);
-        let parameters = &self.quantities.model.parameters;
-        let has_none = parameters.iter().all(|p| p.is_input || !arena.mentions(printed, p.symbol));
-        let is_in_numbers = has_none && has_decimals(&finding.printed);
-        let in_numbers = is_in_numbers.then(|| Substitution::new(self.numbers).apply(arena, permitted));
-        let forms = [Some(difference), Some(permitted), in_numbers].into_iter().flatten();
-        let Some(difference) = forms.into_iter().find(|e| is_constant(self.quantities, *e)) else {
-            if !is_kept(self.quantities, self.comparer, difference) {
-                return finding;
-            }
-            let remark = "the zero of the quantity is elsewhere: printed − derived keeps its value in every motion";
-            return finding.accepted("up to a constant", remark.to_owned());
-        };
-        let difference = self.simplify(difference);
-        let arena = &self.quantities.derivations.kinematics.arena;
-        let remark = format!(
-            "the zero of the quantity is elsewhere: printed − derived = {}, a constant",
-            text(arena, difference)
-        );
-        finding.accepted("up to a constant", remark)
-    }
-
-    /// Accepts an energy that contains the potential of some loads, or of all, that the derived energy leaves out, such
-    /// as of a spring with a driven end: the same forces follow from it.
-    fn up_to_loads(&mut self, finding: Finding, energy: Energy) -> Finding {
-        let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
-            return finding;
-        };
-        let model = self.quantities.model;
-        let kinematics = &mut self.quantities.derivations.kinematics;
-        if model.u().into_iter().chain(model.q_dot()).any(|rate| kinematics.arena.mentions(difference, rate)) {
-            return finding;
-        }
-        let names: Vec<&String> =
-            model.forces.iter().map(|f| &f.name).chain(model.torques.iter().map(|t| &t.name)).collect();
-        let LoadPotential { rest, outside, .. } = kinematics.load_potential(model);
-        let forces = kinematics.load_forces(model);
-        let arena = &mut kinematics.arena;
-        // A damper works in motion alone.
-        let mut at_rest =
-            Substitution::new(&model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect::<Vec<_>>());
-        let resting: Vec<Expr> = rest.into_iter().map(|force| at_rest.apply(arena, force)).collect();
-        let named: Vec<(&String, &Vec<Expr>)> =
-            outside.into_iter().filter_map(|at| Some((*names.get(at)?, &forces[at]))).collect();
-        let mut loads: Vec<(String, Vec<Expr>)> = Vec::new();
-        if at_rest.undefined.is_none() {
-            loads.push(("all loads".to_owned(), resting));
-        }
-        for chosen in 1..(1_usize << named.len().min(MOST_LOADS)) {
-            let some = named.iter().enumerate().filter(|(at, _)| chosen >> at & 1 == 1).map(|(_, load)| load);
-            let words: Vec<String> = some.clone().map(|(name, _)| format!("`{name}`")).collect();
-            let sum = |at: usize| some.clone().map(|(_, force)| force[at]).collect::<Vec<Expr>>();
-            loads.push((words.join(" and "), (0..model.coordinates.len()).map(|at| arena.sum(&sum(at))).collect()));
-        }
-        // A function of time has no slopes, and is the potential of no force.
-        loads.retain(|(_, load)| load.iter().any(|force| *force != Expr::ZERO));
-        // L contains −V.
-        let sign = if energy == Energy::Lagrangian { Expr::ONE } else { Expr::MINUS_ONE };
-        let moving: Vec<usize> = (0..model.coordinates.len()).filter(|at| model.time() != Some(*at)).collect();
-        let slopes: Vec<Expr> = moving
-            .iter()
-            .map(|at| {
-                let slope = Differential::partial(model.coordinates[*at].symbol).apply(arena, difference);
-                arena.mul(sign, slope)
-            })
-            .collect();
-        // The forces do the same work in every motion that the constraints permit.
-        let found = loads.into_iter().find(|(_, load)| {
-            model.u().into_iter().all(|speed| {
-                let terms = moving.iter().zip(&slopes).map(|(at, slope)| {
-                    let arena = &mut kinematics.arena;
-                    let motion = Differential::partial(speed).apply(arena, model.kinematic_equations.rates[*at]);
-                    let rest = arena.sub(*slope, load[*at]);
-                    arena.mul(rest, motion)
-                });
-                let terms: Vec<Expr> = terms.collect();
-                let power = kinematics.arena.sum(&terms);
-                self.comparer.compare(&mut kinematics.arena, power, Expr::ZERO).is_equal()
-            })
-        });
-        let Some((load, _)) = found else { return finding };
-        let remark = format!("it contains the potential of {load}, which the model states as a load");
-        finding.accepted("with the potential of a load", remark)
-    }
-
-    /// Accepts a Lagrangian that differs by the total time derivative of a function of q and t: Lagrange's equations
-    /// are the same.
-    fn up_to_a_rate(&mut self, finding: Finding) -> Finding {
-        let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
-            return finding;
-        };
-        let model = self.quantities.model;
-        let difference = self.quantities.in_rates(difference);
-        let mut moving: Vec<(Expr, Expr)> = Vec::new();
-        for (at, c) in model.coordinates.iter().enumerate() {
-            if model.time() == Some(at) {
-                moving.push((c.symbol, Expr::ONE));
-            } else {
-                moving.extend([(c.symbol, c.rate), (c.rate, c.second_rate)]);
-            }
-        }
-        let mut d_dt = Differential::along(&moving);
-        for (at, c) in model.coordinates.iter().enumerate() {
-            if model.time() == Some(at) {
-                continue;
-            }
-            let arena = &mut self.quantities.derivations.kinematics.arena;
-            let momentum = Differential::partial(c.rate).apply(arena, difference);
-            let slope = Differential::partial(c.symbol).apply(arena, difference);
-            let rate = d_dt.apply(arena, momentum);
-            if !self.comparer.compare(arena, rate, slope).is_equal() {
-                return finding;
-            }
-        }
-        let arena = &self.quantities.derivations.kinematics.arena;
-        let words = text(arena, difference);
-        let shown = if words.len() <= LONGEST { format!(" = {words}") } else { String::new() };
-        let remark = format!("printed − derived{shown} is the time derivative of a function of q and t");
-        finding.accepted("up to a time derivative", remark)
     }
 
     /// Judges a printed against a derived value. Adds the difference and, if the values have a constant ratio, the
@@ -341,12 +181,13 @@ impl Judge<'_, '_> {
                     });
                     // A factor in parameters may come of an abbreviation that the formula is multiplied or divided by.
                     // Where all is constant, any mistake makes a factor: one with sums and functions says nothing.
-                    let mistake = if arena.as_number(factor).is_some() {
-                        None
+                    let is_number = arena.as_number(factor).is_some();
+                    let found = self.mistake_in_abbreviations(printed, derived, Search::Values);
+                    let found = found.filter(|mistake| !mistake.abbreviations.is_empty());
+                    let mistake = if is_involved && found.is_none() && !is_number {
+                        self.changed(printed, derived, Search::Values)
                     } else {
-                        let found = self.mistake_in_abbreviations(printed, derived, Search::Values);
-                        let found = found.filter(|mistake| !mistake.abbreviations.is_empty());
-                        found.or_else(|| self.changed(printed, derived, Search::Values).filter(|_| is_involved))
+                        found
                     };
                     if let Some(mistake) = mistake {
                         finding.factor = None;

@@ -1,6 +1,7 @@
 //! Judgement of single printed formulas and numbers.
 
 pub(super) mod constant;
+mod energies;
 pub(super) mod entries;
 pub(super) mod finding;
 pub(super) mod initial;

@@ -27,7 +27,6 @@ pub use formula::Formula;
 use formula::Place;
 pub use pairs::pair;
 use points::Points;
-pub use points::drawn;
 use pool::Pool;
 use spots::solved_spot;
 

@@ -4,16 +4,12 @@
 
 use super::Rewriting;
 use crate::algebra::meaning::compare::Comparer;
-use crate::algebra::value::evaluate::Tape;
-use crate::algebra::value::field::Generator;
 use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::Quantities;
 use rustc_hash::FxHashMap;
 
 /// Number of states at which a change is evaluated.
 pub const POINTS: usize = 3;
-/// Number of states that are drawn until so many are permitted.
-const DRAWN: usize = 200;
 /// Largest difference of values that count as equal, relative to the size of the value.
 pub const SMALL: f64 = 1e-9;
 
@@ -44,29 +40,15 @@ impl Points {
             }
         }
         let main = &mut quantities.derivations.kinematics.arena;
-        let mut outputs: Vec<Expr> = outputs.into_iter().map(|e| comparer.permitted().put(main, e)).collect();
-        let conditions = outputs.len();
-        outputs.extend(comparer.permitted().free_conditions());
-        let free: Vec<Expr> = main.reachable(&outputs).into_iter().filter(|e| main.symbol_name(*e).is_some()).collect();
-        let tape = Tape::new(main, &free, &outputs).ok()?;
-        let mut generator = Generator(1 + free.len() as u64);
-        let (mut columns, mut found) = (vec![[0.0; POINTS]; conditions], 0);
-        for _ in 0..DRAWN {
-            let inputs: Vec<f64> = free.iter().map(|s| drawn(&mut generator, main, *s)).collect();
-            let results = tape.evaluate(&inputs);
-            let is_permitted = results[conditions..].iter().all(|x| *x > 0.0);
-            if results[..conditions].iter().all(|x| x.is_finite()) && is_permitted {
-                for (column, value) in columns.iter_mut().zip(&results) {
-                    column[found] = *value;
-                }
-                found += 1;
-            }
-            if found == POINTS {
-                let values = valued.into_iter().zip(columns[1..].iter().copied()).collect();
-                return Some(Self { values, right: columns[0] });
-            }
-        }
-        None
+        let samples = comparer.permitted().samples(main, &outputs)?;
+        let states: Vec<Vec<f64>> = samples.take(POINTS).collect();
+        let states: [Vec<f64>; POINTS] = states.try_into().ok()?;
+        let values = |at: usize| states.each_ref().map(|state| state[at]);
+        let right = values(0);
+        Some(Self {
+            values: valued.into_iter().enumerate().map(|(at, symbol)| (symbol, values(at + 1))).collect(),
+            right,
+        })
     }
 
     /// Gives a symbol the values of a formula, if these are known.
@@ -150,10 +132,4 @@ fn applied(f: Function, x: f64) -> f64 {
         Function::Sign if x == 0.0 => 0.0,
         Function::Sign => x.signum(),
     }
-}
-
-/// Random number for a symbol, whose size is 0.3 to 1.7; positive for positive symbols.
-pub fn drawn(generator: &mut Generator, arena: &Arena, symbol: Expr) -> f64 {
-    let size = 0.3 + (generator.next() % 1_400_000) as f64 * 1e-6;
-    if arena.is_positive(symbol) || generator.next().is_multiple_of(2) { size } else { -size }
 }

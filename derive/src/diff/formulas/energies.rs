@@ -1,0 +1,202 @@
+//! Free parts of energies: a constant, the potential of loads that the model states as forces, and in L the time
+//! derivative of a function of q and t. Equations of motion do not depend on them.
+
+use super::constant::{is_constant, is_kept};
+use super::entries::{Judge, LONGEST, Printed};
+use super::finding::{Finding, Judgement};
+use super::terms::spread;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::text::print::text;
+use crate::algebra::{Arena, Expr};
+use crate::diff::repairs::Slip;
+use crate::mechanics::{Energy, LoadPotential};
+use crate::model::Model;
+use crate::publication::has_decimals;
+
+/// Most loads of which some may have their potential in a printed energy.
+const MOST_LOADS: usize = 4;
+
+/// Loads whose potential an energy may contain: their names in words, and their generalized forces at rest.
+type Loads = (String, Vec<Expr>);
+
+impl Judge<'_, '_> {
+    /// Finding of a wrong energy by one mistake beside constant terms, which move the zero of the energy. `found` is
+    /// the finding without these. `None` if the energy differs in no constant term, or if no mistake is found so: no
+    /// slip, if `found` has another mistake.
+    pub(super) fn with_other_zero(
+        &mut self,
+        finding: Finding,
+        found: &Finding,
+        printed: Printed,
+        derived: Expr,
+    ) -> Option<Finding> {
+        if found.judgement != Judgement::Different || self.near.is_some() {
+            return None;
+        }
+        let is_told = found.change.is_some_and(|(own, _)| own != printed.value) || found.factor.is_some();
+        let difference = self.quantities.derivations.kinematics.arena.sub(printed.value, derived);
+        let difference = self.simplify(difference);
+        let terms = spread(&mut self.quantities.derivations.kinematics.arena, difference);
+        let constants: Vec<Expr> = terms.into_iter().filter(|term| is_constant(self.quantities, *term)).collect();
+        if constants.is_empty() {
+            return None;
+        }
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let zero = arena.sum(&constants);
+        let shifted = arena.add(derived, zero);
+        let shifted = self.simplify(shifted);
+        let mut found = self.compare(finding, printed, shifted);
+        if is_told && found.slip.is_none_or(|slip| slip > Slip::Function) {
+            return None;
+        }
+        let zero = text(&self.quantities.derivations.kinematics.arena, zero);
+        found.remarks.push(format!("the derived value is shown with the printed zero, {zero} higher"));
+        found.change.is_some_and(|(own, _)| own != printed.value).then_some(found)
+    }
+
+    /// Accepts an energy that differs from the derived one in what is free. `printed` is its value.
+    pub(super) fn up_to_free_parts(&mut self, finding: Finding, energy: Energy, printed: Expr) -> Finding {
+        let finding = self.up_to_its_zero(finding, printed);
+        let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
+            return finding;
+        };
+        if energy == Energy::Lagrangian && self.is_rate(difference, &[]) {
+            let words = text(&self.quantities.derivations.kinematics.arena, difference);
+            let shown = if words.len() <= LONGEST { format!(" = {words}") } else { String::new() };
+            let remark = format!("printed − derived{shown} is the time derivative of a function of q and t");
+            return finding.accepted("up to a time derivative", remark);
+        }
+        // The energy of gravity contains no other.
+        let loads = if energy == Energy::Gravity { Vec::new() } else { self.loads() };
+        let found = loads.into_iter().find(|(_, forces)| match energy {
+            Energy::Lagrangian => self.is_rate(difference, forces) || self.is_potential(difference, forces, Expr::ONE),
+            _ => self.is_potential(difference, forces, Expr::MINUS_ONE),
+        });
+        let Some((load, _)) = found else { return finding };
+        let remark = format!("it contains the potential of {load}, which the model states as a load");
+        finding.accepted("with the potential of a load", remark)
+    }
+
+    /// Accepts an energy that differs by a constant: it is the same energy with another zero.
+    fn up_to_its_zero(&mut self, finding: Finding, printed: Expr) -> Finding {
+        let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
+            return finding;
+        };
+        // On the constraints, and with the numbers that the print has in the place of parameters.
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let permitted = self.comparer.permitted().put(arena, difference);
+        let parameters = &self.quantities.model.parameters;
+        let has_none = parameters.iter().all(|p| p.is_input || !arena.mentions(printed, p.symbol));
+        let is_in_numbers = has_none && has_decimals(&finding.printed);
+        let in_numbers = is_in_numbers.then(|| Substitution::new(self.numbers).apply(arena, permitted));
+        let forms = [Some(difference), Some(permitted), in_numbers].into_iter().flatten();
+        let Some(difference) = forms.into_iter().find(|e| is_constant(self.quantities, *e)) else {
+            if !is_kept(self.quantities, self.comparer, difference) {
+                return finding;
+            }
+            let remark = "the zero of the quantity is elsewhere: printed − derived keeps its value in every motion";
+            return finding.accepted("up to a constant", remark.to_owned());
+        };
+        let difference = self.simplify(difference);
+        let arena = &self.quantities.derivations.kinematics.arena;
+        let remark = format!(
+            "the zero of the quantity is elsewhere: printed − derived = {}, a constant",
+            text(arena, difference)
+        );
+        finding.accepted("up to a constant", remark)
+    }
+
+    /// Loads that the derived energy leaves out: all together, then each choice of some.
+    fn loads(&mut self) -> Vec<Loads> {
+        let model = self.quantities.model;
+        let kinematics = &mut self.quantities.derivations.kinematics;
+        let names: Vec<&String> =
+            model.forces.iter().map(|f| &f.name).chain(model.torques.iter().map(|t| &t.name)).collect();
+        let LoadPotential { rest, outside, .. } = kinematics.load_potential(model);
+        let forces = kinematics.load_forces(model);
+        let arena = &mut kinematics.arena;
+        let mut list: Vec<Loads> = Vec::new();
+        list.extend(at_rest(arena, model, &rest).map(|forces| ("all loads".to_owned(), forces)));
+        let named = outside.into_iter().filter_map(|at| Some((*names.get(at)?, at_rest(arena, model, &forces[at])?)));
+        let named: Vec<(&String, Vec<Expr>)> = named.take(MOST_LOADS).collect();
+        for chosen in 1..(1_usize << named.len()) {
+            let some = named.iter().enumerate().filter(|(at, _)| chosen >> at & 1 == 1).map(|(_, load)| load);
+            let words: Vec<String> = some.clone().map(|(name, _)| format!("`{name}`")).collect();
+            let sum = |at: usize| some.clone().map(|(_, force)| force[at]).collect::<Vec<Expr>>();
+            list.push((words.join(" and "), (0..model.coordinates.len()).map(|at| arena.sum(&sum(at))).collect()));
+        }
+        // A function of time has no slopes, and is the potential of no force.
+        list.retain(|(_, load)| load.iter().any(|force| *force != Expr::ZERO));
+        list
+    }
+
+    /// True if these forces do the work −`sign` times the change of a term in every motion that the constraints permit.
+    fn is_potential(&mut self, term: Expr, forces: &[Expr], sign: Expr) -> bool {
+        let model = self.quantities.model;
+        let term = self.quantities.in_speeds(term);
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        // Kinetic energies in different rates are equal on the constraints.
+        let depends = |speed: Expr| {
+            let slope = Differential::partial(speed).apply(arena, term);
+            !self.comparer.compare(arena, slope, Expr::ZERO).is_equal()
+        };
+        if model.u().into_iter().any(depends) {
+            return false;
+        }
+        let mut resting = Substitution::new(&model.u().into_iter().map(|u| (u, Expr::ZERO)).collect::<Vec<_>>());
+        let term = resting.apply(arena, term);
+        let rests = moving(model).map(|at| {
+            let slope = Differential::partial(model.coordinates[at].symbol).apply(arena, term);
+            let slope = arena.mul(sign, slope);
+            (at, arena.sub(slope, forces[at]))
+        });
+        let rests: Vec<(usize, Expr)> = rests.collect();
+        model.u().into_iter().all(|speed| {
+            let terms = rests.iter().map(|(at, rest)| {
+                let motion = Differential::partial(speed).apply(arena, model.kinematic_equations.rates[*at]);
+                arena.mul(*rest, motion)
+            });
+            let terms: Vec<Expr> = terms.collect();
+            let power = arena.sum(&terms);
+            self.comparer.compare(arena, power, Expr::ZERO).is_equal()
+        })
+    }
+
+    /// True if a part of L gives Lagrange's equations these forces and nothing else. Without forces it is the time
+    /// derivative of a function of q and t.
+    fn is_rate(&mut self, term: Expr, forces: &[Expr]) -> bool {
+        let model = self.quantities.model;
+        let term = self.quantities.in_rates(term);
+        let mut along: Vec<(Expr, Expr)> = Vec::new();
+        for (at, c) in model.coordinates.iter().enumerate() {
+            if model.time() == Some(at) {
+                along.push((c.symbol, Expr::ONE));
+            } else {
+                along.extend([(c.symbol, c.rate), (c.rate, c.second_rate)]);
+            }
+        }
+        let mut d_dt = Differential::along(&along);
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        moving(model).all(|at| {
+            let c = &model.coordinates[at];
+            let momentum = Differential::partial(c.rate).apply(arena, term);
+            let slope = Differential::partial(c.symbol).apply(arena, term);
+            let rate = d_dt.apply(arena, momentum);
+            let force = forces.get(at).copied().unwrap_or(Expr::ZERO);
+            let expected = arena.sub(slope, force);
+            self.comparer.compare(arena, rate, expected).is_equal()
+        })
+    }
+}
+
+/// Indices of the coordinates but time.
+fn moving(model: &Model) -> impl Iterator<Item = usize> + '_ {
+    (0..model.coordinates.len()).filter(|at| model.time() != Some(*at))
+}
+
+/// Forces where nothing moves: a damper works in motion alone. `None` if a force has no value there.
+fn at_rest(arena: &mut Arena, model: &Model, forces: &[Expr]) -> Option<Vec<Expr>> {
+    let mut at_rest = Substitution::new(&model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect::<Vec<_>>());
+    let resting = forces.iter().map(|force| at_rest.apply(arena, *force)).collect();
+    at_rest.undefined.is_none().then_some(resting)
+}
