@@ -41,6 +41,15 @@ We derive, for $100\%$ rigid rods,
 \end{equation}
 \[ M = \begin{bmatrix} M + m & m l \cos\th \\ m l\cos\th & \Jp \end{bmatrix} \label{eq:M} \]
 \begin{equation} V = - m g l \bad{\th} \label{eq:V} \end{equation}
+\begin{equation} \label{eq:short}
+  J_0 = J + m l^2, \qquad h(\th) = m l \cos\th, \quad d = J_0 (M + m) - h^2 = 1
+\end{equation}
+\begin{equation}
+  T = \half (M + m) \dot x^2 + h \dot x \dot\th + \half J_0 \dot\th^2 = \half M \dot x^2, \quad h = m l \cos\th
+  \label{eq:chain}
+\end{equation}
+\begin{align} (M + m)\ddot x + h \ddot\th = m l \dot\th^2\sn\th + F, & \quad J_0 \ddot\th + h \ddot x = m g l\sn\th
+  \label{eq:side} \end{align}
 \newcommand{\loopy}{\loopy x}
 \begin{equation} L = \loopy \label{eq:L} \end{equation}
 \end{document}
@@ -124,6 +133,72 @@ fn check_error(text: &str, expected: &Expect) {
 
 fn equation(id: &str, rest: &str) -> String {
     format!("[[equation]]\nid = \"{id}\"\nsection = \"1\"\n{rest}\n")
+}
+
+/// Goal: definitions, chains and equations side by side are judged as the paper prints them.
+#[test]
+fn definitions_and_chains_of_a_paper_are_read_by_their_labels() {
+    let text = [
+        "file = \"paper.tex\"\nnotation = \"latex\"\n".to_owned(),
+        "[abbreviations]\nJ_0 = { label = \"eq:short\" }\nh = { label = \"eq:chain\" }\n".to_owned(),
+        equation("T", "quantity = \"T\"\nlabel = \"eq:chain\""),
+        "[[system]]\nid = \"two\"\nsection = \"1\"\nformulation = \"lagrange\"\nlabel = \"eq:side\"\n".to_owned(),
+        equation("second", "label = \"eq:side\"\nline = 2"),
+    ];
+    check(&text.concat(), &expect![[r#"
+        T-1 equal
+        T-2 different
+        two-row1 equal
+        two-row2 different: in the right-hand side, m*l*g*sin(theta) should be -m*l*g*sin(theta)
+        second different: in the right-hand side, m*l*g*sin(theta) should be -m*l*g*sin(theta)"#]]);
+    let one = |line: &str| {
+        format!("file = \"paper.tex\"\n[abbreviations]\n{line}\n{}", equation("V", "quantity = \"V\"\nprinted = \"0\""))
+    };
+    let texts = [
+        "d = { label = \"eq:short\" }",
+        "k = { label = \"eq:chain\" }",
+        "h = { lable = \"eq:chain\" }",
+        "h = { label = \"eq:chains\" }",
+    ];
+    let errors: Vec<String> =
+        texts.into_iter().map(|line| loaded(&one(line)).map(|_| ()).unwrap_err().to_string()).collect();
+    expect![[r#"
+        error: `d` is equal to more than one formula
+          --> paper.tex:29:55
+           |
+        29 |   J_0 = J + m l^2, \qquad h(\th) = m l \cos\th, \quad d = J_0 (M + m) - h^2 = 1
+           |                                                       ^^^^^^^^^^^^^^^^^^^^^^^^^
+           |
+           = help: copy the formula that is meant
+        error: no equation of `eq:chain` has `k` alone on its left side
+         --> publication.toml:3:16
+          |
+        3 | k = { label = "eq:chain" }
+          |                ^^^^^^^^
+          |
+          = help: say in [symbols] which symbol stands for the abbreviation, or copy its formula
+        error: an abbreviation has no `label`
+         --> publication.toml:3:5
+          |
+        3 | h = { lable = "eq:chain" }
+          |     ^^^^^^^^^^^^^^^^^^^^^^
+          |
+          = help: add `label = …`
+
+        error: unknown key `lable` in an abbreviation
+         --> publication.toml:3:7
+          |
+        3 | h = { lable = "eq:chain" }
+          |       ^^^^^
+          |
+          = help: did you mean `label`?
+        error: no equation of `paper.tex` has the label `eq:chains`
+         --> publication.toml:3:16
+          |
+        3 | h = { label = "eq:chains" }
+          |                ^^^^^^^^^
+          |
+          = help: did you mean `eq:chain`?"#]].assert_eq(&errors.join("\n"));
 }
 
 #[test]
@@ -256,9 +331,9 @@ fn errors_of_a_paper_are_shown_in_the_paper() {
                = help: known are symbols, \frac, \sqrt, \cdot, \left( \right), \dot and functions such as \sin; a symbol of the paper's own is declared in [symbols]
 
             error: the macros make this text too long: `\loopy` may call itself
-              --> paper.tex:29:22
+              --> paper.tex:38:22
                |
-            29 | \begin{equation} L = \loopy \label{eq:L} \end{equation}
+            38 | \begin{equation} L = \loopy \label{eq:L} \end{equation}
                |                      ^^^^^^
                |
                = help: write the formula without this macro"#]],

@@ -1,5 +1,6 @@
 //! Entries of a publication: the keys common to all, and entries with a single formula.
 
+use super::equalities::sides;
 use super::matrix::{Cells, cells};
 use super::printed::Choice;
 use super::read::{KEYS, Loading};
@@ -70,13 +71,6 @@ fn keys(kind: Kind) -> Vec<&'static str> {
     [&["id", "section", "repaired", "note"], formulas, own].concat()
 }
 
-/// Entries that one table of the publication file states.
-enum Read {
-    One(Box<Entry>),
-    /// Entries of a matrix.
-    Matrix(Vec<Entry>),
-}
-
 /// Part of a range of a text without space around it.
 fn trimmed(text: &str, range: Range<usize>) -> Range<usize> {
     let part = &text[range.clone()];
@@ -85,7 +79,7 @@ fn trimmed(text: &str, range: Range<usize>) -> Range<usize> {
 }
 
 /// Part of a printed formula, with its place.
-fn part(printed: &Located, range: Range<usize>) -> Located {
+pub(super) fn part(printed: &Located, range: Range<usize>) -> Located {
     Located {
         text: printed.text[range.clone()].trim().to_owned(),
         span: printed.part(trimmed(&printed.text, range)),
@@ -137,22 +131,18 @@ impl<'a> Loading<'a, '_> {
         }
         let mut entries = Vec::new();
         for (kind, item) in &items {
-            if let Some(entry) = self.entry(*kind, item) {
-                match entry {
-                    Read::One(entry) => entries.push(*entry),
-                    Read::Matrix(list) => entries.extend(list),
-                }
-            }
+            entries.extend(self.entry(*kind, item).unwrap_or_default());
         }
         if entries.len() > MAX_ENTRIES {
-            let message = format!("more than {MAX_ENTRIES} entries with those of matrices");
+            let message = format!("more than {MAX_ENTRIES} entries with those of matrices and chains");
             self.reader.errors.push(Diagnostic::of_file(message, "split the publication into several files"));
         }
         entries
     }
 
-    /// Reads an entry; its formulas may use the variables of the program that it names.
-    fn entry(&mut self, kind: Kind, item: &Item<'a>) -> Option<Read> {
+    /// Reads a table of the publication file as its entries: several for a matrix or a chain of formulas. The formulas
+    /// may use the variables of the program that the table names.
+    fn entry(&mut self, kind: Kind, item: &Item<'a>) -> Option<Vec<Entry>> {
         let program = self.program(item);
         self.words.locals = program.unwrap_or_default();
         let read = self.entry_of(kind, item);
@@ -160,7 +150,7 @@ impl<'a> Loading<'a, '_> {
         read
     }
 
-    fn entry_of(&mut self, kind: Kind, item: &Item<'a>) -> Option<Read> {
+    fn entry_of(&mut self, kind: Kind, item: &Item<'a>) -> Option<Vec<Entry>> {
         self.reader.allow(item.table, item.what, &keys(kind));
         let id = self.id(item);
         let section = self.required_text(item, "section");
@@ -170,45 +160,39 @@ impl<'a> Loading<'a, '_> {
             Kind::Equation | Kind::Matrix | Kind::System | Kind::Listing => self.near(item.table),
             Kind::Definition | Kind::Initial => None,
         };
-        if kind == Kind::Matrix {
-            let (id, section) = (id?, section?.text);
-            let mut entries = Vec::new();
-            for (at, (suffix, kind)) in self.matrix_entries(item)?.into_iter().enumerate() {
-                let part = format!("{}-{suffix}", id.text);
-                self.claim(&part, &id.span, ", of a part of this entry,");
-                let (repaired, note) = (repaired.clone().filter(|_| at == 0), note.clone().filter(|_| at == 0));
-                let (section, near, span) = (section.clone(), near.clone(), id.span.clone());
-                entries.push(Entry { id: part, section, repaired, note, notation: item.notation, near, span, kind });
-            }
-            return Some(Read::Matrix(entries));
-        }
-        let kind = match kind {
-            Kind::Matrix => unreachable!("read above"),
+        let whole = |kind: EntryKind| vec![(String::new(), kind)];
+        let kinds = match kind {
+            Kind::Matrix => self.matrix_entries(item),
             Kind::Equation => self.equation(item),
             Kind::Definition => {
-                self.required_text(item, "printed").map(|text| EntryKind::Definition { text: text.text })
+                self.required_text(item, "printed").map(|text| whole(EntryKind::Definition { text: text.text }))
             }
-            Kind::System => self.system(item).map(EntryKind::System),
-            Kind::Listing => self.listing(item).map(EntryKind::Listing),
-            Kind::Initial => self.initial(item),
+            Kind::System => self.system(item).map(|system| whole(EntryKind::System(system))),
+            Kind::Listing => self.listing(item).map(|listing| whole(EntryKind::Listing(listing))),
+            Kind::Initial => self.initial(item).map(whole),
         };
-        let id = id?;
-        let entry = Entry {
-            id: id.text,
-            section: section?.text,
-            repaired,
-            note,
-            notation: item.notation,
-            near,
-            span: id.span,
-            kind: kind?,
-        };
-        for part in entry.ids() {
-            if part != entry.id {
-                self.claim(&part, &entry.span, ", of a part of this entry,");
+        let (id, section, kinds) = (id?, section?.text, kinds?);
+        let mut entries = Vec::new();
+        for (at, (suffix, kind)) in kinds.into_iter().enumerate() {
+            let is_whole = suffix.is_empty();
+            let entry = Entry {
+                id: if is_whole { id.text.clone() } else { format!("{}-{suffix}", id.text) },
+                section: section.clone(),
+                repaired: repaired.clone().filter(|_| at == 0),
+                note: note.clone().filter(|_| at == 0),
+                notation: item.notation,
+                near: near.clone(),
+                span: id.span.clone(),
+                kind,
+            };
+            for part in entry.ids() {
+                if part != id.text {
+                    self.claim(&part, &id.span, ", of a part of this entry,");
+                }
             }
+            entries.push(entry);
         }
-        Some(Read::One(Box::new(entry)))
+        Some(entries)
     }
 
     /// Reads a quantity with two indices, or a vector, whose entries are printed together, row by row; each with the
@@ -384,9 +368,10 @@ impl<'a> Loading<'a, '_> {
         self.ids.insert(id.to_owned(), span.clone());
     }
 
-    /// Reads an entry `[[equation]]`: the printed value of a quantity, or an equation of motion if no quantity, or 0,
-    /// is stated.
-    fn equation(&mut self, item: &Item<'a>) -> Option<EntryKind> {
+    /// Reads an entry `[[equation]]`: the printed values of a quantity, of which a chain `a = b = c` has several, or an
+    /// equation of motion if no quantity, or 0, is stated. Each value has the suffix of its id, which is empty for the
+    /// only one.
+    fn equation(&mut self, item: &Item<'a>) -> Option<Vec<(String, EntryKind)>> {
         let printed = self.printed(item);
         if printed.is_none() && self.reader.get(item.table, "label").is_some() {
             return None;
@@ -399,18 +384,30 @@ impl<'a> Loading<'a, '_> {
         let quantity = self.reader.get(item.table, "quantity");
         let is_equation = printed.as_ref().is_some_and(|formula| formula.text.contains('='));
         if quantity.map_or(is_equation, is_zero) {
-            return self.equation_of_motion(item, &printed?).map(EntryKind::System);
+            let system = self.equation_of_motion(item, &printed?)?;
+            return Some(vec![(String::new(), EntryKind::System(system))]);
         }
         let name = self.required_text(item, "quantity");
-        if let Some((formulation, symbol)) = name.as_ref().and_then(|name| self.unknown_named(&name.text)) {
-            let value = right_side(&printed?);
-            return self.value_of_unknown(item, (formulation, symbol), &value).map(EntryKind::System);
-        }
-        let quantity = name.and_then(|name| self.quantity(&name));
-        let printed = printed.map(|formula| right_side(&formula));
-        let formula = printed.as_ref().and_then(|f| self.formula(f, item.notation));
-        let (quantity, value) = self.in_own_coordinates(item, &quantity?, formula?)?;
-        Some(EntryKind::Equation { quantity, printed: value, text: printed?.text })
+        let values = printed.map(|formula| values(&formula, item.notation));
+        let unknown = name.as_ref().and_then(|name| self.unknown_named(&name.text));
+        let kinds: Vec<Option<EntryKind>> = if let Some(unknown) = unknown {
+            let values = values?.into_iter();
+            values.map(|value| self.value_of_unknown(item, unknown, &value).map(EntryKind::System)).collect()
+        } else {
+            let quantity = name.and_then(|name| self.quantity(&name));
+            let values = values.unwrap_or_default().into_iter();
+            let values: Vec<_> = values.map(|value| (self.formula(&value, item.notation), value.text)).collect();
+            let quantity = quantity?;
+            let mut kinds = Vec::new();
+            for (formula, text) in values {
+                let own = formula.and_then(|formula| self.in_own_coordinates(item, &quantity, formula));
+                kinds.push(own.map(|(quantity, printed)| EntryKind::Equation { quantity, printed, text }));
+            }
+            kinds
+        };
+        let is_chain = kinds.len() > 1;
+        let suffix = |at: usize| if is_chain { (at + 1).to_string() } else { String::new() };
+        kinds.into_iter().enumerate().map(|(at, kind)| Some((suffix(at), kind?))).collect()
     }
 
     fn initial(&mut self, item: &Item<'a>) -> Option<EntryKind> {
@@ -469,14 +466,15 @@ impl<'a> Loading<'a, '_> {
     }
 }
 
-/// Right side of an equation whose left side is the name of a quantity; the whole formula if it has no `=`.
-fn right_side(formula: &Located) -> Located {
-    match formula.text.split_once('=') {
-        Some((left, right)) if !right.contains('=') && !left.contains(['+', '/']) => {
-            let start = left.len() + 1;
-            Located { text: right.to_owned(), span: formula.part(start..formula.text.len()), exact: formula.exact }
+/// Values that an equation or a chain `name = a = b` prints of the quantity on its left side; the whole formula if it
+/// has no `=`.
+fn values(formula: &Located, notation: Notation) -> Vec<Located> {
+    let sides = sides(&formula.text, 0..formula.text.len(), notation);
+    match &sides[..] {
+        [left, right @ ..] if !right.is_empty() && !formula.text[left.clone()].contains(['+', '/']) => {
+            right.iter().map(|side| part(formula, side.clone())).collect()
         }
-        _ => formula.clone(),
+        _ => vec![formula.clone()],
     }
 }
 

@@ -32,6 +32,8 @@ pub struct Files<'r> {
     pub macros: Macros,
     pub sources: FxHashMap<String, Option<Arc<Source>>>,
     pub papers: FxHashMap<String, Option<Arc<Paper>>>,
+    /// Names of abbreviations whose formulas are taken from the file at the top.
+    pub defined: Vec<String>,
     /// Variables of programs by the file, the part of it and the notation.
     pub programs: FxHashMap<(String, String, &'static str), Option<Arc<Locals>>>,
 }
@@ -44,6 +46,7 @@ impl<'r> Files<'r> {
             macros: Macros::default(),
             sources: FxHashMap::default(),
             papers: FxHashMap::default(),
+            defined: Vec::new(),
             programs: FxHashMap::default(),
         }
     }

@@ -335,6 +335,15 @@ impl Words {
         }
     }
 
+    /// Name of the model or of the publication file that a text is, in its notation; `None` for another text.
+    pub fn name_of(&self, text: &str, notation: Notation) -> Option<String> {
+        let (none, coordinates) = (Locals::default(), self.coordinates.as_slice());
+        let mut speller = Speller { spellings: &self.spellings, locals: &none, coordinates, repeated: false };
+        let plain = translate(text, notation, &mut speller).ok()?;
+        let name = plain.text().trim();
+        self.known.contains_key(name).then(|| name.to_owned())
+    }
+
     /// Keeps a variable of a program as an abbreviation, so that a mistake in its assignment is found there. A name
     /// with an index, and a variable that is assigned again, are written out, with the abbreviations that they use.
     pub fn keep_local(&mut self, arena: &Arena, name: &str, formula: &Located, notation: Notation, e: Expr) {

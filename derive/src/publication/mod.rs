@@ -48,6 +48,7 @@ mod beside;
 mod clock;
 mod coriolis;
 mod entries;
+mod equalities;
 mod files;
 mod linear;
 mod listing;

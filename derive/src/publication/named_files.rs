@@ -1,6 +1,7 @@
 //! Files that a publication names: equations of a LaTeX file by their labels, and variables that a program assigns.
 
-use super::entries::Item;
+use super::entries::{Item, part};
+use super::equalities::{equations, sides};
 use super::files::notation_of_file;
 use super::locals::{Local, Locals, Unread};
 use super::matrix::{Cells, cells};
@@ -101,8 +102,56 @@ impl<'a> Loading<'a, '_> {
         self.reader.errors.push(Diagnostic { file, ..Diagnostic::new(problem.place, problem.message, problem.help) });
     }
 
-    /// Equations of a label in the file of an entry, as formulas without macros.
+    /// Equations of a label in the file of an entry, as formulas without macros. Definitions that `[abbreviations]`
+    /// takes from the file are left out.
     pub fn labelled(&mut self, item: &Item<'a>, label: &Located, choice: Choice) -> Option<Vec<Located>> {
+        let mut list = self.all_labelled(item, label, choice)?;
+        let is_defined = |equation: &Located| {
+            let left = self.left_name(equation);
+            left.is_some_and(|name| self.files.defined.contains(&name))
+        };
+        if !list.iter().all(is_defined) {
+            list.retain(|equation| !is_defined(equation));
+        }
+        Some(list)
+    }
+
+    /// Formula of an abbreviation that the file at the top defines in an equation `name = formula` with this label.
+    pub fn definition(&mut self, name: &Located, item: &Item<'a>) -> Option<Located> {
+        self.reader.allow(item.table, item.what, &["label"]);
+        let label = self.reader.need(item.table, "label", item.what, &item.span)?;
+        let label = self.reader.string(label, "`label`")?;
+        let list = self.all_labelled(item, &label, Choice::Display)?;
+        let named: Vec<&Located> =
+            list.iter().filter(|equation| self.left_name(equation).is_some_and(|left| left == name.text)).collect();
+        let [equation] = named[..] else {
+            let what = if named.is_empty() { "no equation" } else { "more than one equation" };
+            let message = format!("{what} of `{}` has `{}` alone on its left side", shown(&label.text), name.text);
+            let help = "say in [symbols] which symbol stands for the abbreviation, or copy its formula";
+            self.reader.error(label.span, message, help);
+            return None;
+        };
+        let sides = sides(&equation.text, 0..equation.text.len(), item.notation);
+        let [_, right] = &sides[..] else {
+            let message = format!("`{}` is equal to more than one formula", name.text);
+            self.reader.error(equation.span.clone(), message, "copy the formula that is meant");
+            return None;
+        };
+        self.files.defined.push(name.text.clone());
+        Some(part(equation, right.clone()))
+    }
+
+    /// Name that an equation has alone on its left side, or with arguments, as in `h(q) = …`; `None` if a formula or an
+    /// unknown symbol stands there.
+    fn left_name(&self, equation: &Located) -> Option<String> {
+        let left = sides(&equation.text, 0..equation.text.len(), Notation::Latex).swap_remove(0);
+        let left = equation.text[left].trim();
+        let name = left.split_once('(').map_or(left, |(name, _)| name);
+        self.words.name_of(name, Notation::Latex)
+    }
+
+    /// Equations of a label, also those side by side in one line.
+    fn all_labelled(&mut self, item: &Item<'a>, label: &Located, choice: Choice) -> Option<Vec<Located>> {
         let Some(name) = self.file_of(item) else {
             self.reader.error(label.span.clone(), "a label of no file", "name the file: file = \"paper.tex\"");
             return None;
@@ -123,7 +172,14 @@ impl<'a> Loading<'a, '_> {
                 self.problem(Some(source), problem);
                 None
             }
-            Ok(Ok(list)) => Some(list.into_iter().map(|formula| self.made(&source, formula)).collect()),
+            Ok(Ok(list)) => {
+                let list = list.into_iter().map(|formula| self.made(&source, formula));
+                let apart = |line: Located| {
+                    let parts = equations(&line.text, Notation::Latex).into_iter();
+                    parts.map(|range| part(&line, range)).collect::<Vec<_>>()
+                };
+                Some(list.flat_map(apart).collect())
+            }
         }
     }
 

@@ -2,6 +2,7 @@
 //!
 //! Every error is reported once, at its cause; `None` always means that an error stands in the reader.
 
+use super::entries::Item;
 use super::files::{Files, notation_of_file, read_named};
 use super::meanings::Words;
 use super::spelling::notations;
@@ -283,7 +284,8 @@ impl<'a> Loading<'a, '_> {
         formulas.collect()
     }
 
-    /// Reads `[abbreviations]`: names of formulas in the model's names and earlier abbreviations.
+    /// Reads `[abbreviations]`: names of formulas in the model's names and earlier abbreviations. A formula stands in
+    /// the publication file, or in the author's file under a label.
     fn abbreviations(&mut self, table: &'a DeTable<'a>) -> Vec<(String, Expr)> {
         let section = self.section(table, "abbreviations", "s1 = \"sin(q1)\"");
         for (name, _) in &section {
@@ -297,8 +299,15 @@ impl<'a> Loading<'a, '_> {
         self.symbols(table);
         let mut abbreviations = Vec::new();
         for (name, value) in section {
-            let formula = self.reader.formula(value, &format!("`{}`", crate::diagnostic::shown(&name.text)));
-            let formula = formula.and_then(|f| self.formula(&f, self.notation));
+            let (formula, notation) = match value.get_ref() {
+                DeValue::Table(table) => {
+                    let notation = Notation::Latex;
+                    let item = Item { table, what: "an abbreviation", span: value.span(), notation };
+                    (self.definition(&name, &item), notation)
+                }
+                _ => (self.reader.formula(value, &format!("`{}`", shown(&name.text))), self.notation),
+            };
+            let formula = formula.and_then(|f| self.formula(&f, notation));
             let declared = self.words.declare(&mut self.reader, &name, formula);
             if let (true, Some(formula)) = (declared, formula) {
                 self.words.shorthand.enter(&self.model.arena, &name.text, formula);

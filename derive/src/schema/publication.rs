@@ -1,6 +1,6 @@
 //! The keys of a publication file, which states a printed derivation.
 
-use super::Kind::{Formula, List, Named, Table, Text, Whole, Word};
+use super::Kind::{Either, Formula, List, Named, Table, Text, Whole, Word};
 use super::{Key, Kind, VERSION, key, needed};
 
 const FORMULAS: Kind = List(&Formula);
@@ -50,7 +50,7 @@ pub(crate) const KEYS: &[Key] = &[
     ORDER,
     key("symbols", Named(&Text), "symbols of the text, each with its name in the model"),
     key("coordinates", Named(&Formula), "coordinates and speeds of the text, as formulas in those of the model"),
-    key("abbreviations", Named(&Formula), "shorthand of the text"),
+    key("abbreviations", Named(&Either(&[Formula, Table(DEFINED)])), "shorthand of the text"),
     key("names", Named(&Text), "symbols of the text that stand for derived quantities"),
     key("equation", List(&Table(EQUATION)), "printed values of named quantities"),
     key("matrix", List(&Table(WHOLE_MATRIX)), "printed matrices and vectors as a whole"),
@@ -59,6 +59,8 @@ pub(crate) const KEYS: &[Key] = &[
     key("listing", List(&Table(LISTING)), "programs that compute the derivative of a state"),
     key("initial", List(&Table(INITIAL)), "numbers: parameters, or values at the start"),
 ];
+
+const DEFINED: &[Key] = &[needed("label", Text, "label of the equation of the file that defines it")];
 
 const EQUATION: &[Key] = of_formulas![
     key("quantity", Text, "derived quantity, such as v(P) @ A [1]; left out for an equation of motion"),

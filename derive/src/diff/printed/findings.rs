@@ -162,6 +162,7 @@ impl Judge<'_, '_> {
             }
         }
         if judged.is_right() {
+            self.book.trust_parts(row.iter().map(|printed| printed.raw).filter(|raw| *raw != Expr::ZERO));
             return finding;
         }
         finding.holds = Holds::EVERYWHERE;

@@ -59,6 +59,20 @@ impl Book {
         self.trusted.extend(used.into_iter().map(|one| one.name.clone()));
     }
 
+    /// Notes that the entries of a row are right up to a factor of the whole row. An abbreviation that is in all entries
+    /// may be this factor, and is not known to be right.
+    pub fn trust_parts(&mut self, entries: impl Iterator<Item = Expr>) {
+        let used = |raw: Expr| -> FxHashSet<String> {
+            let as_printed = self.shorthand.as_printed(raw);
+            let used = as_printed.map(|e| self.shorthand.used(e)).unwrap_or_default();
+            used.into_iter().map(|one| one.name.clone()).collect()
+        };
+        let entries: Vec<FxHashSet<String>> = entries.map(used).collect();
+        let is_common = |name: &String| entries.iter().all(|entry| entry.contains(name));
+        let apart = entries.iter().flatten().filter(|name| !is_common(name)).cloned();
+        self.trusted.extend(apart.collect::<Vec<_>>());
+    }
+
     /// Drops the mistakes in abbreviations that right entries use, and believes those that would be all of several
     /// entries'. True if entries may be judged otherwise with what the book knows now.
     pub fn learn(&mut self) -> bool {
