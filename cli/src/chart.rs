@@ -1,4 +1,4 @@
-//! Output of a chart: tables, a figure, and words.
+//! Output of a speed chart: tables, a figure, and sentences.
 
 pub mod figure;
 pub mod files;

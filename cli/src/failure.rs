@@ -1,4 +1,5 @@
-//! Failures of commands: their messages, exit statuses and JSON.
+//! Failures of commands: messages, exit statuses and JSON. Also the printing of results and
+//! warnings.
 
 use serde_json::{Value, json};
 use std::fmt;
@@ -8,43 +9,45 @@ use tripos_derive::SCHEMA;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
 use tripos_derive::plain::{is_forbidden, path_in_line, visible};
 
-/// Exit statuses, equal for every command.
+/// Exit statuses, which mean the same for every command.
 pub mod status {
-    /// Status of the answer "no": a difference, stale text.
+    /// Exit status for the answer "no", such as a difference or outdated generated text.
     pub const NO: u8 = 1;
-    /// Status after bad input: a file, an option or a request.
+    /// Exit status after bad input: a file, an option or a request.
     pub const BAD_INPUT: u8 = 2;
-    /// Status after a run that could not go on.
+    /// Exit status after a run that stopped before its end.
     pub const STOPPED: u8 = 3;
-    /// Status after an interruption by the user; finished results are kept.
+    /// Exit status after an interruption by the user. Finished results are kept.
     pub const INTERRUPTED: u8 = 130;
 }
 
-/// Reason why a command could not do its work.
+/// Reason why a command failed.
 #[derive(Debug)]
 pub enum Failure {
-    /// A request was refused, or has no result, for this reason.
+    /// A request was refused, or has no result. Holds the reason.
     Refused(Error),
-    /// A file could not be written: its name and the error.
+    /// A file could not be written. Holds its name and the system's error.
     Output(String, std::io::Error),
-    /// The user interrupted the command: words for the results that are kept; empty if there are none.
+    /// The user interrupted the command. Holds words for the results that are kept; empty if there
+    /// are none.
     Interrupted(String),
-    /// The reader of standard output has closed it.
+    /// The program that reads standard output has closed it.
     Hangup,
 }
 
 impl Failure {
-    /// Makes the failure of a request that makes no sense, with a help on what to do instead.
+    /// Returns the failure of a request that cannot be fulfilled: `what` is wrong, and `help` for
+    /// the user.
     pub fn request(what: impl Into<String>, help: impl Into<String>) -> Self {
         Self::Refused(Error::request(what, help))
     }
 
-    /// First line of the failure's message.
+    /// Returns the first line of the failure's message, without help.
     pub fn first_line(&self) -> String {
         self.message_and_help().0.lines().next().unwrap_or_default().to_owned()
     }
 
-    /// Exit status of the command after this failure.
+    /// Returns the exit status of the command after this failure.
     pub fn status(&self) -> u8 {
         match self {
             Self::Refused(Error::Stopped(_)) => status::STOPPED,
@@ -54,14 +57,16 @@ impl Failure {
         }
     }
 
-    /// Failure as JSON for programs: the message, the help, every place in a file, and the exit status.
+    /// Returns the failure as JSON: message, help, every place in a file, and exit status.
     pub fn json(&self) -> Value {
         let places = if let Self::Refused(error) = self { places(error.files()) } else { Vec::new() };
         let (message, help) = self.message_and_help();
         json!({ "error": { "message": message, "help": help, "places": places }, "exit_status": self.status() })
     }
 
-    /// Message and help of the failure; those of the first error if there are several.
+    /// Returns the message of the failure and its help, if there is any. Of several errors, the
+    /// first is used.
+    /// The help is `None` if there is none.
     fn message_and_help(&self) -> (String, Option<String>) {
         match self {
             Self::Refused(error) => error.what_and_help(),
@@ -82,13 +87,13 @@ impl fmt::Display for Failure {
         match (self, self.message_and_help()) {
             (Self::Refused(error), _) => write!(f, "{error}"),
             (Self::Output(..), (what, Some(help))) => write!(f, "error: {what}\nhelp: {help}"),
-            // An interruption is no error: the user wanted it.
+            // An interruption by the user is no error, so the message has no word `error`.
             (_, (what, _)) => f.write_str(&what),
         }
     }
 }
 
-/// Every error of these files as JSON, with its place if it has one.
+/// Returns every error of these files as JSON, with file, line and column.
 fn places(files: &[Diagnostics]) -> Vec<Value> {
     let of = |file: &Diagnostics| {
         let place = |d: &Diagnostic| {
@@ -122,7 +127,7 @@ impl From<WriteError> for Failure {
             }
             WriteError::Appeared(..) => Self::request(what, "rename this file, so that it is kept".to_owned()),
             WriteError::Busy(_) => Self::request(what, "wait for it, or give another file".to_owned()),
-            // The reader of the output is gone.
+            // The program that reads the output has ended.
             WriteError::Io(_, error) if error.kind() == std::io::ErrorKind::BrokenPipe => Self::Hangup,
             WriteError::Io(path, error) => Self::Output(path_in_line(&path), error),
         }
@@ -134,19 +139,25 @@ pub fn warn(text: &str) {
     say(&format!("warning: {text}"));
 }
 
-/// Prints a line on standard error, for people.
+/// Prints a line for people on standard error. A failure to write it is ignored.
 pub fn say(text: &str) {
     use std::io::Write;
     let _ = writeln!(std::io::stderr().lock(), "{}", visible(text));
 }
 
-/// Writes text for people to standard output. A closed pipe is a [`Failure::Hangup`].
+/// Writes text for people to standard output.
+///
+/// # Errors
+/// [`Failure::Hangup`] for a closed pipe, `Failure::Output` for another error.
 pub fn print(text: &str) -> Result<(), Failure> {
     write_out(&visible(text))
 }
 
-/// Writes JSON to standard output, with the version of its format first. Control characters and those that change the
-/// direction of text are escaped; JSON restores them.
+/// Writes JSON to standard output, with the version of its format first. Control characters and
+/// characters that change the direction of text are escaped.
+///
+/// # Errors
+/// [`Failure::Hangup`] for a closed pipe, `Failure::Output` for another error.
 pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
     let mut versioned = serde_json::Map::from_iter([("schema".to_owned(), SCHEMA.into())]);
     let versioned = match value {
@@ -167,17 +178,17 @@ pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
     write_out(&out)
 }
 
-/// Form in which a command prints its result.
+/// Form in which a command prints its result: text or JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Output {
-    /// Lines for people.
+    /// The result is printed as lines for people.
     Text,
-    /// JSON for programs.
+    /// The result is printed as JSON for programs.
     Json,
 }
 
 impl Output {
-    /// Form for the flag `--json`: JSON if it is given.
+    /// Returns the form for the flag `--json`: JSON if the flag is given, otherwise text.
     pub fn of_flag(json: bool) -> Self {
         if json { Self::Json } else { Self::Text }
     }
@@ -194,6 +205,8 @@ pub fn print_either(output: Output, lines: &str, value: &serde_json::Value) -> R
     }
 }
 
+/// Writes text to standard output and flushes it.
+/// `Err` is `Failure::Hangup` for a closed pipe, otherwise `Failure::Output`.
 fn write_out(text: &str) -> Result<(), Failure> {
     use std::io::Write;
     let mut out = std::io::stdout().lock();

@@ -1,4 +1,5 @@
-//! Panels of the figures of a scene, drawn from its runs.
+//! Panels of a scene's figures, drawn from its runs: energy, states, outputs, first integrals,
+//! nearness to singularity.
 
 use crate::page::Standing;
 use crate::plot::{Bounds, Panel, Scale, Series};
@@ -9,23 +10,24 @@ use tripos_derive::plain::significant;
 use tripos_derive::scene::{ENERGIES, Scene, SceneOutput};
 use tripos_sim::Stop;
 
-/// A run with the quantities that were watched along it, and the look of its curves.
+/// Curves of one run in the figures: the run, its watched quantities, and the look of the curves.
 #[derive(Clone)]
 pub struct Curve<'a> {
-    /// The run that the curve shows.
+    /// Run of a scene that the curves show.
     pub run: &'a Run,
-    /// Quantities watched along the run.
+    /// Quantities watched along the run, such as first integrals and determinants.
     pub course: &'a Course,
-    /// Index of colour, dashes and marker, equal in every figure.
+    /// Number that selects colour, dashes and marker; the same in every figure.
     pub style: usize,
-    /// Name of the run in a legend.
+    /// Label of the run in the legend of a figure.
     pub label: String,
-    /// Standing of the run: right, loose, stopped, wrong or undecided.
+    /// Standing (trustworthiness) of the run: right, loose, stopped, wrong or undecided.
     pub standing: &'a Standing,
 }
 
 impl<'a> Curve<'a> {
-    /// Makes the curves of a run; the label of wrong printed equations says that they are wrong.
+    /// Returns the curves of a run. The label of wrong printed equations states that they are
+    /// wrong.
     pub fn new(run: &'a Run, course: &'a Course, style: usize, standing: &'a Standing) -> Self {
         let label = match run.by.printed_id() {
             Some(id) if *standing == Standing::Wrong => format!("printed {id} (wrong)"),
@@ -35,7 +37,7 @@ impl<'a> Curve<'a> {
         Self { run, course, style, label, standing }
     }
 
-    /// True if two runs show equal numbers, and either both or neither is wrong.
+    /// True if two runs show equal numbers, and either both or neither are by wrong equations.
     fn shows_the_same(&self, other: &Self) -> bool {
         let (own, its) = (self.run, other.run);
         (*self.standing == Standing::Wrong) == (*other.standing == Standing::Wrong)
@@ -43,12 +45,14 @@ impl<'a> Curve<'a> {
             && own.states == its.states
     }
 
+    /// Returns the series of a quantity along the run, from its value at each sample.
     fn series(&self, values: impl IntoIterator<Item = f64>) -> Series {
         let points = self.run.solution.t.iter().copied().zip(values).collect();
         Series::curve(self.label.clone(), self.style, points)
     }
 
-    /// Curve of one of the values that the run shows, with the band of its estimated error.
+    /// Returns the series of the run's value with index `which`, with a band of its estimated
+    /// error.
     fn with_band(&self, values: impl IntoIterator<Item = f64>, which: usize) -> Series {
         let mut series = self.series(values);
         if let (Some(digits), false) = (&self.run.digits, *self.standing == Standing::Wrong) {
@@ -63,7 +67,7 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// Merges curves with equal numbers into one, whose label has all their names.
+/// Merges curves with equal numbers into one curve, whose label has all their names.
 pub fn merged(curves: Vec<Curve>) -> Vec<Curve> {
     let mut list: Vec<Curve> = Vec::new();
     for curve in curves {
@@ -75,7 +79,8 @@ pub fn merged(curves: Vec<Curve>) -> Vec<Curve> {
     list
 }
 
-/// Sentences about the equations of the curves: the wrong ones, the stopped ones, and the loose ones with their errors.
+/// Returns sentences about the runs in a figure: which are shown, wrong, stopped, or loosely
+/// integrated.
 pub fn sentences(curves: &[Curve]) -> String {
     let names = |of: &dyn Fn(&Standing) -> bool| {
         let some = curves.iter().filter(|curve| of(curve.standing));
@@ -96,7 +101,7 @@ pub fn sentences(curves: &[Curve]) -> String {
 /// Number of correct digits below which errors can be seen in a figure.
 const SEEN: f64 = 2.5;
 
-/// Sentence about the shaded bands; empty if no band is wide enough to be seen.
+/// Returns the sentence about shaded error bands. Empty if no band is wide enough to be seen.
 fn banded(curves: &[Curve]) -> &'static str {
     let right = curves.iter().filter(|curve| *curve.standing != Standing::Wrong);
     let mut fewest = right.filter_map(|curve| curve.run.digits.as_ref()?.fewest_of_all());
@@ -104,7 +109,8 @@ fn banded(curves: &[Curve]) -> &'static str {
     if is_seen { " Shaded: between which values the true ones lie, as far as a second run tells." } else { "" }
 }
 
-/// Sentence about right equations that were loosely integrated, with their errors; empty if there are none.
+/// Returns the sentence about right equations that were loosely integrated, with their errors.
+/// Empty if there are none.
 fn loose(curves: &[Curve]) -> String {
     let mut how = "";
     let mut list = Vec::new();
@@ -124,7 +130,7 @@ fn loose(curves: &[Curve]) -> String {
     )
 }
 
-/// Note about the runs that ended before the last instant, with time and reason; `None` if there are none.
+/// Returns a note on the runs that ended early, with time and reason; `None` if there are none.
 fn note(curves: &[Curve]) -> Option<String> {
     let early = curves.iter().map(|curve| curve.run).filter(|run| run.solution.stop != Stop::End);
     let notes: Vec<String> = early
@@ -133,7 +139,7 @@ fn note(curves: &[Curve]) -> Option<String> {
     (!notes.is_empty()).then(|| notes.join("; "))
 }
 
-/// Panel of the total energy over time, on a linear axis.
+/// Returns the panel of the total energy T + V, J, over time, on linear axes.
 pub fn energy(curves: &[Curve]) -> Panel {
     Panel {
         title: "Total energy".to_owned(),
@@ -146,7 +152,8 @@ pub fn energy(curves: &[Curve]) -> Panel {
     }
 }
 
-/// Panels of a scene's outputs, one for each output: a curve for each run, from its values sample by sample.
+/// Returns a panel for each of the scene's outputs, with a curve for each run. Each curve comes
+/// with its output values at each sample.
 pub fn outputs(model: &Model, scene: &Scene, curves: &[(Curve, Vec<Vec<f64>>)]) -> Vec<Panel> {
     let unit = |output: &SceneOutput| match model.unit_label(&model.arena, output.value) {
         Some(unit) => unit,
@@ -163,7 +170,8 @@ pub fn outputs(model: &Model, scene: &Scene, curves: &[(Curve, Vec<Vec<f64>>)]) 
             .iter()
             .map(|(curve, values)| {
                 let values = values.iter().map(|sample| sample[at]);
-                // Digits are known only for values that a run shows itself; full equations show states.
+                // Errors are known only for values that a run records itself. Runs by full
+                // equations record states, not outputs.
                 if curve.run.by.is_reduced() { curve.with_band(values, at) } else { curve.series(values) }
             })
             .filter(|series| series.points.iter().any(|(_, y)| y.is_finite()))
@@ -173,7 +181,7 @@ pub fn outputs(model: &Model, scene: &Scene, curves: &[(Curve, Vec<Vec<f64>>)]) 
     scene.outputs.iter().enumerate().map(panel).collect()
 }
 
-/// Panels of every coordinate and speed except the time, one for each.
+/// Returns a panel for each coordinate and generalized speed, except a coordinate that is the time.
 pub fn states(model: &Model, curves: &[Curve]) -> Vec<Panel> {
     let coordinates = model.coordinates.iter().map(|c| (&c.name, c.symbol));
     let quantities = coordinates.chain(model.speeds.iter().map(|s| (&s.name, s.symbol)));
@@ -194,7 +202,7 @@ pub fn states(model: &Model, curves: &[Curve]) -> Vec<Panel> {
     labels.iter().enumerate().filter(|(at, _)| Some(*at) != model.time()).map(panel).collect()
 }
 
-/// Panels of |I(t) − I(t₀)|, one for each first integral, on logarithmic axes.
+/// Returns a panel of |I(t) − I(t₀)| for each first integral I, on a logarithmic vertical axis.
 pub fn integrals(watch: &Watch, curves: &[Curve]) -> Vec<Panel> {
     let panel = |(at, integral): (usize, &Conserved)| {
         let (least, most) = shown(curves, at);
@@ -218,9 +226,9 @@ pub fn integrals(watch: &Watch, curves: &[Curve]) -> Vec<Panel> {
     watch.integrals.iter().enumerate().map(panel).collect()
 }
 
-/// Smallest and largest change of a first integral that a figure can show. They follow from the integral's size in the
-/// derived runs: from below its rounding error to a million times the size. A printed run that explodes must not hide
-/// the others.
+/// Returns the smallest and largest change of a first integral that a figure can show.
+/// They follow from the integral's size in the derived runs: from below its rounding error to a
+/// million times the size. So a printed run that diverges does not hide the other runs.
 fn shown(curves: &[Curve], integral: usize) -> (f64, f64) {
     let largest = |of: &dyn Fn(&Curve) -> bool| {
         let values = curves.iter().filter(|curve| of(curve)).flat_map(|curve| &curve.course.integrals[integral]);
@@ -232,7 +240,7 @@ fn shown(curves: &[Curve], integral: usize) -> (f64, f64) {
     if decade.is_finite() { (10_f64.powf(decade - 17.0), 10_f64.powf(decade + 6.0)) } else { (1e-17, 1e6) }
 }
 
-/// Moves values outside the range to its edges; values that are not a number stay so.
+/// Moves values outside the range `least` to `most` to its edges. NaN is unchanged.
 fn clamped(values: Vec<f64>, least: f64, most: f64) -> impl Iterator<Item = f64> {
     values.into_iter().map(move |x| {
         if x < least {
@@ -245,7 +253,8 @@ fn clamped(values: Vec<f64>, least: f64, most: f64) -> impl Iterator<Item = f64>
     })
 }
 
-/// Panels of determinants, condition numbers and divisors of the kinematic equations, on logarithmic axes.
+/// Returns the panels of determinant, condition number and divisors along the runs, on logarithmic
+/// vertical axes. They show how near a run comes to singular places.
 pub fn nearness(watch: &Watch, curves: &[Curve]) -> Vec<Panel> {
     let panel = |title: &str, y_label: String, series: Vec<Series>| Panel {
         title: title.to_owned(),

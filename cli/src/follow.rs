@@ -1,10 +1,12 @@
-//! Interruption and progress of long commands: the user may end them, and sees how far they are.
+//! Interruption and progress of long commands: the user can end them, and sees how far they are.
 //!
-//! Invariant: a command that was interrupted ends soon, with [`status::INTERRUPTED`], and keeps its finished results. A
-//! second interruption ends it at once. Commands that would lose nothing do not listen, and end at the first.
+//! Invariant: a command that was interrupted ends soon, with [`status::INTERRUPTED`], and keeps its
+//! finished results. A second interruption ends it at once. Commands that would lose nothing do not
+//! listen, and end at the first.
 //!
-//! Signals belong to the process, not to a call, and so do the state here and the progress of the run that is shown.
-//! Absent on purpose: any influence on numbers. The steps of an interrupted run are those it would have had.
+//! Signals belong to the process, not to a call. Therefore the state here and the shown progress
+//! are global. Interruption never changes numbers: the steps of an interrupted run equal those of
+//! the whole run.
 
 use crate::failure::{say, status};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -14,16 +16,16 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use tripos::follow::{Follow, Progress};
 use tripos_sim::Poll;
 
-/// True once the user asked the command to end.
+/// True after the user has asked the command to end.
 static ASKED: AtomicBool = AtomicBool::new(false);
-/// Progress bar of the run that is shown, kept up to date by the poll of its steps.
+/// Progress bar of the current run, updated at each step of the run.
 static SHOWN: OnceLock<SpanProgress> = OnceLock::new();
 
-/// Number of parts of a span that a progress bar can show.
+/// Number of parts of a span that a progress bar distinguishes.
 const PARTS: u32 = 1000;
 
-/// Listens for interruptions: of the keyboard, and polite requests to end. If signals cannot be caught, they end the
-/// process.
+/// Starts to listen for interruptions by the keyboard and for polite requests to end. If signals
+/// cannot be caught, they end the process.
 pub fn listen() {
     let on_interrupt = || {
         if ASKED.swap(true, Ordering::Relaxed) {
@@ -35,23 +37,25 @@ pub fn listen() {
     let _ = ctrlc::set_handler(on_interrupt);
 }
 
-/// True if the user asked the command to end.
+/// True if the user has asked the command to end.
 pub fn is_interrupted() -> bool {
     ASKED.load(Ordering::Relaxed)
 }
 
-/// Makes the follower for any run of this command: it polls for interruptions and shows progress.
+/// Returns a follower for the runs of this command. It checks for interruptions and shows progress.
 pub fn follow() -> Follow {
     Follow::new(Poll::new(look), is_interrupted)
 }
 
-/// Progress bar of a run, and the span that it covers.
+/// Progress bar of a run, with the span of time that the run covers.
 struct SpanProgress {
+    /// Progress bar of the run on the terminal.
     bar: ProgressBar,
+    /// First and last time of the span, s.
     span: (f64, f64),
 }
 
-/// Shows a progress bar on the terminal for runs over this span, s.
+/// Shows a progress bar on the terminal for a run over the span (first, last), s.
 pub fn show(span: (f64, f64)) {
     let bar = ProgressBar::new(u64::from(PARTS));
     let style = ProgressStyle::with_template("{bar:30} {percent} % of the span, {eta} left");
@@ -59,13 +63,14 @@ pub fn show(span: (f64, f64)) {
     SHOWN.get_or_init(|| SpanProgress { bar, span });
 }
 
-/// Removes the progress bar from the terminal.
+/// Removes the progress bar of the run from the terminal.
 pub fn hide() {
     if let Some(shown) = SHOWN.get() {
         shown.bar.finish_and_clear();
     }
 }
 
+/// Updates the progress bar at time `t`, s. Breaks the run if the user has interrupted it.
 fn look(t: f64) -> ControlFlow<()> {
     if let Some(SpanProgress { bar, span: (from, to) }) = SHOWN.get() {
         let part = (f64::from(PARTS) * (t - from) / (to - from)).clamp(0.0, f64::from(PARTS));
@@ -78,7 +83,7 @@ fn look(t: f64) -> ControlFlow<()> {
     if is_interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
 
-/// Progress of work of many parts, shown by a progress bar.
+/// Progress of work in many parts, shown by a progress bar.
 pub struct Shows<'a>(pub &'a ProgressBar);
 
 impl Progress for Shows<'_> {

@@ -1,4 +1,4 @@
-//! Definitions of the names in the formulas of a document.
+//! Glossary of a document: definitions of the names in its formulas.
 //!
 //! Invariant: a document contains no name that it does not define.
 
@@ -9,8 +9,8 @@ use tripos_derive::algebra::text::definitions::glossary;
 use tripos_derive::algebra::text::print::{text, whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 
-/// Paragraph that defines every name in the formulas `shown`, each line by names of earlier lines. It is empty if the
-/// formulas have no names.
+/// Returns a paragraph that defines every name in the formulas `shown`, each line by names of
+/// earlier lines. Empty if the formulas contain no names.
 pub fn names_text(arena: &Arena, shown: &[Expr]) -> String {
     let names = glossary(arena, shown);
     if names.is_empty() {
@@ -23,7 +23,7 @@ pub fn names_text(arena: &Arena, shown: &[Expr]) -> String {
     out
 }
 
-/// JSON of the definitions of every name in the shown formulas.
+/// Returns the definitions of every name in the formulas `shown` as a JSON object.
 pub fn names_json(arena: &Arena, shown: &[Expr]) -> Value {
     let names = glossary(arena, shown).into_iter();
     Value::Object(names.map(|d| (text(arena, d.symbol), json!(whole_text(arena, d.value)))).collect::<Map<_, _>>())

@@ -1,4 +1,4 @@
-//! A publication judged against its model.
+//! Judgement of a publication against its model.
 
 use crate::failure::Failure;
 use tripos::Mechanism;
@@ -8,22 +8,22 @@ use tripos_derive::mechanics::{Derivations, derive_all};
 use tripos_derive::prove::{Proof, prove};
 use tripos_derive::publication::{Publication, load, load_in};
 
-/// A publication with its verdicts, and the derived equations that they are about.
+/// Publication with the verdicts on its entries, and the derived equations for comparison.
 pub struct Judged {
-    /// Model of the publication; the publication's formulas are in its arena.
+    /// Model of the publication. Its arena also contains the publication's formulas.
     pub model: Mechanism,
-    /// Printed derivation.
+    /// Publication that is judged: the printed derivation with its entries.
     pub publication: Publication,
-    /// Derived equations, with the terms of all verdicts.
+    /// Derived equations of the model, in the arena of all verdicts.
     pub derivations: Derivations,
-    /// Proofs about the derived equations.
+    /// Proofs about the model's derived equations, such as first integrals.
     pub proof: Proof,
-    /// Verdicts on all entries.
+    /// Verdicts on all entries of the publication.
     pub difference: Difference,
 }
 
 impl Judged {
-    /// Reads a publication for a model and judges it. The model of the caller stays as it is.
+    /// Reads a publication for a model and judges it. The given model is not changed.
     ///
     /// # Errors
     /// [`Failure`] with every error of the publication file, or if the model cannot be derived.
@@ -31,7 +31,8 @@ impl Judged {
         Self::read(model, &|model| load(source, model))
     }
 
-    /// Reads a publication with a table of coordinates in the place of its own, and judges it.
+    /// Reads a publication, replaces its table of coordinates, and judges it. The given model is
+    /// not changed.
     ///
     /// # Errors
     /// [`Failure`] with every error of the publication file, or if the model cannot be derived.
@@ -39,6 +40,8 @@ impl Judged {
         Self::read(model, &|model| load_in(source, model, coordinates))
     }
 
+    /// Judges a publication that `load` reads into a copy of the model.
+    /// `Err` if the publication has errors, or the model cannot be derived.
     fn read(
         model: &Mechanism,
         load: &dyn Fn(&mut Mechanism) -> Result<Publication, Diagnostics>,

@@ -1,8 +1,9 @@
-//! Words and names from files, in LaTeX.
+//! LaTeX text for words and names from files: escaped characters and unit vectors.
 
 use tripos_derive::plain::called;
 
-/// Escapes words for the text mode of LaTeX. Characters that its fonts do not have are replaced by their names.
+/// Escapes a text for the text mode of LaTeX. Characters that its fonts lack are replaced by their
+/// names in brackets.
 pub fn escape(text: &str) -> String {
     let one = |c: char| match c {
         '\\' => "\\textbackslash{}".to_owned(),
@@ -20,7 +21,7 @@ pub fn escape(text: &str) -> String {
     text.chars().map(one).collect()
 }
 
-/// Writes an axis of a frame, counted from 0, as a basis vector in LaTeX.
+/// Returns the unit vector of a frame's axis in LaTeX, such as b₂ of frame B. `axis` counts from 0.
 pub fn basis(frame: &str, axis: usize) -> String {
     format!("\\mathbf{{{}}}_{{{}}}", escape(&frame.to_lowercase()), axis + 1)
 }

@@ -1,4 +1,5 @@
-//! `tripos`: equations of motion from a model file, derived in three ways, compiled and run.
+//! Program `tripos`: equations of motion from a model file, derived by several formulations,
+//! compiled and run.
 
 mod arguments;
 mod chart;
@@ -43,7 +44,8 @@ fn main() -> ExitCode {
         Ok(status) => ExitCode::from(status),
         Err(Failure::Hangup) => ExitCode::from(Failure::Hangup.status()),
         Err(failure) => {
-            // A command that ends early because the user asked for it has no error of its own.
+            // If the user interrupted the command, a failure that follows is reported as an
+            // interruption.
             let is_own = matches!(failure, Failure::Interrupted(_) | Failure::Output(..));
             let failure =
                 if follow::is_interrupted() && !is_own { Failure::Interrupted(String::new()) } else { failure };
@@ -57,8 +59,8 @@ fn main() -> ExitCode {
     }
 }
 
-/// Prints the error of the command line, also as JSON if that was wanted, and ends the program. Help and version are
-/// printed in this way too.
+/// Prints the error of the command line, also as JSON if that was wanted, and ends the program.
+/// Help and version are printed in the same way.
 fn wrong_arguments(error: &clap::Error) -> ! {
     let words: Vec<_> = std::env::args_os().collect();
     let has = |word: &str| words.iter().any(|given| given == word);
@@ -72,6 +74,8 @@ fn wrong_arguments(error: &clap::Error) -> ! {
     error.exit()
 }
 
+/// Runs a subcommand. Returns its exit status.
+/// `Err` is the failure of the subcommand.
 fn run(command: Command) -> Result<u8, Failure> {
     match command {
         Command::New { folder, like } => commands::new::new(&folder, like.as_deref()),

@@ -1,7 +1,8 @@
-//! Output of commands to files: tables, texts, folders.
+//! Output of commands to files: tables, texts and folders.
 //!
-//! Invariant: everything goes through [`tripos_codegen::files`], so that a file under its final name is whole. No
-//! command overwrites an input: [`keep_inputs`] is called before work begins.
+//! Invariant: everything is written through [`tripos_codegen::files`], so that a file under its
+//! final name is whole. No command overwrites an input: [`keep_inputs`] is called before work
+//! begins.
 
 use crate::failure::Failure;
 use std::io::{Error, Read, Write};
@@ -12,7 +13,7 @@ use tripos_derive::plain::path_in_line;
 use tripos_derive::publication::beside;
 use tripos_derive::scene::Scene;
 
-/// Writes a table as a file, and replaces an existing one.
+/// Writes a table as a CSV file, and replaces an existing file.
 ///
 /// # Errors
 /// [`Failure`] if the table cannot be written; then no part of it remains.
@@ -35,13 +36,13 @@ pub fn table<H: AsRef<str>>(
     Ok(draft.finish()?)
 }
 
-/// Endings of files in formats that are not text, and that nothing here writes.
+/// File name extensions of table formats that are not text, which no command writes.
 const NOT_TEXT: [&str; 11] = ["parquet", "feather", "arrow", "xlsx", "xls", "ods", "mat", "h5", "hdf5", "npy", "npz"];
 
-/// Refuses the name of a table whose ending promises another format than CSV.
+/// Refuses a file name for a table whose extension promises another format than CSV.
 ///
 /// # Errors
-/// [`Failure::Refused`] for the ending of a format that is not text.
+/// [`Failure::Refused`] for the extension of a format that is not text, such as `.xlsx`.
 pub fn csv_name(path: &Path) -> Result<(), Failure> {
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
     if NOT_TEXT.contains(&ending.as_str()) {
@@ -51,24 +52,24 @@ pub fn csv_name(path: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes a text as a file, and replaces an existing one.
+/// Writes a text file, and replaces an existing file.
 ///
 /// # Errors
-/// [`Failure`] if the text cannot be written.
+/// [`Failure`] if the file cannot be written.
 pub fn text(path: &Path, text: &str) -> Result<(), Failure> {
     Ok(files::write(path, text)?)
 }
 
-/// Writes bytes as a file, and replaces an existing one.
+/// Writes a binary file, and replaces an existing file.
 ///
 /// # Errors
-/// [`Failure`] if the bytes cannot be written.
+/// [`Failure`] if the file cannot be written.
 #[cfg(feature = "pictures")]
 pub fn bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     Ok(files::write(path, bytes)?)
 }
 
-/// Makes a folder if it does not exist.
+/// Makes a folder and its parents, unless the folder exists.
 ///
 /// # Errors
 /// [`Failure::Output`] if the folder cannot be made.
@@ -76,8 +77,8 @@ pub fn folder(path: &Path) -> Result<(), Failure> {
     Ok(files::folder(path)?)
 }
 
-/// Refuses outputs that would change an input of a command: a model, the publication beside it, and a scene if there is
-/// one.
+/// Refuses output paths that would overwrite an input: the model, the publication in its folder, or
+/// the scene.
 ///
 /// # Errors
 /// [`Failure::Refused`] that names the output and the input.
@@ -99,14 +100,16 @@ pub fn keep_inputs<'a>(
     Ok(())
 }
 
-/// A table file that grows row by row, and keeps the rows that it has if the command is interrupted.
+/// Table file that grows row by row. If the command is interrupted, it keeps its rows under an
+/// unfinished name.
 pub struct Rows(Draft);
 
 impl Rows {
-    /// Creates the file of the table, under an unfinished name.
+    /// Creates the file of the table, under the unfinished name `NAME.part`.
     ///
     /// # Errors
-    /// [`Failure`] if the file exists and is to be kept, another command is writing it, or it cannot be written.
+    /// [`Failure`] if the file exists and is to be kept, another command is writing it, or it
+    /// cannot be written.
     pub fn create(path: &Path, existing: Existing) -> Result<Self, Failure> {
         Ok(Self(Draft::create(path, existing, Unfinished::Left)?))
     }
@@ -114,17 +117,19 @@ impl Rows {
     /// Opens the table that an earlier command has left unfinished; `None` if there is none.
     ///
     /// # Errors
-    /// [`Failure`], as for [`Self::create`]; then no file is changed.
+    /// [`Failure`] if the final file exists and is to be kept, or another command is writing it. No
+    /// file is changed then.
     pub fn resume(path: &Path, existing: Existing) -> Result<Option<Self>, Failure> {
         Ok(Draft::resume(path, existing)?.map(Self))
     }
 
-    /// Reader over the rows that an earlier command has left, from the first row.
+    /// Returns a reader over the rows that an earlier command has left, from the first row.
     pub fn left(&self) -> impl Read + '_ {
         self.0.left()
     }
 
-    /// Cuts the rows that an earlier command has left to this number of bytes; further rows are added behind them.
+    /// Cuts the rows of an earlier command to their first `bytes` bytes. Further rows are added
+    /// after them.
     ///
     /// # Errors
     /// [`Failure::Output`] if the file cannot be cut.
@@ -132,7 +137,7 @@ impl Rows {
         Ok(self.0.keep(bytes)?)
     }
 
-    /// Adds lines to the file, without a delay.
+    /// Adds lines to the file and writes them to the system at once.
     ///
     /// # Errors
     /// [`Failure::Output`] if the lines cannot be written.
@@ -141,7 +146,7 @@ impl Rows {
         written.map_err(|error| WriteError::Io(self.0.place().to_owned(), error).into())
     }
 
-    /// Path of the unfinished file of the table.
+    /// Returns the path of the unfinished file of the table.
     pub fn place(&self) -> &Path {
         self.0.place()
     }
@@ -149,7 +154,8 @@ impl Rows {
     /// Finishes the table, and gives its file the final name.
     ///
     /// # Errors
-    /// [`Failure`] if the file cannot be renamed, or a file of its name has appeared that is to be kept.
+    /// [`Failure`] if the file cannot be renamed, or if a file of its name has appeared that is to
+    /// be kept.
     pub fn finish(self) -> Result<(), Failure> {
         Ok(self.0.finish()?)
     }

@@ -29,7 +29,7 @@ use tripos_derive::mechanics::DerivationInSteps;
 /// Content security policy of the page: it may load and run only its own content.
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:";
 
-/// Writes the page as HTML.
+/// Returns the page as HTML text.
 pub fn render(page: &Page) -> String {
     let title = escape(&page.model.title);
     let viewer = page.moving.as_ref().and_then(|moving| moving.viewer.as_ref().ok());
@@ -53,7 +53,7 @@ pub fn render(page: &Page) -> String {
     )
 }
 
-/// HTML of everything after the abstract, in order of importance.
+/// Returns the HTML of all sections after the abstract, in order of importance.
 fn body(page: &Page) -> String {
     let mut out = contents(page);
     if let Some(why) = &page.unfinished {
@@ -74,7 +74,8 @@ fn body(page: &Page) -> String {
     out + &derivations(page)
 }
 
-/// HTML of the scenes: the scene of the shown motion is open, the others are folded behind a sentence.
+/// Returns the HTML of the scenes. The scene whose motion is shown is open; the other scenes are
+/// folded.
 fn simulation(page: &Page) -> String {
     if page.scenes.is_empty() {
         return String::new();
@@ -89,7 +90,7 @@ fn simulation(page: &Page) -> String {
     out + "</section>\n"
 }
 
-/// HTML of the derivations of all formulations, step by step.
+/// Returns the HTML of the derivations of all formulations, stage by stage.
 fn derivations(page: &Page) -> String {
     let mut shown = Vec::new();
     let steps = page.derivations.iter();
@@ -97,6 +98,7 @@ fn derivations(page: &Page) -> String {
     format!("<section id=\"derivations\">\n<h2>Derivations, step by step</h2>\n{steps}</section>\n")
 }
 
+/// Returns the HTML of the table of contents.
 fn contents(page: &Page) -> String {
     let scenes: Vec<String> =
         page.scenes.iter().enumerate().map(|(at, scene)| link(&anchor(at), &escape(&scene.title))).collect();
@@ -118,12 +120,13 @@ fn contents(page: &Page) -> String {
     out + "</ul>\n<button type=\"button\" id=\"unfold\" hidden>Unfold all parts, for printing</button>\n</nav>\n"
 }
 
-/// HTML of the entry of a formulation in the table of contents.
+/// Returns the HTML of a formulation's entry in the table of contents.
 fn contents_of(formulation: Formulation, result: &Result<DerivationInSteps, String>) -> String {
     let missing = if result.is_err() { " <span class=\"quiet\">(not derived)</span>" } else { "" };
     format!("{}{missing}", link(formulation.name(), &escape(formulation.title())))
 }
 
+/// Returns the HTML of the footer: the command for this page and the hash of the model text.
 fn footer(page: &Page) -> String {
     format!(
         "<footer>\n<p>To make this page again: <code>tripos page {}</code>. The equations carry the mark <code>{}</code> of the \

@@ -1,23 +1,24 @@
-//! Words that several parts of the command print.
+//! Phrases that several commands print.
 
-/// Heading of the definitions of named terms in formulas.
+/// Heading above the definitions of named terms in formulas.
 pub const NAMED: &str = "Terms that stand by a name";
 
-/// Number of entries, in words.
+/// Returns a number of entries in words, such as `1 entry`.
 pub fn entries(count: usize) -> String {
     if count == 1 { "1 entry".to_owned() } else { format!("{count} entries") }
 }
 
-/// Shortens a formula that is too long to read; `--json` has it whole.
+/// Shortens a formula of more than 400 characters, and refers to `--json` for the whole formula.
 pub fn shortened(formula: &str) -> String {
     cut(formula, 400, ", see --json")
 }
 
-/// Start of a formula, for a text that names the file with the rest.
+/// Shortens a formula of more than 200 characters to its beginning.
 pub fn start_of(formula: &str) -> String {
     cut(formula, 200, "")
 }
 
+/// Cuts a formula after `most` characters and adds its length and the words `where_else`.
 fn cut(formula: &str, most: usize, where_else: &str) -> String {
     match formula.char_indices().nth(most) {
         Some((at, _)) => format!("{} … ({} characters{where_else})", &formula[..at], formula.chars().count()),

@@ -1,8 +1,8 @@
-//! Figures as files: SVG as it is drawn, and PNG and PDF made from it.
+//! Figures as files: SVG as drawn, and PNG and PDF made from it.
 //!
-//! Invariant: a figure is the same on any machine. Letters of PNG and PDF come from the fonts in `cli/fonts`, never
-//! from those of the system. PNG and PDF need the feature `pictures`: compiling their libraries adds a third to the
-//! compile time.
+//! Invariant: a figure is the same on any machine. The letters in PNG and PDF come from the fonts
+//! in `cli/fonts`, never from those of the system. PNG and PDF need the feature `pictures`, because
+//! their libraries add a third to the compile time.
 
 #[cfg(feature = "pictures")]
 mod formats;
@@ -12,33 +12,36 @@ use crate::output::text;
 use std::path::Path;
 use tripos_derive::plain::path_in_line;
 
-/// Resolution of a PNG if no option states it, in dots per inch.
+/// Default resolution of a PNG, in dots per inch.
 pub const DPI: u32 = 200;
-/// CSS pixels per inch, the unit in which figures are measured.
+/// Number of CSS pixels per inch. Figures are measured in CSS pixels.
 #[cfg(feature = "pictures")]
 const CSS: f32 = 96.0;
-/// Smallest resolution of a PNG that is accepted, in dots per inch; `MOST_DPI` is the largest.
+/// Smallest accepted resolution of a PNG, in dots per inch.
 const LEAST_DPI: u32 = 20;
+/// Largest accepted resolution of a PNG, in dots per inch.
 const MOST_DPI: u32 = 1200;
-/// Largest number of pixels of a PNG: such a picture fits into memory everywhere.
+/// Largest number of pixels of a PNG, chosen so that the picture fits into memory.
 #[cfg(feature = "pictures")]
 const MOST_PIXELS: f32 = 2e8;
 
-/// Kind of a figure's file.
+/// File format of a figure: SVG, PNG or PDF.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// SVG text as it is drawn, unchanged.
+    /// SVG text, as the figure is drawn.
     Svg,
-    /// PNG, an image of pixels.
+    /// PNG image, made from the SVG at a given resolution.
     Png,
-    /// PDF with a page of the figure's size, and its fonts.
+    /// PDF with one page of the figure's size, and its fonts.
     Pdf,
 }
 
-/// Kind of a figure's file, by the ending of its name; `more` completes the help of the error.
+/// Returns the file format of a figure, by the extension of its file name. `more` completes the
+/// help of the error.
 ///
 /// # Errors
-/// [`Failure::Refused`] for an unknown ending, and for a kind that this program cannot write.
+/// [`Failure::Refused`] for an unknown extension, and for a format that this program was built
+/// without.
 pub fn kind(path: &Path, more: &str) -> Result<Kind, Failure> {
     let kind = match path.extension().and_then(|ending| ending.to_str()) {
         Some("svg") => Kind::Svg,
@@ -55,7 +58,7 @@ pub fn kind(path: &Path, more: &str) -> Result<Kind, Failure> {
     Ok(kind)
 }
 
-/// Checks the resolution of a picture, in dots per inch.
+/// Checks the resolution of a picture in dots per inch, and returns it.
 ///
 /// # Errors
 /// [`Failure::Refused`] for a resolution below `LEAST_DPI` or above `MOST_DPI`.
@@ -66,10 +69,10 @@ pub fn checked_dpi(dpi: u32) -> Result<u32, Failure> {
     Err(Failure::request(format!("--dpi is {dpi}"), format!("give a number from {LEAST_DPI} to {MOST_DPI}")))
 }
 
-/// Writes a figure to a file, and replaces an existing one; `dpi` is used only for PNG.
+/// Writes a figure to a file, and replaces an existing file. `dpi` is used only for PNG.
 ///
 /// # Errors
-/// [`Failure`] if the figure has too many pixels, or cannot be written.
+/// [`Failure`] if the figure has too many pixels, or if the file cannot be written.
 pub fn write(path: &Path, kind: Kind, svg: &str, dpi: u32) -> Result<(), Failure> {
     match kind {
         Kind::Svg => text(path, svg),
@@ -88,6 +91,7 @@ fn made(path: &Path, _: Kind, _: &str, _: u32) -> Result<(), Failure> {
     Err(left_out(path))
 }
 
+/// Returns the failure for a file format that this program was built without.
 fn left_out(path: &Path) -> Failure {
     let what = format!("`{}` is a kind of figure that this program was built without", path_in_line(path));
     let help = "give a file that ends in .svg, or build with `--features pictures`";

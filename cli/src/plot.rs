@@ -1,8 +1,8 @@
-//! Line charts as inline SVG.
+//! Line charts and heat maps as inline SVG.
 //!
-//! Lengths are pixels of a figure that is 1000 wide. The canvas has several units to a pixel, because plotters places
-//! everything at whole numbers. Invariant: equal panels give equal bytes. Logarithmic axes are for sizes; a drift with
-//! a sign is shown on a linear axis, since a logarithm has no sign.
+//! Lengths are pixels of a figure that is 1000 wide. The canvas has several units per pixel,
+//! because plotters places everything at whole numbers. Invariant: equal panels give equal bytes.
+//! Logarithmic axes are for absolute values. A drift with a sign is shown on a linear axis.
 
 mod axis;
 mod error;
@@ -23,18 +23,24 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 use thin::{marked, thin};
 
+/// Width of every figure, px.
 const WIDTH: f64 = 1000.0;
+/// Horizontal distance between two panels of a figure, px.
 const GAP: f64 = 22.0;
+/// Height of a line of text in a figure, px.
 const LINE: f64 = 17.0;
-/// Width of a band, in pixels, that is not seen beside its curve: a band that is nowhere wider is not drawn.
+/// Width of an error band, px, that cannot be seen next to its curve. A band that is nowhere wider
+/// is not drawn.
 const BAND: f64 = 1.0;
-/// Largest number of names in a legend for all panels; with more, each panel has its own legend.
+/// Largest number of names in a legend that all panels share. With more names, each panel has its
+/// own legend.
 const MOST_NAMES: usize = 8;
 
-/// Draws panels in a grid, row by row, with one legend if that is enough, as one `<svg>` element.
+/// Draws panels in a grid of `columns` columns, row by row, as one `<svg>` element. The panels
+/// share a legend if it is short and unambiguous.
 ///
 /// # Errors
-/// [`PlotError`] if plotters fails, which it does not when it writes to memory.
+/// [`PlotError`] if plotters fails, which does not happen in memory.
 pub fn draw(panels: &[Panel], columns: usize) -> Result<String, PlotError> {
     let columns = columns.clamp(1, panels.len().max(1));
     let is_shared = shares_names(panels);
@@ -71,7 +77,8 @@ pub fn draw(panels: &[Panel], columns: usize) -> Result<String, PlotError> {
     Ok(finish(&svg, &describe(panels), y))
 }
 
-/// Makes an `<svg>` element with a title and a size of the elements of a figure.
+/// Returns the elements of a figure as an `<svg>` element with the title `about` and the height in
+/// px.
 fn finish(elements: &str, about: &str, height: f64) -> String {
     let about = about.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
     format!(
@@ -83,6 +90,7 @@ fn finish(elements: &str, about: &str, height: f64) -> String {
     )
 }
 
+/// Returns a description of a figure for its title: axes and curves.
 fn describe(panels: &[Panel]) -> String {
     if panels.is_empty() {
         return "Empty figure".to_owned();
@@ -97,7 +105,7 @@ fn describe(panels: &[Panel]) -> String {
     if shares_names(panels) { of(panels) } else { panels.chunks(1).map(of).collect::<Vec<_>>().join(". ") }
 }
 
-/// True if one legend is enough for all panels: it is short, and no look stands for two names.
+/// True if one legend serves all panels: it is short, and no two names in it have the same look.
 fn shares_names(panels: &[Panel]) -> bool {
     let entries = legend(panels, WIDTH);
     let is_clear = |Entry { series, .. }: &Entry| {
@@ -107,21 +115,23 @@ fn shares_names(panels: &[Panel]) -> bool {
     panels.len() == 1 || (entries.len() <= MOST_NAMES && entries.iter().all(is_clear))
 }
 
-/// Number of lines of a legend.
+/// Returns the number of lines that a legend takes.
 fn lines(entries: &[Entry<'_>]) -> f64 {
     entries.last().map_or(0.0, |entry| entry.y / LINE + 1.0)
 }
 
-/// A curve with the place of its name in a legend.
+/// Entry of a legend: a curve with the place of its name.
 struct Entry<'a> {
+    /// Curve whose name the legend entry shows.
     series: &'a Series,
-    /// Distance to the right from the corner of the legend, px.
+    /// Distance of the entry to the right of the legend's upper left corner, px.
     x: f64,
-    /// Distance down from the corner of the legend, px.
+    /// Distance of the entry below the legend's upper left corner, px.
     y: f64,
 }
 
-/// Draws a legend whose corner is at a place of the canvas.
+/// Draws a legend with its upper left corner at `corner`, px.
+/// `Err` if plotters fails.
 fn names(canvas: &Canvas, entries: &[Entry<'_>], corner: (f64, f64)) -> Result<(), PlotError> {
     let (left, top) = corner;
     for Entry { series, x, y } in entries {
@@ -133,8 +143,8 @@ fn names(canvas: &Canvas, entries: &[Entry<'_>], corner: (f64, f64)) -> Result<(
     Ok(())
 }
 
-/// Entries of a legend: every label once, with its place. Each panel begins a new line for its labels that no panel
-/// before it has. A single curve named as its panel needs no entry.
+/// Returns the entries of a legend `room` px wide: every label once, with its place. New labels of
+/// each panel begin on a new line. A single curve with the name of its panel needs no entry.
 fn legend(panels: &[Panel], room: f64) -> Vec<Entry<'_>> {
     let mut entries: Vec<Entry> = Vec::new();
     let (mut x, mut y) = (0.0, 0.0);
@@ -160,20 +170,29 @@ fn legend(panels: &[Panel], room: f64) -> Vec<Entry<'_>> {
     entries
 }
 
-/// A panel with its axes and texts, before its place on the canvas is known.
+/// Panel with its axes and texts, before its place on the canvas is known.
 struct Plot<'a> {
+    /// Panel of the figure, with its curves.
     panel: &'a Panel,
+    /// Horizontal axis of the panel.
     x: Axis,
+    /// Vertical axis of the panel.
     y: Axis,
+    /// Lines of text above the panel: title and label of the vertical axis.
     head: Vec<(String, FontStyle)>,
-    /// Entries of the panel's own legend; empty if the panels share one.
+    /// Entries of the panel's own legend; empty if the panels share a legend.
     names: Vec<Entry<'a>>,
+    /// Lines of the note below the panel.
     foot: Vec<String>,
+    /// Width of the longest tick text of the vertical axis, px.
     tick_width: f64,
+    /// Height of the panel without its texts, px.
     height: f64,
 }
 
 impl<'a> Plot<'a> {
+    /// Chooses the axes and texts of a panel in a figure with this number of columns. `names` is
+    /// its own legend.
     fn new(panel: &'a Panel, columns: usize, names: Vec<Entry<'a>>) -> Self {
         let points = || panel.series.iter().flat_map(|s| &s.points).filter(|p| panel.shows(**p));
         let per_axis = if columns == 1 { 10.0 } else { 5.0 };
@@ -194,18 +213,19 @@ impl<'a> Plot<'a> {
         }
         let foot = panel.note.as_ref().map_or(Vec::new(), |note| wrap(note, WIDTH / columns as f64 - 90.0));
         let tick_width = y.ticks.iter().map(|(_, text)| text_width(text)).fold(0.0, f64::max);
-        // On two logarithmic axes slopes matter: such a panel is higher.
+        // With two logarithmic axes, slopes matter. Therefore such a panel is higher.
         let height = if columns == 1 || panel.x_scale == Scale::Logarithmic { 300.0 } else { 150.0 };
         Self { panel, x, y, head, names, foot, tick_width, height }
     }
 
-    /// Number of lines of words above the panel.
+    /// Returns the number of lines of text above the panel.
     fn lines_above(&self) -> f64 {
         self.head.len() as f64 + lines(&self.names)
     }
 
-    /// Draws the plot with its upper left corner at a place of the canvas. `label` is the label of the axis x; `None`
-    /// if a plot below shows it.
+    /// Draws the panel with the upper left corner of its axes at `corner` and this `width`, px.
+    /// `label` is the label of the horizontal axis; `None` if a panel below shows it.
+    /// `Err` if plotters fails.
     fn draw(&self, canvas: &Canvas, corner: (f64, f64), width: f64, label: Option<&str>) -> Result<(), PlotError> {
         let (left, top) = corner;
         let (right, bottom) = (left + width, top + self.height);
@@ -274,6 +294,7 @@ impl<'a> Plot<'a> {
     }
 }
 
+/// Breaks a text into lines of about `width` px.
 fn wrap(text: &str, width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
@@ -285,7 +306,8 @@ fn wrap(text: &str, width: f64) -> Vec<String> {
     lines
 }
 
-/// Estimated width of a text in pixels, a little too wide: the font is not known.
+/// Returns the estimated width of a text in px. The estimate is a little too wide, because the font
+/// is not known.
 fn text_width(text: &str) -> f64 {
     7.0 * text.chars().count() as f64
 }

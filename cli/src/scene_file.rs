@@ -1,4 +1,4 @@
-//! Scene files that arguments name, with the model that each belongs to, and other values for some of their numbers.
+//! Scene files that arguments name, each read with its model, and new values for their numbers.
 
 use crate::failure::{Failure, say, warn};
 use crate::workspace::{edited, model_file, read_model};
@@ -10,11 +10,11 @@ use tripos_derive::model::is_model;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Family, Grid, Scene, load_bound, model_path};
 
-/// Reads a scene and the model that it belongs to.
+/// Reads a scene file and its model.
 ///
 /// # Errors
-/// [`Failure`] for a file that is missing or no scene, with the scenes that may be meant, and for every error of the
-/// scene and its model.
+/// [`Failure`] for a file that is missing or no scene, with the scenes that may be meant, and for
+/// every error of the scene and its model.
 pub fn read_scene(path: &Path) -> Result<(Mechanism, Scene), Failure> {
     let source = scene_source(path)?;
     let place = model_path(&source)?;
@@ -29,22 +29,22 @@ pub fn read_scene(path: &Path) -> Result<(Mechanism, Scene), Failure> {
     Ok((model, scene))
 }
 
-/// A scene with other values for some of its numbers, and the model that it belongs to.
+/// Scene with new values for some of its numbers, and its model.
 pub struct VariedScene {
-    /// The model.
+    /// Model of the mechanism in the scene.
     pub model: Mechanism,
-    /// The scene with these values.
+    /// Scene in which the new values are set.
     pub scene: Scene,
-    /// Names of the numbers, each with its value.
+    /// Names of the changed numbers, each with its new value.
     pub set: Vec<(String, f64)>,
 }
 
-/// Reads a scene with other values for some of its numbers, each as `NAME=VALUE`, and tells these values on standard
-/// error.
+/// Reads a scene and changes some of its numbers, each given as `NAME=VALUE`. Prints the new values
+/// on standard error.
 ///
 /// # Errors
-/// [`Failure`] as for [`read_scene`]; for a name that is neither a parameter nor a number of the start, and for values
-/// that the scene cannot have.
+/// [`Failure`] as for [`read_scene`]. Also for a name that is neither a parameter nor a number of
+/// the start, and for values that the scene cannot have.
 pub fn read_scene_with(path: &Path, set: &[String]) -> Result<VariedScene, Failure> {
     let (mut model, scene) = read_scene(path)?;
     let (scene, set) = with_values(scene, &mut model, set)?;
@@ -54,11 +54,12 @@ pub fn read_scene_with(path: &Path, set: &[String]) -> Result<VariedScene, Failu
     Ok(VariedScene { model, scene, set })
 }
 
-/// A scene with other values for some of its numbers, each as `NAME=VALUE`, and the names with their values.
+/// Changes some numbers of a scene, each given as `NAME=VALUE`. Returns the changed scene, and the
+/// names with their values.
 ///
 /// # Errors
-/// [`Failure`] for a name that is neither a parameter nor a number of the start, and for values that the scene cannot
-/// have.
+/// [`Failure`] for a name that is neither a parameter nor a number of the start, and for values
+/// that the scene cannot have.
 pub fn with_values(
     scene: Scene,
     model: &mut Mechanism,
@@ -85,7 +86,11 @@ pub fn with_values(
     Ok((scene, names.zip(values).collect()))
 }
 
-/// The text of a scene file.
+/// Reads the text of a scene file.
+///
+/// # Errors
+/// [`Failure`] for a folder, a missing file or a model file, with advice on the scenes that may be
+/// meant.
 fn scene_source(path: &Path) -> Result<Source, Failure> {
     let scenes_of =
         |model: &Path| -> Vec<String> { scene_files(model).iter().map(|file| path_in_line(file)).collect() };
@@ -109,7 +114,8 @@ fn scene_source(path: &Path) -> Result<Source, Failure> {
     Ok(source)
 }
 
-/// Advice for a scene file that is not there: the files beside it with names like it.
+/// Returns advice for a scene file that does not exist: the TOML files in its folder with similar
+/// names.
 fn similar_files(path: &Path) -> String {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let Ok(entries) = std::fs::read_dir(folder) else {

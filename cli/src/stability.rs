@@ -1,4 +1,4 @@
-//! Output of the studies of a scene's limits: tables, figures, and words.
+//! Output of the stability studies of a scene: tables, figures and sentences.
 
 pub mod sentences;
 
@@ -9,7 +9,8 @@ use std::path::Path;
 use tripos::Mechanism;
 use tripos::studies::stability::{Findings, Topic};
 
-/// Writes `stability.csv`, `passages.csv` and the figures of the studies.
+/// Writes the tables `stability.csv` and `passages.csv` and the figures of the studies into the
+/// folder `out`.
 ///
 /// # Errors
 /// [`Failure::Output`] if a file cannot be written.
@@ -21,7 +22,8 @@ pub fn write(findings: &Findings, out: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes `stability.csv`, and `passages.csv` if there are passages: the data of the heat map.
+/// Writes the table `stability.csv` into the folder `out`, and `passages.csv` with the data of the
+/// heat map if there are passages.
 ///
 /// # Errors
 /// [`Failure::Output`] if a file cannot be written.
@@ -45,7 +47,8 @@ pub fn tables(findings: &Findings, out: &Path) -> Result<(), Failure> {
     table(&out.join("passages.csv"), &header, rows)
 }
 
-/// Conclusions of the studies, a line each; after those on passages follow conclusions from the table of passages.
+/// Returns the conclusions of the studies, one sentence each. Conclusions from the table of
+/// passages follow those of the study of passages.
 pub fn statements(model: &Mechanism, findings: &Findings) -> Vec<String> {
     let (passages, others): (Vec<_>, Vec<_>) = findings.statements.iter().partition(|s| s.study == Topic::Passages);
     let mut list: Vec<String> = passages.into_iter().map(|s| s.text.clone()).collect();

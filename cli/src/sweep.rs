@@ -1,4 +1,4 @@
-//! Output of a sweep: a table, and a summary; an interrupted sweep also has a record with which it can be resumed.
+//! Output of a sweep: table, summary, and the record by which an interrupted sweep is resumed.
 
 mod kept_rows;
 mod record;

@@ -1,8 +1,9 @@
-//! View of a motion: a figure of HTML that turns, plays and describes itself, in a page or alone.
+//! View of a motion: an HTML figure in three dimensions that turns, plays and describes itself, as
+//! a file or in a page.
 //!
-//! Invariant: a view needs no other file and no network. Every text that came from a file reaches the browser as text:
-//! in HTML through [`escape`], in data through [`as_script`], and from there by `textContent` only. Absent on purpose:
-//! mechanics, which is in [`tripos::pictures::view`], and libraries.
+//! Invariant: a view needs no other file and no network. Text from a file reaches the browser only
+//! as text: in HTML through [`escape`], in data through [`as_script`], and from there by
+//! `textContent`. The mechanics are in [`tripos::pictures::view`]. No libraries are used.
 
 mod data;
 mod live;
@@ -17,7 +18,7 @@ use tripos::pictures::view::{ArrowKind, Forces, Form, Motion, View};
 use tripos_codegen::js::{RUNNERS, in_page};
 use tripos_derive::scene::Scene;
 
-/// Scripts of the viewer, in the order in which they use one another.
+/// JavaScript sources of the viewer, in the order of their dependence.
 const SCRIPT: [&str; 11] = [
     include_str!("view/space.js"),
     include_str!("view/motion.js"),
@@ -31,17 +32,18 @@ const SCRIPT: [&str; 11] = [
     include_str!("view/curve.js"),
     include_str!("view/live.js"),
 ];
-/// Script that starts a viewer in each figure, once the page is loaded.
+/// JavaScript that starts a viewer in each figure after the page is loaded.
 const BEGIN: &str = include_str!("view/begin.js");
-/// Style of a viewer, as CSS.
+/// CSS text of the viewer in a page.
 pub const STYLE: &str = include_str!("view/style.css");
+/// CSS of a page that contains only a view.
 const PAGE_STYLE: &str = include_str!("view/page.css");
 
 /// Content of a view: the mechanism, its scene, solids and motions.
 pub struct Seen<'a> {
-    /// Mechanism that moves.
+    /// Mechanism whose motion is shown.
     pub mechanism: &'a Mechanism,
-    /// Scene that was run.
+    /// Scene whose motion is shown.
     pub scene: &'a Scene,
     /// Solids of the mechanism, and the size and orientation of the view.
     pub view: View,
@@ -52,27 +54,27 @@ pub struct Seen<'a> {
 }
 
 impl Seen<'_> {
-    /// True if the first motion has forces to draw.
+    /// True if the first motion has forces that are drawn as arrows.
     fn has_arrows(&self) -> bool {
         self.motions.first().is_some_and(|motion| !motion.forces.list.is_empty())
     }
 }
 
-/// A view with the equations that it runs by itself, if it runs any.
+/// View together with the equations that it can run, or the reason why it runs none.
 #[derive(Clone, Copy)]
 pub struct LiveView<'a> {
-    /// Content of the view.
+    /// Content of the view: mechanism, scene, solids and motions.
     pub seen: &'a Seen<'a>,
-    /// Equations that the view runs, or the reason why it runs none.
+    /// Equations that the view runs in the browser, or the reason why it runs none.
     pub live: &'a Live,
 }
 
-/// True if the viewer's frames are close enough in time to show how every body turns.
+/// True if the viewer's frames are close enough in time to show correctly how every body turns.
 pub fn turns_truly(seen: &Seen<'_>, home: Home) -> bool {
     data::turns_truly(seen, home.bytes())
 }
 
-/// Writes the HTML page of a view that stands alone in a file.
+/// Returns the HTML page of a view that is a file by itself.
 pub fn document(seen: &Seen<'_>, live: &Live) -> String {
     let shown = LiveView { seen, live };
     let (title, scene) = (escape(&seen.mechanism.title), escape(&seen.title));
@@ -88,17 +90,17 @@ pub fn document(seen: &Seen<'_>, live: &Live) -> String {
     )
 }
 
-/// Place of a view: a file of its own or a page.
+/// Place of a view: a file by itself or a model's page.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Home {
-    /// The view is a file of its own.
+    /// The view is an HTML file by itself.
     Alone,
-    /// The view is in the page of a model, among other parts.
+    /// The view is part of a model's page.
     Page,
 }
 
 impl Home {
-    /// Largest number of bytes of a motion's data, about.
+    /// Returns the approximate largest number of bytes of the motions' data.
     const fn bytes(self) -> usize {
         match self {
             Self::Alone => 800_000,
@@ -106,7 +108,7 @@ impl Home {
         }
     }
 
-    /// Largest number of bytes of the equations of a view.
+    /// Returns the largest number of bytes of the equations that a view runs.
     const fn equations(self) -> usize {
         match self {
             Self::Alone => 400_000,
@@ -115,7 +117,8 @@ impl Home {
     }
 }
 
-/// Element with the viewer's script, once for all views of a page, and with the equations of the views that run some.
+/// Returns the `<script>` element with the viewer, once for all views of a page, and with the
+/// equations of the views that run.
 pub fn script(list: &[LiveView<'_>]) -> String {
     let method: String = RUNNERS.iter().map(|(_, text)| in_page(text)).collect();
     let equations = list.iter().map(|shown| match shown.live {
@@ -130,7 +133,7 @@ pub fn script(list: &[LiveView<'_>]) -> String {
     )
 }
 
-/// HTML of the figure of a view, the first of its page.
+/// Returns the HTML of a view's figure. It must be the first view of its page.
 pub fn figure(shown: LiveView<'_>, home: Home) -> String {
     let LiveView { seen, live } = shown;
     let words = words(seen);
@@ -168,7 +171,7 @@ pub fn figure(shown: LiveView<'_>, home: Home) -> String {
     )
 }
 
-/// HTML of the controls for values that can be changed, or of the reason why none can.
+/// Returns the HTML of the controls that change the motion, or of the reason why there are none.
 fn controls(seen: &Seen<'_>, live: &Live) -> String {
     let title = match live {
         Live::Rests(why) => {
@@ -207,7 +210,7 @@ fn controls(seen: &Seen<'_>, live: &Live) -> String {
     )
 }
 
-/// HTML of the legend of the motions; empty if there is only one.
+/// Returns the HTML legend of the motions; empty for a single motion.
 fn legend(seen: &Seen<'_>) -> String {
     if seen.motions.len() < 2 {
         return String::new();
@@ -221,7 +224,7 @@ fn legend(seen: &Seen<'_>) -> String {
     out + "</ul>\n"
 }
 
-/// HTML of the legend of the kinds of arrows; empty if there are no arrows.
+/// Returns the HTML legend of the kinds of force arrows; empty without arrows.
 fn acting(seen: &Seen<'_>) -> String {
     let Some(forces) = seen.motions.first().map(|motion| &motion.forces) else { return String::new() };
     let kinds = [
@@ -237,7 +240,7 @@ fn acting(seen: &Seen<'_>) -> String {
     if items.is_empty() { items } else { format!("<ul class=\"view-acts\">\n{items}</ul>\n") }
 }
 
-/// HTML of sentences about forces: the scale of the arrows, and the forces that are not shown.
+/// Returns HTML sentences about forces: the scale of the arrows, and the forces that are not shown.
 fn forces_in_words(forces: &Forces) -> String {
     let mut out = String::new();
     if !forces.list.is_empty() {
@@ -259,7 +262,7 @@ fn forces_in_words(forces: &Forces) -> String {
     out
 }
 
-/// HTML of the description of a view, in words.
+/// Returns the HTML description of a view in words: bodies, motions, forces and warnings.
 fn words(seen: &Seen<'_>) -> String {
     let mut out = String::new();
     let kinds: Vec<String> = seen
@@ -310,7 +313,7 @@ fn words(seen: &Seen<'_>) -> String {
     out
 }
 
-/// Number as text with five significant digits.
+/// Returns a number as text with five significant digits.
 fn short(x: f64) -> String {
     crate::page::rounded(x, 5).replace('-', "−")
 }

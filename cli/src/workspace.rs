@@ -1,4 +1,4 @@
-//! Models that arguments of commands name, and the workspace in which a command is called.
+//! Models that arguments name, and the workspace around the current folder.
 
 use crate::failure::Failure;
 use crate::follow::follow;
@@ -13,12 +13,15 @@ use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{is_scene, model_path};
 use tripos_models::MODELS;
 
-/// Model file that an argument names: a file, or `model.toml` in a folder.
+/// Returns the model file that an argument names: the file itself, or `model.toml` in a folder.
 pub fn model_file(argument: &Path) -> PathBuf {
     if argument.is_dir() { argument.join("model.toml") } else { argument.to_owned() }
 }
 
-/// Reads the model that an argument names, ready to be run by compiled equations if there are any.
+/// Reads the model that an argument names, with its compiled equations if there are any.
+///
+/// # Errors
+/// `Failure` for a missing file, for a scene, and for every error of the model.
 pub fn read_model(argument: &Path) -> Result<Mechanism, Failure> {
     if std::fs::symlink_metadata(argument).is_err_and(|error| error.kind() == std::io::ErrorKind::NotFound) {
         let what = format!("there is no model at `{}`: no such file or folder", path_in_line(argument));
@@ -32,7 +35,8 @@ pub fn read_model(argument: &Path) -> Result<Mechanism, Failure> {
     Ok(Mechanism::read(&path)?.with(MODELS).followed(follow()))
 }
 
-/// Refuses a scene where a model is asked for, with the model that it belongs to.
+/// Returns the failure for a scene file in place of a model, with the scene's model as advice.
+/// `None` for other files.
 fn not_a_model(path: &Path) -> Option<Failure> {
     let source = Source::read(path).ok().filter(|source| is_scene(source) && !is_model(source))?;
     let what = format!("`{}` is a scene, not a model", path_in_line(path));
@@ -42,7 +46,8 @@ fn not_a_model(path: &Path) -> Option<Failure> {
     Some(Failure::request(what, help))
 }
 
-/// Short name of a model: that of its folder, or of its file if it is not called `model.toml`.
+/// Returns the short name of a model: the name of its file without extension, or of its folder if
+/// the file is `model.toml`.
 pub fn short_name(model: &Model) -> String {
     let path = &model.source.path;
     let stem = path.file_stem().map_or("model".into(), |s| s.to_string_lossy().into_owned());
@@ -53,7 +58,8 @@ pub fn short_name(model: &Model) -> String {
     full.parent().and_then(Path::file_name).map_or(stem, |folder| folder.to_string_lossy().into_owned())
 }
 
-/// Warning about a model of the workspace that was edited since its equations were compiled; `None` if it was not.
+/// Returns a warning about a workspace model that was edited after its equations were compiled.
+/// `None` if it was not edited.
 pub fn edited(model: &Mechanism) -> Option<String> {
     let of_place = MODELS.iter().find(|m| is_workspace_model(model, m.name))?;
     (compiled(model).is_none()).then(|| {
@@ -65,7 +71,8 @@ pub fn edited(model: &Mechanism) -> Option<String> {
     })
 }
 
-/// True if the model file is, by its place, the file from which a compiled model was derived.
+/// True if the model file is the file in the workspace from which the compiled model `name` was
+/// derived.
 fn is_workspace_model(model: &Model, name: &str) -> bool {
     let path = &model.source.path;
     let folder = path.canonicalize().ok().and_then(|path| path.parent().map(Path::to_owned));
@@ -73,17 +80,17 @@ fn is_workspace_model(model: &Model, name: &str) -> bool {
     root.is_some_and(|root| is_same(&root.join("models").join(name).join("model.toml"), path))
 }
 
-/// Workspace in which a folder lies: the nearest folder, from this one upwards, that holds `models` and
-/// `generated/src`; `None` if there is none.
+/// Returns the workspace around a folder: the nearest folder upwards that contains `models` and
+/// `generated/src`. `None` if there is none.
 pub fn workspace_around(folder: &Path) -> Option<PathBuf> {
     let is_root = |folder: &&Path| folder.join("models").is_dir() && folder.join("generated/src").is_dir();
     folder.ancestors().find(is_root).map(Path::to_owned)
 }
 
-/// Workspace in which the command was called.
+/// Returns the workspace around the current folder.
 ///
 /// # Errors
-/// [`Failure::Refused`] if it was called elsewhere: no command searches for a workspace in other places.
+/// [`Failure::Refused`] if there is none. No other places are searched.
 pub fn workspace_here() -> Result<PathBuf, Failure> {
     let here = current_folder()?;
     workspace_around(&here).ok_or_else(|| {
@@ -96,10 +103,10 @@ pub fn workspace_here() -> Result<PathBuf, Failure> {
     })
 }
 
-/// Folder in which the command was called.
+/// Returns the folder in which the command was called.
 ///
 /// # Errors
-/// [`Failure::Refused`] if the folder no longer exists.
+/// [`Failure::Refused`] if that folder no longer exists.
 pub fn current_folder() -> Result<PathBuf, Failure> {
     let gone =
         |error| Failure::request(format!("there is no current folder: {error}"), "go to one that exists".to_owned());

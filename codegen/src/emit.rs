@@ -1,8 +1,9 @@
-//! Modules of code for any model file, for use in other programs: in Rust, or in another target's language.
+//! Modules of generated code for any model file, for use in other programs, in Rust or another
+//! target language.
 //!
-//! Invariant: a file that [`place`] did not write is never changed, and no file is changed if one is in the way. The
-//! header of a file tells whether [`place`] wrote it. A Rust module comes without a crate around it; it needs the crate
-//! `tripos-traits`.
+//! Invariant: a file that [`place`] did not write is never changed. If a foreign file has the name
+//! of a new file, no file is changed at all. The header of a file tells whether [`place`] wrote it.
+//! A Rust module comes without a crate around it and needs the crate `tripos-traits`.
 
 #[cfg(feature = "rust")]
 use crate::extras::Extras;
@@ -22,25 +23,28 @@ use tripos_derive::plain::path_in_line;
 #[cfg(feature = "rust")]
 use tripos_derive::{Formulation, Model};
 
-/// Files of one model's module in one language.
+/// Generated files of one model's module in one target language.
 #[derive(Debug)]
 pub struct Emission {
     /// Texts of the files, by file name. In Rust: `mod.rs`, one file of equations for each formulation, and their code
     /// in `code/`.
     pub files: BTreeMap<String, String>,
-    /// Formulations that the model does not support, each with the reason.
+    /// Formulations that the model does not support, each with the reason. They have no file.
     pub left_out: LeftOut,
-    /// Command of `tripos` that writes the files, as their headers state it. Files of other commands are not touched.
+    /// Subcommand of `tripos` that writes the files, as their headers state it. Files written by
+    /// other commands are not touched.
     pub command: &'static str,
-    /// Extensions of the names of the files. Files with other extensions belong to other languages and are not touched.
+    /// File name extensions of the language. Files with other extensions are not touched.
     pub extensions: &'static [&'static str],
 }
 
-/// Emits the module `module` of a model file. It contains the given formulations, or, if none are given, all that the
-/// model supports and the printed equations of the publication beside it. It contains the given extras, and those that
-/// the file `code.toml` beside the model asks for.
+/// Generates the Rust module `module` of the model file at `path`.
+/// It contains the given formulations. If none are given, it contains all that the model supports
+/// and the printed equations of the publication in its folder. The optional functions are those in
+/// `extras` and those that `code.toml` in the model's folder requests.
 ///
-/// The text equals that in `generated/src/MODULE` of a workspace, except for the line with its origin.
+/// The text equals that in `generated/src/MODULE` of a workspace, except for the header line with
+/// its origin.
 ///
 /// # Errors
 /// [`Diagnostics`] of the model file or the publication, or of a given formulation that the model does not support.
@@ -49,10 +53,14 @@ pub fn emit(path: &Path, module: &str, formulations: &[Formulation], extras: Ext
     emit_model(&Model::read(path)?, module, formulations, extras)
 }
 
-/// Emits a model that is already read, or was changed after reading, like [`emit`].
+/// Generates the Rust module `module` of a model that is already read, or was changed after
+/// reading.
+/// An empty list of formulations means all that the model supports, and the printed equations of
+/// its publication.
 ///
 /// # Errors
-/// [`Diagnostics`], for the same reasons as [`emit`].
+/// [`Diagnostics`] of the model, the publication or `code.toml`, or of a given formulation that the
+/// model does not support.
 #[cfg(feature = "rust")]
 pub fn emit_model(
     model: &Model,
@@ -66,19 +74,21 @@ pub fn emit_model(
     Ok(Emission { files, left_out, command: EMIT, extensions: &["rs"] })
 }
 
-/// Change of one file of a module, with the name of the file.
+/// Change of one file when a module is written into a folder. Each variant holds the file's name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Placed {
-    /// The file is new or its text has changed.
+    /// The file is new, or its text has changed. It was written.
     Written(String),
-    /// The file had this text already, and was not touched.
+    /// The file already had the new text and was not touched.
     Unchanged(String),
-    /// An earlier emission wrote the file, and the module no longer contains it.
+    /// The file was written by an earlier emission and no longer belongs to the module. It was
+    /// removed.
     Removed(String),
 }
 
 impl Placed {
-    /// Word for the change, and name of the file.
+    /// Returns the word for the change (`written`, `unchanged` or `removed`) and the name of the
+    /// file.
     #[must_use]
     pub fn word_and_file(&self) -> (&'static str, &str) {
         match self {
@@ -96,17 +106,18 @@ impl fmt::Display for Placed {
     }
 }
 
-/// Reason why a module could not be placed in a folder.
+/// Reason why the files of a module could not be written into a folder.
 #[derive(Debug)]
 pub enum PlaceError {
-    /// A file that [`place`] did not write has the name of a file of the module.
+    /// A file that [`place`] did not write has the name of a file of the module. Holds its path.
     Foreign(PathBuf),
-    /// A file of the module was written from another model, which has the same name as a word: the path of the file,
-    /// and the other model file.
+    /// A file of the module was written earlier from a different model. Holds the path of the file
+    /// and that model's path as its header states it.
     OtherModel(PathBuf, String),
-    /// A file or folder cannot be read or removed.
+    /// The operating system refuses to read or remove a file or folder. Holds its path and the
+    /// system's error.
     Io(PathBuf, std::io::Error),
-    /// A file cannot be written.
+    /// The operating system refuses to write a file. Holds the error of the writer.
     Write(WriteError),
 }
 
@@ -131,11 +142,13 @@ impl fmt::Display for PlaceError {
     }
 }
 
-/// Makes a folder contain the files of a module, and removes other files of an earlier emission of the same model. All
-/// other files stay.
+/// Writes the files of a module into a folder, and removes files of an earlier emission of the same
+/// model that are no longer generated. All other files stay.
+/// Returns the change of each file.
 ///
 /// # Errors
-/// [`PlaceError`]. If a file is in the way, is another model's, or cannot be written, no file is changed.
+/// [`PlaceError`]. No file is changed if a foreign file or a file of another model has the name of
+/// a new file, or a text cannot be written.
 pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceError> {
     let old = written_before(folder, emission)?;
     for (file, text) in &emission.files {
@@ -165,7 +178,7 @@ pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceErr
     }
     // All texts are on the disk, under temporary names, before the first file is replaced.
     drafts.into_iter().try_for_each(Draft::finish)?;
-    // Files of other models stay, so that several can share a folder.
+    // Files of other models stay, so that several models can share a folder.
     let own: Vec<_> = emission.files.values().filter_map(|text| source_in(text, emission.command)).collect();
     let is_own = |text: &str| {
         source_in(text, emission.command).is_some_and(|old| own.iter().any(|own| own.is_of_one_model(&old)))
@@ -179,7 +192,9 @@ pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceErr
     Ok(placed)
 }
 
-/// Files of a module that an earlier emission wrote, with their texts; empty if the folder does not exist.
+/// Reads the files that an earlier emission wrote into `folder` and its subfolder `code`. Returns
+/// their texts by relative path, empty if the folder does not exist.
+/// `Err` if a file or folder cannot be read.
 fn written_before(folder: &Path, emission: &Emission) -> Result<BTreeMap<String, String>, PlaceError> {
     let mut files = written_in(folder, emission)?;
     let code = written_in(&folder.join("code"), emission)?;
@@ -187,6 +202,9 @@ fn written_before(folder: &Path, emission: &Emission) -> Result<BTreeMap<String,
     Ok(files)
 }
 
+/// Reads the files directly in `folder` that carry the header of the emission's command and one of
+/// its extensions. Returns their texts by file name.
+/// `Err` if a file or folder cannot be read.
 fn written_in(folder: &Path, emission: &Emission) -> Result<BTreeMap<String, String>, PlaceError> {
     let failed = |path: &Path| {
         let path = path.to_owned();

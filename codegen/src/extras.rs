@@ -1,34 +1,35 @@
 //! Optional functions of generated code: Jacobians and Taylor recurrences.
 //!
-//! These functions are longer than all other code, and runs are possible without them. Then a Jacobian is computed by
-//! differentiating the code as it runs, and Taylor's method is interpreted.
+//! These functions are longer than all other generated code, and runs are possible without them.
+//! Without a generated Jacobian, it is found by differentiating the code as it runs. Without
+//! generated recurrences, Taylor's method interprets them.
 
 use std::path::Path;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source, nearest};
 use tripos_traits::Method;
 
-/// Name of the file beside a model that lists the optional functions of its code.
+/// Name of the file in a model's folder that lists the optional functions of its code.
 const FILE: &str = "code.toml";
 
-/// Optional functions that are written if they are requested.
+/// Set of optional functions in generated code. True means that the function is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Extras {
-    /// Entries of the Jacobian of the derivative, for implicit methods.
+    /// Entries of the Jacobian ∂f/∂x of the state derivative x' = f(x), for implicit methods.
     pub jacobian: bool,
-    /// Recurrences of the Taylor coefficients of the motion.
+    /// Recurrences of the Taylor coefficients of the motion in time, for Taylor's method.
     pub taylor: bool,
 }
 
 impl Extras {
-    /// All optional functions.
+    /// Set of all optional functions: Jacobian and Taylor recurrences.
     pub const ALL: Self = Self { jacobian: true, taylor: true };
     /// Names of the optional functions in files and on the command line.
     pub const NAMES: [&str; 2] = ["jacobian", "taylor"];
 
-    /// Optional functions with these names.
+    /// Returns the set of optional functions with the given names, `jacobian` and `taylor`.
     ///
     /// # Errors
-    /// Message and help for the first unknown name.
+    /// Message and help for the first unknown name, as a pair.
     pub fn named<'a>(names: impl IntoIterator<Item = &'a str>) -> Result<Self, (String, String)> {
         let mut all = Self::default();
         for name in names {
@@ -44,22 +45,25 @@ impl Extras {
         Ok(all)
     }
 
-    /// Extras that make runs by a method faster.
+    /// Returns the optional functions that a method of integration uses. Runs work without them,
+    /// but more slowly.
     #[must_use]
     pub fn for_method(method: Method) -> Self {
         Self { jacobian: method.needs_jacobian(), taylor: method.needs_series() }
     }
 
-    /// Optional functions that either set contains.
+    /// Returns the union of two sets of optional functions.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         Self { jacobian: self.jacobian || other.jacobian, taylor: self.taylor || other.taylor }
     }
 
-    /// Optional functions that the file `code.toml` beside a model requests; none without the file.
+    /// Reads the set of optional functions from the file `code.toml` in the model's folder. The set
+    /// is empty if the file does not exist.
     ///
     /// # Errors
-    /// [`Diagnostics`] of a file that cannot be read, or that contains anything else.
+    /// [`Diagnostics`] of a file that cannot be read, has another key than `functions`, or names an
+    /// unknown function.
     pub fn of_file_beside(model: &Path) -> Result<Self, Diagnostics> {
         let path = model.with_file_name(FILE);
         if !path.exists() {

@@ -21,43 +21,44 @@ use std::{fmt, io};
 use tempfile::TempPath;
 use tripos_derive::plain::path_in_line;
 
-/// Longest time for which [`write`] waits for another writer of the same name.
+/// Longest time for which [`write`] waits until another process has finished writing the same file.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// Time between two attempts to lock a part.
+/// Time between two attempts to lock the temporary file `NAME.part`.
 const PAUSE: Duration = Duration::from_millis(10);
-/// Paths of files that are already open, to which bytes are written directly. Opened again, they could be ordinary
-/// files.
+/// Paths of files that are already open, such as standard output. Bytes are written to them
+/// directly, because a renamed file would not reach the open file.
 const OPEN: [&str; 4] = ["/dev/stdout", "/dev/stderr", "/dev/fd", "/proc/self/fd"];
 
-/// Fate of an existing file with the name of a new file.
+/// Choice between replacing and keeping an existing file with the name of a new file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Existing {
-    /// The existing file is replaced once the new one is complete.
+    /// Replaces the existing file once the new file is complete.
     Replaced,
-    /// The existing file stays, and the new one is refused.
+    /// Keeps the existing file and refuses the new file.
     Kept,
 }
 
-/// Fate of a part when its draft is dropped before the end.
+/// Choice between removing and keeping the temporary file `NAME.part` when its draft is dropped
+/// unfinished.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unfinished {
-    /// The part is removed.
+    /// Removes the temporary file of an unfinished draft.
     Removed,
-    /// The part stays beside the target, under its own name.
+    /// Keeps the temporary file of an unfinished draft, under its name `NAME.part`.
     Left,
 }
 
 /// Reason why a file could not be written.
 #[derive(Debug)]
 pub enum WriteError {
-    /// A file of this name exists, and must be kept.
+    /// A file of this path exists and must be kept.
     There(PathBuf),
-    /// Like [`Self::There`], but the file appeared while the new one was written. The second path is the part, which
-    /// contains the whole new text.
+    /// A file of the first path appeared while the new one was written, and must be kept. The
+    /// second path is the temporary file that contains the whole new text.
     Appeared(PathBuf, PathBuf),
-    /// Another writer is writing this file.
+    /// Another process is writing this file.
     Busy(PathBuf),
-    /// The operating system refuses an operation on this path.
+    /// The operating system refuses to write this file. Holds the path and the system's error.
     Io(PathBuf, io::Error),
 }
 
@@ -81,29 +82,35 @@ impl fmt::Display for WriteError {
 
 impl std::error::Error for WriteError {}
 
-/// File that is being written, under a temporary name until it is complete.
+/// File that is being written. It has the temporary name `NAME.part` until it is complete.
 #[derive(Debug)]
 pub struct Draft {
-    /// Path that the caller gave, with links not followed.
+    /// Path of the file as given, with symbolic links not followed.
     path: PathBuf,
-    /// Path to which the part is renamed, with links followed.
+    /// Path that the complete file gets, with symbolic links followed.
     target: PathBuf,
+    /// Choice between replacing and keeping an existing file at the target.
     existing: Existing,
-    /// Part that contains the text until it is complete; `None` for devices and pipes. Declared before `file`, so that
-    /// its name is removed before its lock.
+    /// Path of the temporary file that contains the text until it is complete; `None` for devices
+    /// and pipes. Declared before `file`, so that its name is removed before its lock.
     part: Option<TempPath>,
+    /// Open handle, buffered, to which the text is written.
     file: BufWriter<File>,
 }
 
 impl Draft {
-    /// Starts a new file, in place of an unfinished part.
+    /// Starts a new file. An unfinished temporary file of an earlier draft is overwritten.
     ///
     /// # Errors
-    /// [`WriteError`]; no file is changed then.
+    /// [`WriteError`] if the file is locked by another process, must be kept, or cannot be created.
+    /// No file is changed then.
     pub fn create(path: &Path, existing: Existing, unfinished: Unfinished) -> Result<Self, WriteError> {
         Self::begin(path, existing, unfinished, Duration::ZERO)
     }
 
+    /// Starts a new file, and waits up to `wait` for another process that writes it.
+    /// `Err` if the path is no writable file name, must be kept, or is locked for longer. No file
+    /// is changed then.
     fn begin(path: &Path, existing: Existing, unfinished: Unfinished, wait: Duration) -> Result<Self, WriteError> {
         let failed = |error| WriteError::Io(path.to_owned(), error);
         let target = followed(path);
@@ -139,11 +146,13 @@ impl Draft {
         Ok(Self { path: path.to_owned(), target, existing, part: Some(part), file: BufWriter::new(file) })
     }
 
-    /// Takes over the unfinished part of an earlier writer of this name; `None` if there is no part. [`Self::left`]
-    /// reads the part, and [`Self::keep`] cuts it to the bytes that stay. Until then nothing is changed.
+    /// Continues the unfinished temporary file `NAME.part` of an earlier draft; `None` if there is
+    /// none. [`Self::left`] reads its text, and [`Self::keep`] cuts the text to a length. Until
+    /// then nothing is changed.
     ///
     /// # Errors
-    /// [`WriteError`]; the part is unchanged then.
+    /// [`WriteError`] if the temporary file is locked or the existing file must be kept. The
+    /// temporary file is unchanged then.
     pub fn resume(path: &Path, existing: Existing) -> Result<Option<Self>, WriteError> {
         let target = followed(path);
         let part = part_of(&target);
@@ -159,13 +168,15 @@ impl Draft {
         Ok(Some(Self { path: path.to_owned(), target, existing, part: Some(part), file: BufWriter::new(file) }))
     }
 
-    /// Reader over the unfinished part of an earlier writer, from its beginning.
+    /// Returns a reader over the text that an earlier unfinished draft left in the temporary file,
+    /// from its beginning.
     #[must_use]
     pub fn left(&self) -> impl Read + '_ {
         self.file.get_ref()
     }
 
-    /// Cuts the text of an earlier writer to its first `bytes` bytes. New text is written after them.
+    /// Cuts the text left by an earlier draft to its first `bytes` bytes. New text is written after
+    /// them.
     ///
     /// # Errors
     /// [`WriteError::Io`] if the operating system refuses.
@@ -175,16 +186,18 @@ impl Draft {
         cut.map(|_| ()).map_err(|error| WriteError::Io(self.path.clone(), error))
     }
 
-    /// Path of the file until it is finished: the part beside the target, or the target itself for devices and pipes.
+    /// Path at which the text lies until the file is finished: the temporary file, or the device or
+    /// pipe itself.
     #[must_use]
     pub fn place(&self) -> &Path {
         self.part.as_deref().unwrap_or(&self.path)
     }
 
-    /// Completes the file and gives it its name.
+    /// Writes the last bytes and gives the file its final name.
     ///
     /// # Errors
-    /// [`WriteError`] if the last bytes cannot be written, or the part cannot be renamed: then the part stays.
+    /// [`WriteError`] if the last bytes cannot be written, or the temporary file cannot be renamed.
+    /// After a failed rename the temporary file stays.
     pub fn finish(mut self) -> Result<(), WriteError> {
         let failed = |error| WriteError::Io(self.path.clone(), error);
         self.file.flush().map_err(failed)?;
@@ -193,7 +206,7 @@ impl Draft {
             Existing::Replaced => part.persist(&self.target),
             Existing::Kept => part.persist_noclobber(&self.target),
         };
-        // The file's lock is released at the end of this function, after the rename.
+        // The lock on the file is released at the end of this function, after the rename.
         named.map_err(|mut lost| {
             lost.path.disable_cleanup(true);
             match lost.error.kind() {
@@ -222,7 +235,9 @@ pub fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), WriteError> {
     draft(path, bytes)?.finish()
 }
 
-/// Writes the text of a file beside it, to replace it once the draft is finished. Waits up to 10 s for another writer.
+/// Writes the text of a file to its temporary file `NAME.part` and returns the draft, which
+/// replaces the file when it is finished. Waits up to 10 s for another process that writes the
+/// file.
 ///
 /// # Errors
 /// [`WriteError`]; an existing file is unchanged.
@@ -241,33 +256,37 @@ pub fn folder(path: &Path) -> Result<(), WriteError> {
     std::fs::create_dir_all(path).map_err(|error| WriteError::Io(path.to_owned(), error))
 }
 
-/// True if writing to `path` would change the file `input`: by the path itself, by a link, by another path to the file,
-/// or by the part beside it.
+/// True if writing to `path` would change the file `input`. This also holds if a link or another
+/// path leads to `input`, or if `input` is the temporary file of `path`.
 #[must_use]
 pub fn would_change(path: &Path, input: &Path) -> bool {
     let same = |path: &Path| same_file::is_same_file(path, input).unwrap_or(false);
     same(path) || (!is_direct(path) && same(&part_of(&followed(path))))
 }
 
-/// Path of the part: the path with `.part` appended.
+/// Returns the path of the temporary file: the path with `.part` appended.
 fn part_of(path: &Path) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".part");
     name.into()
 }
 
-/// Target of a link; any other path unchanged.
+/// Returns the target of a symbolic link, and any other path unchanged. A broken link is unchanged
+/// too.
 fn followed(path: &Path) -> PathBuf {
     if path.is_symlink() { path.canonicalize().unwrap_or_else(|_| path.to_owned()) } else { path.to_owned() }
 }
 
-/// True if bytes are written directly to their destination: a device, a pipe, or a file that is already open.
+/// True if bytes are written directly to the path, without a temporary file: a device, a pipe, or a
+/// file that is already open.
 fn is_direct(path: &Path) -> bool {
     let special = std::fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir());
     special || OPEN.iter().any(|open| path.starts_with(open))
 }
 
-/// Opens and locks the part; its contents are unchanged. Waits up to `wait` for another writer.
+/// Opens and locks the temporary file `part` of the file `path`. Its contents are unchanged.
+/// Waits up to `wait` for another process; then gives `WriteError::Busy`.
+/// `Err` also if the file cannot be opened or is no regular file.
 fn locked(path: &Path, part: &Path, wait: Duration) -> Result<File, WriteError> {
     let failed = |error| WriteError::Io(path.to_owned(), error);
     let begun = Instant::now();
@@ -290,7 +309,9 @@ fn locked(path: &Path, part: &Path, wait: Duration) -> Result<File, WriteError> 
     }
 }
 
-/// True if `path` still leads to this open file. Between opening and locking, its writer may have renamed it.
+/// True if `path` still leads to the open file `file`. Between opening and locking, another process
+/// may have renamed it.
+/// `Err` if the open file cannot be examined.
 fn has_name(file: &File, path: &Path) -> io::Result<bool> {
     let mine = Handle::from_file(file.try_clone()?)?;
     Ok(Handle::from_path(path).is_ok_and(|named| named == mine))

@@ -1,4 +1,5 @@
-//! Readable code from equations: equal bytes for equal model text on every machine.
+//! Readable code generated from equations of motion. Equal model text gives equal bytes on every
+//! machine.
 //!
 //! The flow: [`tripos_derive::Equations`] → a plan of functions ([`plan`], [`taylor`]), which is independent of
 //! languages → the text of a target (`rust`, `js`, `languages`, each behind the feature of its name) → files

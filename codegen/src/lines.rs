@@ -1,6 +1,7 @@
 //! Text broken into lines of a given width, for the comments and the code of any target.
 
-/// Breaks a text at spaces into lines of at most `width` bytes; a longer word has a line of its own.
+/// Breaks a text at spaces into lines of at most `width` bytes. A longer word gets a line of its
+/// own. An empty text gives one empty line.
 #[must_use]
 pub fn wrap(text: &str, width: usize) -> Vec<String> {
     let mut lines = vec![String::new()];

@@ -1,35 +1,37 @@
-//! Origin of generated text, as stated in its header.
+//! Sentence in the header of generated text that names its source file and the command that wrote
+//! it.
 
 use std::path::Path;
 
-/// Command that writes Rust and JavaScript modules of one model file, as stated in their headers.
+/// Subcommand of `tripos` that writes Rust and JavaScript modules of one model file. The headers of
+/// these modules state it.
 pub(crate) const EMIT: &str = "emit";
 
-/// Beginning of the origin sentence in files generated from a model, publication or scene.
+/// Beginning of the header sentence in files generated from a model, publication or scene.
 const GENERATED: &str = "Generated from `";
-/// Beginning of the origin sentence in files that are the same for every model.
+/// Beginning of the header sentence in files that are the same for every model.
 const BESIDE: &str = "Goes with what is generated from `";
 
-/// Name of the file of a publication beside a model.
+/// Name of the publication file, which lies in the folder of its model.
 const PUBLICATION: &str = "publication.toml";
 
-/// Characters that begin a comment in one of the languages.
+/// Marks that begin a comment line in the target languages: Rust, C and JavaScript, Python, MATLAB.
 const MARKS: [&str; 4] = ["//!", "//", "#", "%"];
 
-/// Files from which a module is generated, and the command that generates it.
+/// Source files of a generated module, and the command that generates it.
 pub(crate) struct Origin {
-    /// Folder of the files as the header states it, with a `/` at its end; may be empty.
+    /// Folder of the source files as the header states it, with a `/` at its end; may be empty.
     pub folder: String,
-    /// Name of the model file.
+    /// File name of the model, without its folder.
     pub model: String,
-    /// Command of `tripos` that writes the text.
+    /// Subcommand of `tripos` that writes the module, such as `emit`.
     pub command: &'static str,
 }
 
 impl Origin {
-    /// Origin of the modules that a command writes from one model file. If the file is `model.toml`, the name of its
-    /// folder is added, because the file name alone would say little. The origin does not depend on where the folder
-    /// is.
+    /// Returns the origin of modules that a command writes from the model file at `path`.
+    /// If the file is `model.toml`, the name of its folder is added, because that file name alone
+    /// says little. The result does not depend on where the folder is.
     pub fn emitted(path: &Path, command: &'static str) -> Self {
         let name = |path: Option<&std::ffi::OsStr>| path.map(|name| name.to_string_lossy().into_owned());
         let model = name(path.file_name()).unwrap_or_default();
@@ -39,34 +41,38 @@ impl Origin {
         Self { folder: folder.unwrap_or_default(), model, command }
     }
 
-    /// Origin sentence in files that are the same for every model.
+    /// Returns the header sentence for files that are the same for every model.
     #[cfg(any(feature = "js", feature = "languages"))]
     pub fn of_shared_files(&self) -> String {
         self.of_model().replacen(GENERATED, BESIDE, 1)
     }
 
-    /// Origin sentence in files derived from the model.
+    /// Returns the header sentence for files derived from the model.
     pub fn of_model(&self) -> String {
         self.of(&self.model)
     }
 
-    /// Origin sentence in files with the printed equations of the publication beside the model.
+    /// Returns the header sentence for files with the printed equations of the publication in the
+    /// model's folder.
     pub fn of_publication(&self) -> String {
         self.of(PUBLICATION)
     }
 
-    /// Origin sentence in files derived from a scene, whose path is relative to the folder of the model.
+    /// Returns the header sentence for files derived from a scene. `name` is the scene's path
+    /// relative to the model's folder.
     #[cfg(feature = "rust")]
     pub fn of_scene(&self, name: &str) -> String {
         self.of(name)
     }
 
-    /// True if the equations of scenes are also written, as for a workspace.
+    /// True if scenes get generated equations too. This holds only for the command `regenerate`.
     #[cfg(feature = "rust")]
     pub fn has_scenes(&self) -> bool {
         self.command == "regenerate"
     }
 
+    /// Returns the header sentence for a source file: its path in backquotes, then the advice to
+    /// run the command.
     fn of(&self, file: &str) -> String {
         // The path is in Markdown's quotes, which a backquote in the path would end.
         let path = format!("{}{file}", self.folder).replace('`', "'");
@@ -74,40 +80,46 @@ impl Origin {
     }
 }
 
+/// Returns the header's advice not to edit the file, with the `tripos` command that writes it.
 fn advice(command: &str) -> String {
     format!("Do not edit; run `tripos {command}`.")
 }
 
-/// True if a command wrote the text: its header has the origin sentence in a comment before the first item.
+/// True if the `tripos` command `command` wrote the text. Its leading comment then contains the
+/// header sentence of that command.
 pub(crate) fn is_written_by(text: &str, command: &str) -> bool {
     source_in(text, command).is_some()
 }
 
-/// Place of the file from which a text was generated, as the text's header states it.
+/// Source file of a generated text, as the text's header states it.
 pub(crate) struct StatedSource {
     folder: String,
     file: String,
 }
 
 impl StatedSource {
-    /// True if two texts were generated from one model, or from the publication beside it.
+    /// True if two generated texts have the same source folder and no different model files. A
+    /// publication counts as part of the model in its folder.
     pub(crate) fn is_of_one_model(&self, other: &Self) -> bool {
         self.folder == other.folder && !self.differs(other)
     }
 
-    /// Path of the other text's model if it has another file name than this one's: a folder may have moved.
+    /// Path of the model of the text `other`, if the headers of the two texts name different model
+    /// files.
+    /// `None` if the file names agree. Folders are not compared, because a folder may have moved.
     pub(crate) fn other_model(&self, other: &Self) -> Option<String> {
         let Self { folder, file } = other;
         self.differs(other).then(|| if folder.is_empty() { file.clone() } else { format!("{folder}/{file}") })
     }
 
-    /// True if the names of the files are those of different models.
+    /// True if the two headers name different model files. A publication differs from no model.
     fn differs(&self, other: &Self) -> bool {
         self.file != other.file && [self, other].iter().all(|source| source.file != PUBLICATION)
     }
 }
 
-/// File from which a command generated the text, as its header states it; `None` if the command did not write the text.
+/// Reads the header of a generated text and returns the source file that it states. `None` if
+/// `command` did not write the text.
 pub(crate) fn source_in(text: &str, command: &str) -> Option<StatedSource> {
     let advice = advice(command);
     let comment = |line: &'_ str| MARKS.iter().find_map(|mark| line.strip_prefix(mark)).map(str::to_owned);

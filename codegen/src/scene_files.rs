@@ -1,16 +1,18 @@
 //! Search for the scene files of a model on disk.
 //!
-//! Invariant: the page and the code generator get the scenes of a model from here, in one order. A file in `scenes/`
-//! counts as a scene, even with errors. Beside the model there are other files (a publication, states, other models).
-//! So a file there is a scene if it names this model under `model`. Files that cannot be read are listed too, so that
-//! their readers report the errors.
+//! Invariant: the page and the code generator get the scenes of a model from here, in one order. A
+//! file in `scenes/` counts as a scene, even with errors. The model's own folder also contains
+//! other files (a publication, states, other models). A file there is a scene only if its key
+//! `model` names this model. Unreadable files are listed too, so that their readers report the
+//! errors.
 
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::publication::is_beside;
 use tripos_derive::scene::model_path;
 
-/// Scene files of a model file: those in `scenes/`, then those beside it, each group in alphabetical order.
+/// Returns the scene files of a model file: first those in `scenes/`, then those in the model's
+/// folder. Each group is in alphabetical order.
 #[must_use]
 pub fn scene_files(model: &Path) -> Vec<PathBuf> {
     let beside = model.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -25,7 +27,8 @@ pub fn scene_files(model: &Path) -> Vec<PathBuf> {
     list
 }
 
-/// Path of a scene file relative to its model: `scenes/swing.toml`, or `swing.toml`.
+/// Returns the path of a scene file relative to its model, such as `scenes/swing.toml` or
+/// `swing.toml`.
 #[must_use]
 pub fn name_beside(model: &Path, scene: &Path) -> String {
     let name = scene.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
@@ -33,13 +36,14 @@ pub fn name_beside(model: &Path, scene: &Path) -> String {
     if is_inside { format!("scenes/{name}") } else { name }
 }
 
-/// True if two paths lead to one existing file.
+/// True if two paths lead to one existing file. False if a file does not exist.
 #[must_use]
 pub fn is_same(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }
 
-/// TOML files of a folder, in alphabetical order; empty if the folder cannot be listed.
+/// Lists the TOML files of a folder in alphabetical order. The list is empty if the folder cannot
+/// be read.
 fn tables(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
     let names = entries.filter_map(|entry| Some(entry.ok()?.file_name()));

@@ -1,5 +1,6 @@
-//! Targets: the languages in which equations are written. One driver derives the equations of a model and passes each
-//! set to a target, which plans and writes it.
+//! Interface between derived equations and a target, the language in which they are written. A
+//! driver derives the equations of a model and passes each set to a target, which plans and writes
+//! it.
 
 use std::collections::BTreeMap;
 use tripos_derive::algebra::Arena;
@@ -9,30 +10,34 @@ use tripos_derive::mechanics::{Derivation, DeriveError, derive_all};
 use tripos_derive::publication::load_beside;
 use tripos_derive::{Equations, Formulation, Model, derive};
 
-/// Language into which one model is written. A target gets one set of equations after the other, and keeps the files.
+/// Language into which a model is written. A target receives sets of equations one after the other
+/// and keeps the texts of their files.
 pub trait Target {
-    /// Texts of the files written so far, by file name.
+    /// Returns the texts of the files written so far, by file name.
     fn files(&self) -> &BTreeMap<String, String>;
 
-    /// Name of the file for equations with this name.
+    /// Returns the name of the file for the set of equations `equations`, such as `kane`.
     fn file_of(&self, equations: &str) -> String;
 
-    /// Writes derived equations.
+    /// Writes a set of derived equations into this target's files.
     ///
     /// # Errors
-    /// [`Diagnostics`] if the accelerations were solved for but are not proved.
+    /// [`Diagnostics`] if the accelerations were solved for but the solution is not proved.
     fn derived(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics>;
 
-    /// Writes equations that a publication prints, exactly as printed; `model` contains the symbols of the publication.
+    /// Writes the equations of a publication exactly as printed. `model` must contain the symbols
+    /// of the publication.
     fn printed(&mut self, model: &Model, arena: &Arena, equations: &Equations);
 }
 
 /// Formulations that a model does not support, each with the reason.
 pub type LeftOut = Vec<(Formulation, DeriveError)>;
 
-/// Writes a model by a target. It writes the given formulations, or, if none are given, the standard ones that the
-/// model supports and the printed equations of the publication beside it. Each formulation is derived with a store of
-/// terms of its own, so that its text does not depend on the others.
+/// Derives the equations of a model and passes each set to a target.
+/// It writes the given formulations. If none are given, it writes the standard formulations that
+/// the model supports, and the printed equations of its publication. Each formulation is derived
+/// with an arena of its own, so that its text does not depend on the others. Returns the
+/// unsupported formulations with the reasons.
 ///
 /// # Errors
 /// [`Diagnostics`] of the model or the publication, of a given formulation that the model does not support, or of two
@@ -55,8 +60,12 @@ pub fn write(model: &Model, formulations: &[Formulation], target: &mut dyn Targe
     Ok(left_out)
 }
 
-/// Writes the printed equations of the publication beside a model by a target, if there is a publication. Its symbols
-/// are put into a store of their own, so that derived equations do not depend on them.
+/// Writes the printed equations of the publication in the model's folder, if there is one.
+/// They use an arena of their own, so that derived equations do not depend on the publication's
+/// symbols.
+///
+/// # Errors
+/// [`Diagnostics`] of the publication, or of two entries whose files would have the same name.
 fn printed(model: &Model, target: &mut dyn Target) -> Result<(), Diagnostics> {
     let mut with_publication = model.clone();
     let Some(publication) = load_beside(&model.source.path, &mut with_publication)? else { return Ok(()) };

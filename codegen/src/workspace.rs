@@ -18,20 +18,23 @@ use tripos_derive::reduce::reduce;
 use tripos_derive::scene::{load_bound as load_scene, model_path as scene_model};
 use tripos_derive::{Formulation, Model};
 
-/// Generated files of all models of a workspace.
+/// Generated files of all models of a workspace, with the models and scenes that have errors.
 #[derive(Debug, Default)]
 pub struct Generated {
     /// Texts of the files, by path under `generated/src`, with `/` between folders.
     pub files: BTreeMap<String, String>,
-    /// Folders under `models/` whose models have generated files, in order.
+    /// Names of the folders under `models/` whose models have generated files, in alphabetical
+    /// order.
     pub models: Vec<String>,
-    /// Models with errors; their committed files are unchanged.
+    /// Folder names of models with errors, each with its errors. Their committed files stay
+    /// unchanged.
     pub broken: Vec<(String, Diagnostics)>,
-    /// Scene files with errors, such as `disk/scenes/report.toml`; no code is generated for them.
+    /// Paths of scene files with errors, such as `disk/scenes/report.toml`, each with its errors.
+    /// They get no generated code.
     pub broken_scenes: Vec<(String, Diagnostics)>,
 }
 
-/// Folders under `models/` that contain a model, in alphabetical order.
+/// Lists the folders under `models/` that contain a `model.toml`, by name, in alphabetical order.
 ///
 /// # Errors
 /// Error of the operating system if the folder cannot be listed.
@@ -68,7 +71,8 @@ pub fn generate(models: &Path, folders: &[String]) -> Generated {
     generated
 }
 
-/// Generates the module of one model. A panic of this program becomes an error of this model.
+/// Generates the module of one model, and turns a panic during the derivation into an error of this
+/// model.
 fn guarded(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostics> {
     std::panic::catch_unwind(|| workspace_module(path, folder)).unwrap_or_else(|_| {
         let source = Source { path: path.to_owned(), text: String::new() };
@@ -78,7 +82,8 @@ fn guarded(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostics> {
     })
 }
 
-/// Texts of the generated files of one model of the workspace, by name.
+/// Generates the files of one model of the workspace, and returns their texts by relative path.
+/// `folder` is the model's folder name.
 ///
 /// # Errors
 /// [`Diagnostics`] of the model file.
@@ -86,6 +91,9 @@ pub fn model_files(path: &Path, folder: &str) -> Result<BTreeMap<String, String>
     Ok(workspace_module(path, folder)?.files)
 }
 
+/// Generates the module of one workspace model, and adds a copy of the model text for later
+/// comparison.
+/// `Err` holds the errors of the model, its publication or `code.toml`.
 fn workspace_module(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostics> {
     let origin = Origin { folder: format!("models/{folder}/"), model: "model.toml".to_owned(), command: "regenerate" };
     let model = Model::read(path)?;
@@ -95,8 +103,11 @@ fn workspace_module(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostic
     Ok(module)
 }
 
-/// Optional functions of a model's code: those that the file `code.toml` beside the model names, and those that the
-/// methods of its scenes use.
+/// Returns the optional functions of a model's code: those named in `code.toml` in its folder, and
+/// those used by the integration methods of its scenes.
+///
+/// # Errors
+/// [`Diagnostics`] of `code.toml`. Scenes with errors are skipped.
 pub(crate) fn asked_for(model: &Model, path: &Path) -> Result<Extras, Diagnostics> {
     // Scenes with errors are skipped here, and reported where their own equations are derived.
     let scenes = scene_files(path).into_iter().filter_map(|scene| {
@@ -108,22 +119,27 @@ pub(crate) fn asked_for(model: &Model, path: &Path) -> Result<Extras, Diagnostic
     Ok(methods.map(Extras::for_method).fold(Extras::of_file_beside(path)?, Extras::and))
 }
 
-/// Name of the file, beside a module's equations, that contains the model text from which they were derived. A later
-/// edit of the model is compared with equations derived again from this text.
+/// Name of the file, among a module's generated files, that contains the model text from which the
+/// module was derived. After an edit, both texts are derived and compared.
 pub const DERIVED_FROM: &str = "derived_from.toml";
 
-/// Generated files of one model.
+/// Generated files of one model, with the formulations and scenes left out.
 pub(crate) struct ModuleFiles {
-    /// Texts of the files, by name.
+    /// Texts of the model's generated files, by relative path.
     pub files: BTreeMap<String, String>,
-    /// Formulations that this model does not support, each with the reason.
+    /// Formulations that the model does not support, each with the reason.
     pub left_out: LeftOut,
-    /// Scene files with errors, by path relative to the model.
+    /// Scene files with errors: path relative to the model, and the errors.
     pub broken_scenes: Vec<(String, Diagnostics)>,
 }
 
-/// Generates the files of a module with this name. They contain the given formulations, or, if none are given, all that
-/// the model supports and the printed equations of the publication beside it.
+/// Generates the files of the module `module` of a model. They contain the given formulations. If
+/// none are given, they contain all that the model supports and the printed equations of its
+/// publication.
+///
+/// # Errors
+/// [`Diagnostics`] of the publication or a formulation, or if `module` cannot be a Rust module
+/// name.
 pub(crate) fn module_files(
     model: &Model,
     module: &str,
@@ -170,8 +186,12 @@ pub(crate) fn module_files(
     Ok(ModuleFiles { files, left_out, broken_scenes })
 }
 
-/// Generates the files of one scene, beside those of earlier scenes. `None` if the scene belongs to another model, or
-/// if the model has no reduced equations.
+/// Generates the file of one scene. Its name and functions differ from those of the earlier scenes
+/// `before`.
+/// `None` if the scene belongs to another model, or if the model has no reduced equations.
+///
+/// # Errors
+/// [`Diagnostics`] of the scene file, or if its reduced equations cannot be solved.
 fn file_of_scene(
     model: &Model,
     path: &Path,
@@ -187,7 +207,7 @@ fn file_of_scene(
     if !is_reducible(model) {
         return Ok(None);
     }
-    // The scene gets a store of terms of its own, so that its text does not depend on other scenes.
+    // The scene gets its own arena, so that its text does not depend on other scenes.
     let mut model = model.clone();
     let loaded = load_scene(&source, &mut model)?;
     let reduction = reduce(&model, &loaded).map_err(|error| model.diagnose(&error))?;
@@ -229,7 +249,7 @@ impl Difference {
     }
 }
 
-/// Comparison of the files that the models generate now with the committed files.
+/// Generated files of all models now, and their differences from the committed files.
 #[derive(Debug)]
 pub struct Freshness {
     /// Freshly generated files, including `lib.rs`. Models with errors and models that were not requested keep their
@@ -239,7 +259,8 @@ pub struct Freshness {
     pub differences: Vec<Difference>,
 }
 
-/// Generates every model, or only those in the folders `only`, and compares with the committed text, byte by byte.
+/// Generates every model, or only those in the folders `only`, and compares the text with the
+/// committed files byte by byte.
 ///
 /// # Errors
 /// Error of the operating system if a folder or a file cannot be read.
@@ -270,7 +291,9 @@ pub fn freshness(models: &Path, committed: &Path, only: Option<&[String]>) -> st
     Ok(Freshness { generated, differences })
 }
 
-/// Texts of all files under a folder, by path relative to it; empty if the folder does not exist.
+/// Reads all files under a folder and returns their texts by path relative to it. The result is
+/// empty if the folder does not exist.
+/// `Err` if a folder or a file cannot be read.
 fn read_tree(root: &Path) -> std::io::Result<BTreeMap<String, String>> {
     let mut files = BTreeMap::new();
     let mut folders = vec![String::new()];
@@ -292,7 +315,8 @@ fn read_tree(root: &Path) -> std::io::Result<BTreeMap<String, String>> {
     Ok(files)
 }
 
-/// Writes the generated text over the committed text, and removes files that are no longer generated.
+/// Writes the changed and new generated files to the folder `committed`, and removes files that are
+/// no longer generated.
 ///
 /// # Errors
 /// [`WriteError`] if a file cannot be written or removed.

@@ -1,10 +1,14 @@
-//! Properties of a model before its equations are used: freedoms, kinds of constraints, unused names.
+//! Check of a model before its equations are used: degrees of freedom, kinds of constraints, loads
+//! that create energy, unused names.
 //!
-//! All motion constraints together decide which of them are integrable. The motions that they permit span W and, with
-//! drives, w of q̇ = W u + w. These fields, their brackets and the brackets of those span all directions in which the
-//! mechanism can move. A constraint that all these fields satisfy keeps a function of the coordinates constant. G.
-//! Frobenius 1877; V. Jurdjevic, *Geometric Control Theory* (1997), chapter 2; R. L. Bryant et al., *Exterior
-//! Differential Systems* (1991), chapter II §4 (derived flag).
+//! Whether constraints are integrable is decided for all motion constraints together. The permitted
+//! motions span the columns of W and, with drives, the drift w of q̇ = W u + w. These vector
+//! fields, their Lie brackets and the brackets of the brackets span all directions in which the
+//! mechanism can move. A constraint that all these fields satisfy keeps a function of the
+//! coordinates constant.
+//!
+//! Sources: G. Frobenius 1877; V. Jurdjevic, *Geometric Control Theory* (1997), chapter 2; R. L.
+//! Bryant et al., *Exterior Differential Systems* (1991), chapter II §4 (derived flag).
 
 mod creates;
 mod rank_loss;
@@ -33,23 +37,25 @@ pub enum ConstraintKind {
     Motion,
 }
 
-/// A constraint with the results of its check.
+/// A constraint of a model with the results of its check: integrable or not, redundant or not.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Checked {
-    /// Name of the constraint.
+    /// Name of the constraint in the model file.
     pub name: String,
     /// Kind of the constraint.
     pub kind: ConstraintKind,
-    /// True if the constraint keeps a function of the coordinates constant, given the other constraints; `None` if
-    /// undecided.
+    /// True if the constraint keeps a function of the coordinates constant, given all other constraints
+    /// of the model. False if it restricts velocities only; `None` if undecided.
     pub integrable: Option<bool>,
-    /// Function of the coordinates that the constraint keeps constant, as a formula; `None` if none was found.
+    /// Function of the coordinates that the constraint keeps constant, as the text of a formula; `None`
+    /// if none was found.
     pub integral: Option<String>,
-    /// True if the constraint follows from the other constraints.
+    /// True if the constraint follows from the other constraints, so that it restricts nothing more.
     pub redundant: bool,
 }
 
-/// Result of a check of a model.
+/// Result of a check of a model: its degrees of freedom, constraints, singular poses, loads and
+/// notes.
 #[derive(Clone, Debug)]
 pub struct Check {
     /// Number of generalized coordinates, without time.
@@ -58,34 +64,41 @@ pub struct Check {
     pub speeds: usize,
     /// All constraints of the model, with the results of their checks.
     pub constraints: Vec<Checked>,
-    /// Number of independent velocities.
+    /// Number of degrees of freedom: independent generalized speeds under all constraints.
     pub degrees_of_freedom: usize,
-    /// Number of coordinates less number of constraints, dependent constraints included.
+    /// Mobility by counting: number of coordinates less number of constraints, redundant constraints
+    /// included. It may be negative.
     pub mobility_count: i64,
-    /// Dimension of the set of poses that the motions can reach from one pose; `None` if undecided.
+    /// Dimension of the set of poses that can be reached from one pose; `None` if undecided.
     pub configuration_freedom: Option<usize>,
-    /// Assembly branch to which all results about loops refer, with the rank of the constraints there; `None` if the
-    /// model has none.
+    /// Assembly branch in which all results about loops were found, with the rank of the constraints
+    /// there. `None` if the model has none.
     pub branch: Option<Branch>,
-    /// Formulas that are zero in the poses where the chosen speeds do not determine the motion.
+    /// Formulas whose zeros are the poses in which the chosen generalized speeds do not determine the
+    /// motion.
     pub singular_where: Vec<String>,
-    /// Poses where the constraints themselves lose rank, for every choice of speeds; `None` without constraints.
+    /// Poses in which the constraints lose rank for every choice of speeds; `None` if the model has no
+    /// constraints.
     pub rank_loss: Option<RankLoss>,
-    /// Names of speeds whose rates the equations of motion do not determine: the bodies that they move have no inertia.
+    /// Names of generalized speeds whose rates the equations of motion do not determine, since the
+    /// bodies that they move have no inertia.
     pub indeterminate: Vec<String>,
-    /// Effect of each applied load on the energy.
+    /// Effect of each applied load on the energy, in the order of the model file. Empty for large
+    /// models, which are not checked.
     pub loads: Vec<LoadEffect>,
     /// Further facts about the model, one sentence each.
     pub notes: Vec<String>,
-    /// Named terms that the notes mention, as (name, formula). Each stands after the names that its formula mentions.
+    /// Named terms that occur in the notes, as (name, formula). Each stands after the names that its
+    /// formula contains.
     pub names: Vec<(String, String)>,
 }
 
-/// Checks a model.
+/// Checks a model: integrable and redundant constraints, degrees of freedom, singular poses, effect
+/// of loads on the energy.
 ///
 /// # Errors
-/// [`DeriveError`] if Kane's equations cannot be derived for a reason other than a speed without inertia, which is a
-/// note.
+/// Returns [`DeriveError`] if Kane's equations cannot be derived. A speed without inertia is no
+/// error: it gives a note.
 pub fn check(model: &Model) -> Result<Check, DeriveError> {
     let mut arena = model.arena.clone();
     let mut reach = Reach::new(model, &mut arena);
@@ -180,7 +193,8 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
     })
 }
 
-/// Number of coordinates less number of constraints, dependent constraints included. Time counts as neither.
+/// Mobility by counting: number of coordinates less number of constraints, redundant constraints
+/// included. Time counts as neither coordinate nor constraint.
 fn mobility_count(model: &Model) -> i64 {
     let clock = usize::from(model.time().is_some());
     let rolling = model.dependent.iter().filter(|d| model.closed.iter().all(|c| c.name != d.name)).count();
@@ -189,7 +203,8 @@ fn mobility_count(model: &Model) -> i64 {
     count(model.coordinates.len() - clock) - count(constraints)
 }
 
-/// Note that a component of rolling follows from the other constraints, except in single poses.
+/// Writes the note that a component of rolling follows from the other constraints, except in single
+/// poses.
 fn in_most_poses(name: &str) -> String {
     format!(
         "`{name}` follows from the other constraints except in single poses: in these the equations of Lagrange and of Newton and Euler \
@@ -197,7 +212,8 @@ fn in_most_poses(name: &str) -> String {
     )
 }
 
-/// Note on a constraint that depends on other constraints wherever the loops are closed.
+/// Writes the note on a constraint that follows from other constraints wherever the loops are
+/// closed.
 fn dependent_note(d: &DependentConstraint) -> String {
     let poses = if d.poses == 1 { "the closed pose" } else { "each of the closed poses" };
     format!(
@@ -210,7 +226,8 @@ fn dependent_note(d: &DependentConstraint) -> String {
     )
 }
 
-/// Note on the speeds that joints name but the constraints determine; `None` if there are none.
+/// Writes the note on speeds that joints name but that the constraints determine from other speeds;
+/// `None` if there are none.
 fn speeds_note(model: &Model) -> Option<String> {
     let names =
         |list: &mut dyn Iterator<Item = &String>| list.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
@@ -222,7 +239,8 @@ fn speeds_note(model: &Model) -> Option<String> {
     })
 }
 
-/// Notes on the bodies that a speed turns about an axis about which they have no inertia.
+/// Writes the notes on bodies that have no inertia about the axis about which the speed `speed`
+/// turns them.
 fn without_inertia(model: &Model, speed: &str) -> Result<Vec<String>, DeriveError> {
     let Some(at) = model.speeds.iter().position(|s| s.name == speed) else { return Ok(Vec::new()) };
     let mut kinematics = Kinematics::new(model)?;
@@ -244,7 +262,7 @@ fn without_inertia(model: &Model, speed: &str) -> Result<Vec<String>, DeriveErro
     Ok(notes)
 }
 
-/// Note on the change of the total energy T + V; `None` if it is constant.
+/// Writes the note on the power that changes the total energy T + V; `None` if T + V is constant.
 fn power(model: &Model, arena: &Arena, power: Expr) -> Option<String> {
     if model.is_driven() {
         return Some("constraints drive the mechanism: T + V changes by the work of their forces".to_owned());
@@ -252,14 +270,14 @@ fn power(model: &Model, arena: &Arena, power: Expr) -> Option<String> {
     (power != Expr::ZERO).then(|| format!("T + V changes at the rate {}", text(arena, power)))
 }
 
-/// Function of the coordinates that a constraint keeps constant, as a formula. `None` if no function is found whose
-/// slopes are the coefficients of the constraint.
+/// Function of the coordinates that a motion constraint keeps constant, as the text of a formula.
+/// `None` if no function is found whose partial derivatives are the coefficients of the constraint.
 fn integral_of(model: &Model, arena: &mut Arena, constraint: &MotionConstraint) -> Option<String> {
     let mut slopes = vec![Expr::ZERO; model.coordinates.len()];
     for &(at, slope) in Gradient::new(&model.q_dot()).apply(arena, constraint.equation).iter() {
         slopes[at] = slope;
     }
-    // The drive is the coefficient of the rate of time.
+    // The drive (the part of a constraint without rates) is the coefficient of the rate of time.
     match model.time() {
         Some(time) => slopes[time] = arena.add(slopes[time], constraint.drive),
         None if constraint.drive != Expr::ZERO => return None,
@@ -269,23 +287,26 @@ fn integral_of(model: &Model, arena: &mut Arena, constraint: &MotionConstraint) 
     Some(text(arena, function))
 }
 
-/// Number of brackets that are tried before integrability stays undecided.
+/// Number of Lie brackets that are computed before integrability stays undecided.
 const MOST_BRACKETS: usize = 200;
 
-/// Independent fields of permitted motions: the columns of W, the drift w, and their brackets. A field has one
-/// component for each coordinate. With a drift and without a time coordinate, a last component stands for time.
+/// Independent vector fields of permitted motions: the columns of W, the drift w, and their Lie
+/// brackets. A field has a component for each coordinate. With a drift and without a time
+/// coordinate, a last component stands for time.
 struct Reach {
+    /// Vector fields found so far, each with its components.
     fields: Vec<Vec<Expr>>,
-    /// Coordinates with respect to which fields are differentiated.
+    /// Symbols of the coordinates with respect to which the fields are differentiated.
     along: Vec<Expr>,
-    /// True if one field is the drift w of q̇ = W u + w.
+    /// True if one of the fields is the drift w of q̇ = W u + w, that is, if the motion is driven.
     drifts: bool,
-    /// True if no stated or rolling constraint is on velocities. The motions then stay on level sets of functions, and
-    /// brackets add nothing.
+    /// True if no stated or rolling constraint restricts velocities. Then the motions stay on level
+    /// sets of functions, and Lie brackets add no direction.
     is_holonomic: bool,
 }
 
 impl Reach {
+    /// Takes the columns of W, and the drift w if it is not zero, from q̇ = W u + w of the model.
     fn new(model: &Model, arena: &mut Arena) -> Self {
         let rates = &model.kinematic_equations.rates;
         let mut slopes = Gradient::new(&model.u());
@@ -314,7 +335,8 @@ impl Reach {
         Self { fields, along: model.q(), drifts, is_holonomic }
     }
 
-    /// Adds brackets of fields until no bracket is new. Returns false if too many were tried or a rank is undecided.
+    /// Adds Lie brackets of the fields until no bracket is independent. Returns false if too many
+    /// brackets were computed or a rank is undecided.
     fn close(&mut self, arena: &mut Arena) -> bool {
         let mut simplifier = Simplifier::default();
         let mut tried = 0;
@@ -347,7 +369,7 @@ impl Reach {
         true
     }
 
-    /// Lie bracket [X, Y] = (∂Y/∂q) X − (∂X/∂q) Y of the fields with the numbers `x` and `y`.
+    /// Lie bracket `[X, Y] = (∂Y/∂q) X − (∂X/∂q) Y` of the fields with the indices `x` and `y`.
     fn bracket(&self, arena: &mut Arena, simplifier: &mut Simplifier, x: usize, y: usize) -> Vec<Expr> {
         let mut gradient = Gradient::new(&self.along);
         let (x, y) = (&self.fields[x], &self.fields[y]);
@@ -366,7 +388,8 @@ impl Reach {
             .collect()
     }
 
-    /// True if all fields satisfy a motion constraint; `None` if undecided.
+    /// True if every field satisfies a motion constraint, so that the constraint is integrable; `None`
+    /// if undecided.
     fn permits(&self, model: &Model, arena: &mut Arena, constraint: &MotionConstraint) -> Option<bool> {
         let mut row = vec![Expr::ZERO; model.coordinates.len()];
         for &(at, slope) in Gradient::new(&model.q_dot()).apply(arena, constraint.equation).iter() {

@@ -1,4 +1,4 @@
-//! Errors of an input file, each with its place, a message and help.
+//! Diagnostics: errors of an input file, each with its place, a message and advice.
 
 use crate::plain::{one_line, path_in_line, visible};
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
@@ -11,7 +11,7 @@ use std::path::Path;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// A text file as read, with the name it is reported under.
+/// A text file with its path. Errors name the file by this path.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
     /// Path of the file, as the user gave it.
@@ -21,7 +21,7 @@ pub struct Source {
 }
 
 impl Source {
-    /// Largest size of a file that is read, bytes. No model written by a person comes near.
+    /// Largest size of a file that is read, in bytes (4 MiB). Files written by people are far smaller.
     pub const MAX_BYTES: u64 = 4 << 20;
 
     /// Reads a regular file of UTF-8 text.
@@ -75,7 +75,7 @@ impl Source {
         }
     }
 
-    /// Creates a source from text that was not read from a file. Errors name it by `path`.
+    /// Creates a source from text that was not read from a file. Errors name the text by `path`.
     #[must_use]
     pub fn from_text(path: &str, text: &str) -> Self {
         Self { path: PathBuf::from(path), text: text.trim_start_matches('\u{feff}').to_owned() }
@@ -87,13 +87,16 @@ impl Source {
 pub struct Diagnostic {
     /// Message of the error, in one line.
     pub message: String,
-    /// Place of the error in the file, as a byte range; `None` for the file as a whole.
+    /// Place of the error in the file, as a byte range; `None` if the error concerns the file as a
+    /// whole.
     pub span: Option<Range<usize>>,
-    /// Second place in the file that belongs to the error, as a byte range, with its label.
+    /// Second place in the file that belongs to the error, as a byte range with a label; `None` if
+    /// there is none.
     pub other: Option<(Range<usize>, String)>,
-    /// Advice for correcting the error.
+    /// Advice for correcting the error; `None` if there is none.
     pub help: Option<String>,
-    /// File of the error; `None` for the file that was read, which names all others.
+    /// File of the error, if the file that was read names further files; `None` for the file that was
+    /// read.
     pub file: Option<Arc<Source>>,
 }
 
@@ -104,7 +107,7 @@ impl Diagnostic {
         Self { message: message.into(), span: Some(span), other: None, help: Some(help.into()), file: None }
     }
 
-    /// Creates an error of the file as a whole, without a place.
+    /// Creates an error that concerns the file as a whole, without a place.
     #[must_use]
     pub fn of_file(message: impl Into<String>, help: impl Into<String>) -> Self {
         Self { message: message.into(), span: None, other: None, help: Some(help.into()), file: None }
@@ -118,7 +121,8 @@ impl Diagnostic {
     }
 }
 
-/// All errors of one file, with its text. Displays as compilers do, each error with its place.
+/// All errors of one input file, with its text. `Display` writes each error with its place, as
+/// compilers do.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostics {
     /// File in which the errors were found.
@@ -128,7 +132,7 @@ pub struct Diagnostics {
 }
 
 impl Diagnostics {
-    /// Collects the errors of one file, sorts them by place and drops repetitions.
+    /// Collects the errors of one file, sorts them by file and place, and drops repeated errors.
     #[must_use]
     pub fn new(source: Source, mut list: Vec<Diagnostic>) -> Self {
         list.sort_by_key(|d| (d.file.as_ref().map(|file| file.path.clone()), d.span.as_ref().map_or(0, |s| s.start)));
@@ -136,19 +140,21 @@ impl Diagnostics {
         Self { source, list }
     }
 
-    /// Line and column of an error, in characters from 1; `None` for an error of the file as a whole.
+    /// Line and column of an error in its file, in characters from 1; `None` if the error concerns the
+    /// file as a whole.
     #[must_use]
     pub fn place(&self, diagnostic: &Diagnostic) -> Option<(usize, usize)> {
         let excerpt = Excerpt::new(&self.file(diagnostic).text, diagnostic.span.as_ref()?);
         Some((excerpt.line, excerpt.column))
     }
 
-    /// File of an error: the one that was read, or one that it names.
+    /// File of an error: a file that the error names, otherwise the file that was read.
     #[must_use]
     pub fn file<'a>(&'a self, diagnostic: &'a Diagnostic) -> &'a Source {
         diagnostic.file.as_deref().unwrap_or(&self.source)
     }
 
+    /// Creates the single error of a file that could not be read.
     #[cfg(feature = "files")]
     fn without_place(path: &Path, message: &str, help: &str) -> Self {
         let source = Source { path: path.to_owned(), text: String::new() };
@@ -158,9 +164,10 @@ impl Diagnostics {
 
 impl std::error::Error for Diagnostics {}
 
-/// Number of errors of one file that are shown. Nobody reads more before correcting the first ones.
+/// Largest number of errors of one file that are shown.
 const MAX_SHOWN: usize = 50;
-/// Bytes of a line that are shown on either side of an error.
+/// Number of bytes of a very long line that are shown from an error on. A line of at most twice
+/// this length is shown whole.
 const MARGIN: usize = 160;
 
 impl fmt::Display for Diagnostics {
@@ -179,6 +186,7 @@ impl fmt::Display for Diagnostics {
     }
 }
 
+/// Writes one error as compilers do: message, place with the lines of the file, and advice.
 fn render(path: &str, text: &str, diagnostic: &Diagnostic) -> String {
     let title = Level::ERROR.primary_title(diagnostic.message.as_str());
     let excerpt = diagnostic.span.as_ref().map(|span| Excerpt::new(text, span));
@@ -202,7 +210,7 @@ fn render(path: &str, text: &str, diagnostic: &Diagnostic) -> String {
                 (None, None) => title.element(snippet),
             }
         }
-        // A part of a very long line: the place in words, since columns of the part would mislead.
+        // Part of a very long line: its place is stated in words, since columns of the part would mislead.
         Some(excerpt) => {
             let origin = Origin::path(path).line(excerpt.line).char_column(excerpt.column);
             let note = match &*excerpt.text {
@@ -218,8 +226,9 @@ fn render(path: &str, text: &str, diagnostic: &Diagnostic) -> String {
     Renderer::plain().render(&[group])
 }
 
-/// Part of a file around an error, so that showing the error does not read the whole file.
+/// Part of a file around an error, as shown in a message.
 struct Excerpt<'a> {
+    /// Text of the excerpt.
     text: std::borrow::Cow<'a, str>,
     /// Byte in the file at which the excerpt starts.
     start: usize,
@@ -229,11 +238,12 @@ struct Excerpt<'a> {
     column: usize,
     /// Byte range of the error, counted from the start of the excerpt.
     span: Range<usize>,
-    /// True if the excerpt consists of whole lines.
+    /// True if the excerpt consists of whole lines; false if it is a part of a very long line.
     whole: bool,
 }
 
 impl<'a> Excerpt<'a> {
+    /// Cuts the excerpt for an error at the byte range `span` out of the file `text`.
     fn new(text: &'a str, span: &Range<usize>) -> Self {
         let from = floor(text, span.start);
         let to = floor(text, span.end).max(from);
@@ -250,12 +260,13 @@ impl<'a> Excerpt<'a> {
         Self { text: text[start..end].into(), start, line, column, span: from - start..to.min(end) - start, whole }
     }
 
+    /// True if the byte range `span` of the file lies within the excerpt.
     fn holds(&self, span: &Range<usize>) -> bool {
         span.start >= self.start && span.end <= self.start + self.text.len()
     }
 }
 
-/// Largest start of a character, in bytes, that is not beyond byte `at`.
+/// Largest byte index that is at most `at` and at which a character of `text` starts.
 fn floor(text: &str, at: usize) -> usize {
     let mut at = at.min(text.len());
     while !text.is_char_boundary(at) {
@@ -264,7 +275,7 @@ fn floor(text: &str, at: usize) -> usize {
     at
 }
 
-/// Error for a name that is not declared, or is not of the wanted kind.
+/// Error for a name that is not declared, or that is declared but is not of the wanted kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownName {
     /// Message of the error, in one line.
@@ -274,7 +285,7 @@ pub struct UnknownName {
 }
 
 impl UnknownName {
-    /// Creates an error with the known names as advice.
+    /// Creates an error for `name`, with the nearest of the names `known` as advice.
     pub(crate) fn new<'a>(message: String, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
         Self { message, help: nearest(name, known) }
     }
@@ -288,7 +299,8 @@ impl fmt::Display for UnknownName {
 
 impl std::error::Error for UnknownName {}
 
-/// Advice for an unknown name: "did you mean …?" with the nearest known name, or a list of at most 40 known names.
+/// Advice for an unknown name: "did you mean …?" with the nearest known name. If no known name is
+/// near, lists at most 40 of them.
 #[must_use]
 pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.into_iter().collect();

@@ -1,4 +1,5 @@
-//! From a model file to equations of motion, derived three independent ways.
+//! Derives the equations of motion of a mechanism from its model file, by several independent
+//! formulations.
 //!
 //! ```
 //! use tripos_derive::algebra::text::print::text;
@@ -36,8 +37,8 @@
 //! ```
 //!
 //! The flow is one way: [`diagnostic::Source`] → [`model::Model`] → [`mechanics::Kinematics`] →
-//! [`mechanics::Equations`] by Kane, Lagrange or Newton–Euler. No stage changes what an earlier one
-//! made, and the three formulations know nothing of one another.
+//! [`mechanics::Equations`] by Kane, Lagrange or Newton–Euler. No stage changes the result of an
+//! earlier stage. The formulations share the kinematics and nothing else.
 
 // The examples of the README are tested too.
 #![cfg_attr(doctest, doc = include_str!("../README.md"))]

@@ -1,10 +1,12 @@
-//! Text of input files inside messages and outputs: the characters that are refused, and the form in which others are
-//! shown.
+//! Plain text of input files in messages and outputs: refuses forbidden characters, and shows texts
+//! and numbers for people.
 //!
-//! The reader of files refuses control characters and characters that change the direction of writing. So no output has
-//! to handle them. Text that does not pass the reader, such as a syntax error's line or the name of a folder, is made
-//! [`visible`]. Absent on purpose: quoting for Rust, HTML, LaTeX, CSV and JSON. Each writer of such a format escapes
-//! for it, in one place.
+//! The reader of files refuses control characters and characters that change the direction of
+//! writing. So no output has to handle them. Text that does not pass the reader, such as a syntax
+//! error's line or the name of a folder, is made [`visible`].
+//!
+//! This module does no quoting for Rust, HTML, LaTeX, CSV or JSON. Each writer of such a format
+//! escapes for it, in one place.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -20,25 +22,26 @@ pub fn is_forbidden(c: char) -> bool {
             '\u{00ad}' | '\u{200b}' | '\u{2060}'..='\u{2064}' | '\u{e0000}'..='\u{e007f}' | '\u{061c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}')
 }
 
-/// True if a character only separates words: line break, carriage return, tab or space.
+/// True if a character only separates words. These are line feed, carriage return, tab and space.
 #[must_use]
 pub fn is_blank(c: char) -> bool {
     matches!(c, '\n' | '\r' | '\t' | ' ')
 }
 
-/// Code point of a character, as `U+001B`.
+/// Code point of a character in the notation of Unicode: `U+001B` for the escape character.
 #[must_use]
 pub fn called(c: char) -> String {
     format!("U+{:04X}", u32::from(c))
 }
 
-/// Puts a text on one line: each run of white space becomes one space, and none stays at the ends.
+/// Puts a text on one line: each run of white space becomes one space. White space at both ends is
+/// removed.
 #[must_use]
 pub fn one_line(text: &str) -> String {
     text.split(is_blank).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
-/// Writes out every forbidden character of a text, as `\u{1b}`; line breaks stay.
+/// Replaces every forbidden character of a text by its escape, such as `\u{1b}`. Line feeds stay.
 #[must_use]
 pub fn visible(text: &str) -> Cow<'_, str> {
     if text.chars().all(|c| c == '\n' || !is_forbidden(c)) {
@@ -48,8 +51,8 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(written).collect())
 }
 
-/// Number for people, with this many significant digits: a decimal fraction from 0.001 to 100 000 in size, else with a
-/// power of ten.
+/// Writes a number for people with `digits` significant digits. From 0.001 up to 100 000 in size it
+/// is a decimal fraction, otherwise it has a power of ten.
 ///
 /// ```
 /// use tripos_derive::plain::significant;
@@ -68,7 +71,8 @@ pub fn significant(x: f64, digits: usize) -> String {
     }
 }
 
-/// Number for people, with as many significant digits as its error leaves, ten at most; six if the error is not known.
+/// Writes a number for people with only the digits that its absolute `error` leaves reliable, at
+/// most ten. Six digits if the error is `None`, zero or negative.
 ///
 /// ```
 /// use tripos_derive::plain::{significant, within};
@@ -88,13 +92,15 @@ pub fn within(x: f64, error: Option<f64>) -> String {
     significant(x, digits)
 }
 
-/// Path as one line of text for a message: line breaks and forbidden characters in its names are written out.
+/// Path as one line of text for a message. Line breaks and forbidden characters in file names are
+/// written as escapes.
 #[must_use]
 pub fn path_in_line(path: &Path) -> String {
     visible(&path.display().to_string()).replace('\n', "\\u{a}")
 }
 
-/// Compares two texts with runs of digits ordered by value: rod2 comes before rod10.
+/// Compares two texts for sorting, with runs of digits compared by value: `rod2` comes before
+/// `rod10`.
 #[must_use]
 pub fn by_number(a: &str, b: &str) -> Ordering {
     let (mut a, mut b) = (a, b);

@@ -1,4 +1,5 @@
-//! Typed access to a TOML file, collecting every error with its place.
+//! Typed access to a TOML file (a model, scene or publication). All errors are collected, each with
+//! its place in the file.
 
 use crate::algebra::text::print::text;
 use crate::algebra::value::interval::{beyond_doubles, lost_constant};
@@ -17,55 +18,61 @@ pub const SCHEMA: u32 = 1;
 /// Text of a key or value, with its place in the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Located {
-    /// Content of a string without quotes and with escapes resolved, or the digits of a number.
+    /// Content of the TOML string without quotes and with escapes resolved, or the digits of the TOML
+    /// number.
     pub text: String,
-    /// Byte range of the text in the file, without quotes if the text has no escapes.
+    /// Byte range of the text in the file. It excludes the quotes if the text has no escapes.
     pub span: Range<usize>,
-    /// True if byte k of the text is byte `span.start + k` of the file.
+    /// True if byte k of `text` is byte `span.start + k` of the file, so that parts of the text have
+    /// places.
     pub exact: bool,
 }
 
 impl Located {
-    /// Byte range in the file of a part of the text; the place of the whole text if it is not `exact`.
+    /// Byte range in the file of the bytes `range` of the text. It is the whole `span` if the text is
+    /// not `exact`.
     #[must_use]
     pub fn part(&self, range: Range<usize>) -> Range<usize> {
         if self.exact { self.span.start + range.start..self.span.start + range.end } else { self.span.clone() }
     }
 }
 
-/// Entry of a TOML table: key and value.
+/// Entry of a TOML table: the key with its place, and the value with its place.
 pub type Entry<'a> = (Located, &'a Spanned<DeValue<'a>>);
 
-/// Reads one TOML file and collects its errors.
+/// Reader of one TOML file, which collects the errors it finds.
 pub struct Reader<'a> {
-    /// File that is read.
+    /// File that the reader reads.
     pub source: &'a Source,
     /// Errors found in the file so far.
     pub errors: Vec<Diagnostic>,
-    /// Messages recorded by `error_once`: position in `errors`, and number of places so far.
+    /// Messages recorded by `error_once`: index of the message in `errors`, and number of places
+    /// reported so far.
     repeated: FxHashMap<String, (usize, usize)>,
-    /// Texts that were made from parts of this file or of files that it names.
+    /// Texts that were assembled from parts of this file, or from parts of files that it names.
     made: Vec<Made>,
 }
 
-/// Text that was made from parts of a file. Its bytes have numbers behind those of the file that is read.
+/// Places of a text that was assembled from parts of a file. Its bytes are numbered behind the last
+/// byte of the file that is read, so that a byte number identifies the text.
 struct Made {
-    /// Number of the first byte.
+    /// Number of the first byte of the assembled text, counted on from the file that is read.
     start: usize,
-    /// File that the parts come from; `None` for the file that is read.
+    /// File from which the parts come; `None` for the file that is read.
     file: Option<Arc<Source>>,
-    /// Place in that file of each byte.
+    /// Place in the file of each byte of the assembled text, as (start, end) in bytes.
     places: Vec<(u32, u32)>,
 }
 
 impl<'a> Reader<'a> {
-    /// Creates a reader of a file, without errors.
+    /// Creates a reader of the file `source`, with no errors recorded.
     #[must_use]
     pub fn new(source: &'a Source) -> Self {
         Self { source, errors: Vec::new(), repeated: FxHashMap::default(), made: Vec::new() }
     }
 
-    /// Parses a TOML file. Reports every duplicate key, the first syntax error, and forbidden characters.
+    /// Parses a TOML file to a table and its reader. Reports duplicate keys, the first syntax error,
+    /// and forbidden characters.
     ///
     /// # Errors
     /// [`Diagnostics`] if the file is not TOML or has a forbidden character.
@@ -100,8 +107,8 @@ impl<'a> Reader<'a> {
         Err(Diagnostics::new(source.clone(), list))
     }
 
-    /// Reports every key and text with a forbidden character. Line breaks and tabs are allowed in texts: they separate
-    /// the words of formulas and prose.
+    /// Reports every key and every text of a TOML table that contains a forbidden character. Line
+    /// breaks and tabs are allowed in texts, where they separate the words of formulas and prose.
     fn gate(&mut self, table: &DeTable<'_>) {
         let mut tables = vec![table];
         let mut values: Vec<&Spanned<DeValue<'_>>> = Vec::new();
@@ -123,6 +130,8 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Reports the first character of a text for which `fits` is false. `span` is the place of the text
+    /// in the file.
     fn gate_text(&mut self, span: Range<usize>, text: &str, fits: impl Fn(char) -> bool) {
         if let Some(c) = text.chars().find(|c| !fits(*c)) {
             let kind = if c.is_control() { "the control character" } else { "the invisible character" };
@@ -131,12 +140,14 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads the text of an optional key as one line of prose: line breaks and tabs become spaces.
+    /// `None` if the key is absent, or if its value is not a string, which is reported.
     pub fn prose(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
         let value = self.get(table, key)?;
         Some(one_line(&self.string(value, &format!("`{key}`"))?.text))
     }
 
-    /// Reads a name for people, such as a title. Reports a line break or another forbidden character.
+    /// Reads a name for people, such as a title, without white space at its ends. `None` after an error
+    /// is reported: not a string, or a line break or another forbidden character.
     pub fn name(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<Located> {
         let text = self.string(value, what)?;
         if let Some(c) = text.text.chars().find(|c| is_forbidden(*c)) {
@@ -147,7 +158,8 @@ impl<'a> Reader<'a> {
         Some(Located { text: text.text.trim().to_owned(), ..text })
     }
 
-    /// Ends reading of the file: returns the collected errors, if there are any.
+    /// Ends the reading of the file: returns the collected errors, if there are any, and clears the
+    /// list.
     ///
     /// # Errors
     /// [`Diagnostics`] if any error was recorded.
@@ -159,8 +171,9 @@ impl<'a> Reader<'a> {
         Err(Diagnostics::new(self.source.clone(), errors))
     }
 
-    /// Gives a text that was made from parts of a file a place: an error in the text points at the part. `places` has
-    /// the place in the file of each byte of the text.
+    /// Registers a text that was assembled from parts of a file, so that an error in the text points at
+    /// the part. `places` gives, for each byte of the text, its (start, end) in `file`; `None` is the
+    /// file that is read.
     pub fn made(&mut self, file: Option<Arc<Source>>, text: String, places: Vec<(u32, u32)>) -> Located {
         let start = self.made.last().map_or(self.source.text.len() + 1, |made| made.start + made.places.len() + 1);
         let span = start..start + text.len();
@@ -168,13 +181,15 @@ impl<'a> Reader<'a> {
         Located { text, span, exact: true }
     }
 
-    /// True if a text was made from parts of a file.
+    /// True if `text` was assembled from parts of a file and registered with `made`. False if it stands
+    /// in the file that is read.
     #[must_use]
     pub fn is_made(&self, text: &Located) -> bool {
         text.span.start > self.source.text.len()
     }
 
-    /// Error whose place is in a file, in the place of one in a text that was made.
+    /// Translates the places of an error in an assembled text to places in the file from which the text
+    /// came. Other errors stay unchanged.
     fn placed(&self, mut error: Diagnostic) -> Diagnostic {
         if error.file.is_some() {
             return error;
@@ -196,7 +211,8 @@ impl<'a> Reader<'a> {
         error
     }
 
-    /// Place in a file of a range of a text that was made; `None` for a range of the file that is read.
+    /// Place in a file of a byte range of an assembled text, with the file (`None`: the file that is
+    /// read). `None` if the range is in the file that is read.
     fn place_of(&self, span: &Range<usize>) -> Option<(Range<usize>, Option<Arc<Source>>)> {
         let at = self.made.partition_point(|made| made.start <= span.start).checked_sub(1)?;
         let made = &self.made[at];
@@ -209,21 +225,21 @@ impl<'a> Reader<'a> {
         Some((bounds.0 as usize..bounds.1 as usize, made.file.clone()))
     }
 
-    /// Records an error at a byte range of the file.
+    /// Records an error at the byte range `span` of the file, with advice in `help`.
     pub fn error(&mut self, span: Range<usize>, message: impl Into<String>, help: impl Into<String>) {
         self.errors.push(Diagnostic::new(span, message, help));
     }
 
-    /// Records an error for a constant whose digits double precision loses.
+    /// Records an error for a constant in a formula whose value double precision loses by cancellation.
     pub fn lost(&mut self, arena: &Arena, formula: &Located, constant: Expr) {
         let message = format!("double precision does not know the constant `{}`", shown(&text(arena, constant)));
         let help = "write the value of the constant: its computation loses all digits";
         self.error(formula.span.clone(), message, help);
     }
 
-    /// True if doubles can compute a formula; otherwise reports the error. An error is a number beyond the range of
-    /// doubles, which would be infinite or zero wherever it is used, or a constant whose digits doubles lose. Exact
-    /// arithmetic would carry either along at any cost.
+    /// True if double precision can compute the formula `e`; otherwise reports an error at `formula`.
+    /// Formulas are refused if they have a number beyond the range of doubles, or a constant whose
+    /// digits doubles lose.
     pub fn is_computable(&mut self, arena: &Arena, formula: &Located, e: Expr) -> bool {
         if let Some(power) = beyond_doubles(arena, e) {
             let message = format!("a number of about 10^{power} is beyond double precision");
@@ -238,7 +254,8 @@ impl<'a> Reader<'a> {
         false
     }
 
-    /// Records an error that one cause may raise at many places. It is shown once, with its first two places.
+    /// Records an error that one cause may raise at many places. The message is shown once, with its
+    /// first two places and the number of further places.
     pub fn error_once(&mut self, span: Range<usize>, message: String, help: impl Into<String>) {
         let Some((at, places)) = self.repeated.get_mut(&message) else {
             self.repeated.insert(message.clone(), (self.errors.len(), 1));
@@ -254,7 +271,8 @@ impl<'a> Reader<'a> {
         first.other = spans[1].take().map(|s| (s, others));
     }
 
-    /// Entries of a TOML table, in the order of the file.
+    /// Entries of a TOML table in the order of the file; entries at one place are ordered by their
+    /// names.
     #[allow(clippy::unused_self, reason = "a question to the reader")]
     pub fn entries(&self, table: &'a DeTable<'a>) -> Vec<Entry<'a>> {
         let mut entries: Vec<Entry<'a>> = table.iter().map(|(key, value)| (located_key(key), value)).collect();
@@ -273,13 +291,14 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Value of an optional key of a table; `None` if it is absent.
+    /// Value of an optional key of a table; `None` if the key is absent.
     #[allow(clippy::unused_self, reason = "a question to the reader")]
     pub fn get(&self, table: &'a DeTable<'a>, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
         table.iter().find(|(k, _)| k.get_ref() == key).map(|(_, value)| value)
     }
 
-    /// Checks the format version that a file states under `schema`, if the key is there.
+    /// Checks the format version that a file states under the key `schema`. Reports a version that is
+    /// newer than `SCHEMA` or no number. An absent key is accepted.
     pub fn schema(&mut self, table: &'a DeTable<'a>) {
         let Some(value) = self.get(table, "schema") else { return };
         let version = match value.get_ref() {
@@ -301,7 +320,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Value of a required key of a table; reports its absence at `owner`.
+    /// Value of a required key of a table. If the key is absent, reports an error at `owner`, with
+    /// `what` as the name of the table, and returns `None`.
     pub fn need(
         &mut self,
         table: &'a DeTable<'a>,
@@ -316,7 +336,8 @@ impl<'a> Reader<'a> {
         value
     }
 
-    /// Reads a value as a table; reports another kind of value, with `example` as advice.
+    /// Reads a value as a table. For another kind of value, reports an error with `example` as advice
+    /// and returns `None`.
     pub fn table(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str, example: &str) -> Option<&'a DeTable<'a>> {
         match value.get_ref() {
             DeValue::Table(table) => Some(table),
@@ -327,7 +348,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads a value as a string; reports another kind of value.
+    /// Reads a value as a string. For another kind of value, reports an error and returns `None`.
     pub fn string(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<Located> {
         match value.get_ref() {
             DeValue::String(text) => Some(self.located(value.span(), text)),
@@ -338,7 +359,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads a value as mathematics: a string or a decimal number. Reports another kind of value.
+    /// Reads a value as the text of a formula: a string or a decimal number. For another kind of value,
+    /// reports an error and returns `None`.
     pub fn formula(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<Located> {
         match value.get_ref() {
             DeValue::String(text) => Some(self.located(value.span(), text)),
@@ -358,7 +380,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads a value as an array of exactly three formulas; reports another kind of value.
+    /// Reads a value as an array of exactly three formulas, such as the components of a vector. For
+    /// another value, reports an error and returns `None`.
     pub fn triple(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<[Located; 3]> {
         let help = "write three components, such as [\"0\", \"R\", \"0\"]";
         let DeValue::Array(array) = value.get_ref() else {
@@ -374,7 +397,7 @@ impl<'a> Reader<'a> {
         parts?.try_into().ok()
     }
 
-    /// Reads a value as a boolean; reports another kind of value.
+    /// Reads a value as a boolean. For another kind of value, reports an error and returns `None`.
     pub fn boolean(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<bool> {
         match value.get_ref() {
             DeValue::Boolean(b) => Some(*b),
@@ -389,8 +412,9 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Locates the content of a string in the file, without its quotes. TOML has one or three quotes, and drops a line
-    /// break after three.
+    /// Locates the content of a string in the file, without its quotes. TOML has one or three quotes,
+    /// and drops a line break after three. If escapes changed the content, the place is that of the
+    /// whole value.
     fn located(&self, span: Range<usize>, text: &str) -> Located {
         for (before, after) in [(1, 1), (3, 3), (4, 3), (5, 3)] {
             let inner = span.start + before..span.end.saturating_sub(after);
@@ -402,7 +426,8 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Error for a key that is stated twice, with its first place if that is found.
+/// Error for a TOML key that is stated twice. It also shows the first place of the key, if that is
+/// found.
 fn stated_twice(source: &Source, table: &DeTable<'_>, span: Range<usize>) -> Diagnostic {
     let key = source.text[span.clone()].trim_matches(['"', '\'']);
     let message = format!("`{}` is stated twice", shown(key));
@@ -428,10 +453,12 @@ fn stated_twice(source: &Source, table: &DeTable<'_>, span: Range<usize>) -> Dia
     }
 }
 
+/// Text of a TOML key with its place in the file.
 fn located_key(key: &Spanned<std::borrow::Cow<'_, str>>) -> Located {
     Located { text: key.get_ref().to_string(), span: key.span(), exact: false }
 }
 
+/// Text of a TOML number without underscores, with its place in the file.
 fn number(text: &str, span: Range<usize>) -> Located {
     let plain = text.replace('_', "");
     let exact = plain.len() == span.len();

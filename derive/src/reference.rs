@@ -1,10 +1,12 @@
-//! Reference of a model: an independent derivation by SymPy, as data, and its comparison with the derivation of Tripos.
+//! Reference of a model: an independent derivation by SymPy, as data, and its comparison with the
+//! derivation of Tripos.
 //!
-//! `tests/sympy/reference.py` writes a reference, and `models/*/reference.json` stores it. `tests/sympy/README.md`
-//! describes the keys. Formulas are compared by algebra, never by text: see [`compare`].
+//! `tests/sympy/reference.py` writes a reference, and `models/*/reference.json` stores it.
+//! `tests/sympy/README.md` describes the keys. Formulas are compared by algebra, never by text: see
+//! [`compare`].
 //!
-//! Invariant: a reference agrees only if it is complete. A missing entry is reported, never passed over. Absent on
-//! purpose: running Python, which is left to the callers.
+//! Invariant: a reference agrees only if it is complete. A missing entry is reported, never passed
+//! over. This module does not run Python.
 
 mod compare;
 
@@ -19,91 +21,91 @@ use serde_json::{Map, Value};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// Equations and quantities that SymPy derived from a model file.
+/// Equations and quantities that SymPy derived from a model file, as text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reference {
-    /// File that the reference was read from, or a name in its place.
+    /// Path of the file from which the reference was read, for messages.
     pub file: PathBuf,
-    /// Short name of the model, as the reference states it.
+    /// Short name of the model, as stated in the reference.
     pub model: String,
-    /// Hash of the model text that the reference was derived from, without shapes and notation at its end; see
+    /// Hash of the model text from which the reference was derived, without shapes and notation; see
     /// [`crate::model::text_hash`].
     pub text_hash: String,
     /// Version of SymPy that derived the reference.
     pub sympy: String,
-    /// Quantities as (name, formula), in the order of the reference file.
+    /// Quantities as pairs of name and formula, in the order of the reference file.
     pub quantities: Vec<(String, String)>,
-    /// Equations of motion by each formulation in the file. Kane's and Lagrange's are always there, unless the model is
-    /// not derived.
+    /// Equations of motion, one system for each formulation in the file. Kane's and Lagrange's are
+    /// always present, unless `not_derived` is set.
     pub systems: Vec<System>,
-    /// Reason why SymPy does not derive this model, and the reference is empty; `None` if it does.
+    /// Reason why SymPy does not derive this model, so that the reference is empty; `None` if it does.
     pub not_derived: Option<String>,
 }
 
-/// Linear system of equations of motion, matrix · unknowns = forcing, as formulas.
+/// Linear system of equations of motion, matrix · unknowns = forcing, with formulas as text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct System {
-    /// Formulation that gives the system.
+    /// Formulation by which SymPy derived the equations.
     pub formulation: Formulation,
-    /// Names of the unknowns of the system.
+    /// Names of the unknowns, in the order of the columns.
     pub unknowns: Vec<String>,
-    /// Square matrix of formulas: one row and one column for each unknown.
+    /// Square matrix of formulas, with a row and a column for each unknown.
     pub matrix: Vec<Vec<String>>,
-    /// Right-hand side of the system: one formula for each unknown.
+    /// Right-hand side of the equations, with a formula for each row.
     pub forcing: Vec<String>,
 }
 
 /// Reason why a reference cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ReferenceError {
-    /// The text of the reference is not JSON.
+    /// Text of the reference file is not JSON.
     NotJson {
-        /// The reference file.
+        /// Path of the reference file.
         file: PathBuf,
         /// Error of the JSON reader, with line and column.
         why: String,
     },
-    /// A key of the reference is missing, or has the wrong content.
+    /// Key of the reference file is missing or has the wrong content.
     Form {
-        /// The reference file.
+        /// Path of the reference file.
         file: PathBuf,
-        /// Full name of the key, as in `kane.matrix`.
+        /// Full name of the key in the file, as in `kane.matrix`.
         key: String,
-        /// Expected content of the key.
+        /// Description of the content that the key must have.
         expected: String,
     },
-    /// The reference was derived from another model text.
+    /// Reference was derived from a model text that differs from the present one.
     OtherText {
-        /// The reference file.
+        /// Path of the reference file.
         file: PathBuf,
-        /// Hash of a model text that the reference states.
+        /// Hash of the model text, as stated in the reference.
         recorded: String,
         /// Hash of the present model text.
         current: String,
     },
-    /// The reference states a quantity that the model does not have.
+    /// Reference states a quantity that the model does not have.
     Quantity {
-        /// The reference file.
+        /// Path of the reference file.
         file: PathBuf,
-        /// Name of the quantity.
+        /// Name of the quantity in the reference.
         name: String,
-        /// Error of the quantity's name.
+        /// Error in the quantity's name.
         error: QuantityError,
     },
-    /// SymPy does not derive this model.
+    /// SymPy does not derive this model, so the reference is empty.
     NotDerived {
-        /// The reference file.
+        /// Path of the reference file.
         file: PathBuf,
-        /// Reason that the reference gives for not being derived.
+        /// Reason that the reference states for being empty.
         why: String,
     },
-    /// A formula of the reference cannot be read.
+    /// Formula in the reference cannot be read.
     Formula {
-        /// The reference file.
+        /// Path of the reference file.
         file: PathBuf,
-        /// Name of the entry that the formula is the value of.
+        /// Name of the entry to which the formula belongs.
         name: String,
-        /// Error found in the formula.
+        /// Error in the formula.
         error: ParseError,
     },
 }
@@ -131,10 +133,10 @@ impl fmt::Display for ReferenceError {
 }
 
 impl Reference {
-    /// Reads a reference from JSON text; errors name it by `source.path`.
+    /// Reads a reference from JSON text. Errors state the path `source.path`.
     ///
     /// # Errors
-    /// [`ReferenceError::NotJson`] and [`ReferenceError::Form`].
+    /// [`ReferenceError::NotJson`] or [`ReferenceError::Form`] if the text has a wrong form.
     pub fn read(source: &Source) -> Result<Self, ReferenceError> {
         let file = &source.path;
         let not_json =
@@ -164,10 +166,10 @@ impl Reference {
         })
     }
 
-    /// Checks that the reference was derived from this model text.
+    /// Checks that the reference was derived from this model text, apart from shapes and notation.
     ///
     /// # Errors
-    /// [`ReferenceError::OtherText`].
+    /// [`ReferenceError::OtherText`] if it was derived from a different text.
     pub fn check_text(&self, text: &str) -> Result<(), ReferenceError> {
         let current = text_hash(crate::model::equations_text(text));
         if self.text_hash == current {
@@ -177,48 +179,55 @@ impl Reference {
     }
 }
 
-/// Name of the folder, among cargo's test folders, of the Python environment with the packages that
-/// `tests/sympy/requirements.txt` lists.
+/// Name of the Python environment's folder among cargo's test folders. It contains the hash of the
+/// text of `tests/sympy/requirements.txt`, which lists the packages.
 #[must_use]
 pub fn environment_name(requirements: &str) -> String {
     format!("sympy-{}", text_hash(requirements))
 }
 
-/// Key of the reason why a reference is empty.
+/// Key in a reference file that states why the reference is empty.
 const NOT_DERIVED: &str = "not_derived";
 
-/// Formulations, each with its key in a reference file.
+/// Formulations that a reference file may have, each with its key in the file.
 const SYSTEMS: [(Formulation, &str); 3] =
     [(Formulation::Kane, "kane"), (Formulation::Lagrange, "lagrange"), (Formulation::NewtonEuler, "newton_euler")];
 
+/// Creates the error for a key whose content differs from the expected content.
 fn form(file: &Path, key: &str, expected: &str) -> ReferenceError {
     ReferenceError::Form { file: file.to_owned(), key: shown(key), expected: expected.to_owned() }
 }
 
-/// A JSON object of a reference file, with its file and key.
+/// JSON object in a reference file, with the path and key that errors state.
 struct Table<'a> {
+    /// Path of the reference file.
     file: &'a Path,
-    /// Key of the object; empty for the file itself.
+    /// Key of the object; empty for the whole file.
     path: &'a str,
+    /// Entries of the JSON object, by key.
     entries: &'a Map<String, Value>,
 }
 
 impl<'a> Table<'a> {
+    /// Creates the error for an entry of this object whose content differs from the expected.
     fn wrong(&self, key: &str, expected: &str) -> ReferenceError {
         let dot = if self.path.is_empty() { "" } else { "." };
         form(self.file, &format!("{}{dot}{key}", self.path), expected)
     }
 
+    /// Reads the entry with this key, which must be a string.
     fn text(&self, key: &str) -> Result<String, ReferenceError> {
         let text = self.entries.get(key).and_then(Value::as_str);
         text.map(str::to_owned).ok_or_else(|| self.wrong(key, "a string"))
     }
 
+    /// Reads the entry with this key, which must be an object.
     fn table(&self, key: &'a str) -> Result<Table<'a>, ReferenceError> {
         let entries = self.entries.get(key).and_then(Value::as_object);
         Ok(Table { file: self.file, path: key, entries: entries.ok_or_else(|| self.wrong(key, "an object"))? })
     }
 
+    /// Reads all entries as formulas: pairs of name and text.
     fn formulas(&self) -> Result<Vec<(String, String)>, ReferenceError> {
         let entries = self.entries.iter().map(|(name, value)| {
             let formula = value.as_str().ok_or_else(|| self.wrong(name, "a string"))?;
@@ -227,11 +236,13 @@ impl<'a> Table<'a> {
         entries.collect()
     }
 
+    /// Reads an entry that must be a list of strings, with `count` strings if given.
     fn list(&self, key: &str, count: Option<usize>) -> Result<Vec<String>, ReferenceError> {
         let found = self.entries.get(key).and_then(strings).filter(|list| count.is_none_or(|n| n == list.len()));
         found.ok_or_else(|| self.wrong(key, "strings, one for each unknown"))
     }
 
+    /// Reads this object as a linear system: unknowns, matrix and forcing.
     fn system(&self, formulation: Formulation) -> Result<System, ReferenceError> {
         let unknowns = self.list("unknowns", None)?;
         let n = unknowns.len();
@@ -244,6 +255,7 @@ impl<'a> Table<'a> {
     }
 }
 
+/// Reads a JSON value as a list of strings; `None` if it is not.
 fn strings(value: &Value) -> Option<Vec<String>> {
     value.as_array()?.iter().map(|entry| entry.as_str().map(str::to_owned)).collect()
 }

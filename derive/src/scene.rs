@@ -1,5 +1,5 @@
-//! Readers of scene files and state files. A scene is a run with its start, accuracy and outputs; a state is one
-//! instant of a run.
+//! Readers of scene files and state files. A scene states the parameters, start, span, accuracy and
+//! outputs of a run. A state is a single instant: parameters, coordinates and speeds.
 
 mod families;
 mod motions;
@@ -35,36 +35,38 @@ pub use starts::loops::{DependentLoop, Loops};
 pub use starts::start::{Exact, InitialMotion, SolvedVariable};
 pub use starts::unknowns::{Asked, load_asked, load_output};
 
-/// Event of a scene, detected during a run where a function is zero.
+/// Event of a scene: an instant of a run at which a function of the state crosses zero.
 #[derive(Clone, Debug)]
 pub struct SceneEvent {
-    /// Name of the event.
+    /// Name of the event, unique in the scene.
     pub name: String,
-    /// Event function, zero at the event. A formula in parameters, q, q̇, u and reactions.
+    /// Event function, which is zero at the event: a term in parameters, q, q̇, u and reactions.
     pub function: Expr,
-    /// Direction of the zero crossings that count.
+    /// Direction of the zero crossings that count: rising, falling or either.
     pub direction: Direction,
-    /// True if the run ends at the event.
+    /// True if the run ends at the event; false if the event is only recorded.
     pub terminal: bool,
 }
 
-/// Kind of a figure.
+/// Kind of a figure on the page of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FigureKind {
-    /// Total energy over time.
+    /// Figure of the total energy over time.
     Energy,
-    /// Every coordinate and speed over time, each in a panel of its own.
+    /// Figure of every coordinate and speed over time, each in its own panel.
     States,
-    /// Speed against accuracy, for every formulation, every [`Solve`] and every integration method.
+    /// Figure of computing speed against accuracy, for every formulation, every [`Solve`] and every
+    /// integration method.
     WorkPrecision,
-    /// Errors after passages near a singular surface, as a heat map.
+    /// Heat map of the errors after passages near a singular surface of the equations.
     Passages,
-    /// Errors of the accelerations along a passage, beside condition numbers.
+    /// Figure of the errors of the accelerations along a passage near a singular surface, with
+    /// condition numbers.
     Conditioning,
 }
 
 impl FigureKind {
-    /// All kinds of figures, in the order of every list of them.
+    /// All kinds of figures, in the order in which they are listed to users.
     pub const ALL: [Self; 5] = [Self::Energy, Self::States, Self::WorkPrecision, Self::Passages, Self::Conditioning];
 
     /// Name of the kind in scene files.
@@ -91,63 +93,64 @@ pub(crate) const FIGURES: [&str; FigureKind::ALL.len()] = {
     names
 };
 
-/// Figure on the page of a scene.
+/// Figure on the page of a scene: its kind and caption.
 #[derive(Clone, Debug)]
 pub struct Figure {
     /// Kind of the figure.
     pub kind: FigureKind,
-    /// Caption of the figure.
+    /// Caption of the figure; empty if the file states none.
     pub caption: String,
 }
 
-/// Quantity that a scene shows.
+/// Output: a named quantity that a scene shows over time.
 #[derive(Clone, Debug)]
 pub struct SceneOutput {
     /// Name of the output: the name that the scene file gives, or the formula as written.
     pub name: String,
-    /// Formula of the output in parameters, q, q̇, u, u̇, reactions and energies.
+    /// Term of the output in parameters, q, q̇, u, u̇, reactions and energies.
     pub value: Expr,
 }
 
-/// Scene: a run with its start, accuracy, events and outputs.
+/// Scene: the parameters, start, span, accuracy, events and outputs of a run of a model.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// Scene file that was read.
+    /// Scene file from which the scene was read.
     pub source: Source,
     /// Title of the scene; empty if the file states none.
     pub title: String,
     /// Description of the scene in words; empty if the file states none.
     pub about: String,
-    /// Values of the parameters, in the order of the model.
+    /// Values of the parameters in SI units, in the order of the model.
     pub parameters: Vec<f64>,
-    /// Values of the generalized coordinates at the start, in the order of the model.
+    /// Values of the generalized coordinates at the start, in SI units and in the order of the model.
     pub q: Vec<f64>,
-    /// Values of the generalized speeds at the start, in the order of the model.
+    /// Values of the generalized speeds at the start, in SI units and in the order of the model.
     pub u: Vec<f64>,
-    /// Coordinates whose values at the start were solved for, so that the loops are closed.
+    /// Coordinates whose start values were solved for, so that the loops of the mechanism are closed.
     pub closed: Vec<SolvedVariable>,
-    /// First and last instant of the run, s.
+    /// First and last instant of the run, s. The last may be earlier than the first.
     pub span: (f64, f64),
-    /// Parameters and start to 32 digits, for reference runs.
+    /// Parameters and start values to 32 digits, for reference runs.
     pub exact: Exact,
-    /// Settings of the integration.
+    /// Settings of the integration: method, tolerances, steps, samples.
     pub integration: Integration,
     /// Further values of one coordinate or speed at the start, for stability tests; `None` if the file states none.
     pub ladder: Option<Ladder>,
-    /// Outputs to show. If the file states none: every coordinate and speed.
+    /// Outputs to show. If the file states none, they are all coordinates and speeds.
     pub outputs: Vec<SceneOutput>,
-    /// True if the scene file itself states outputs.
+    /// True if the scene file states outputs; false if `outputs` holds the default outputs.
     pub states_outputs: bool,
     /// Indices of the parameters that stay symbols in the scene's reduced equations, because runs vary them.
     pub free: Vec<usize>,
     /// Events to detect during the run.
     pub events: Vec<SceneEvent>,
-    /// Contacts at which bodies meet and part again.
+    /// Contacts at which bodies can meet and part during the run.
     pub impacts: Vec<Impact>,
     /// Figures to draw on the scene's page.
     pub figures: Vec<Figure>,
 }
 
+/// Keys of a scene file at its top level.
 const KEYS: [&str; 16] = [
     "schema",
     "model",
@@ -167,18 +170,18 @@ const KEYS: [&str; 16] = [
     "figures",
 ];
 
-/// True if a text is meant as a scene file: it has a section or key that other files do not have.
+/// True if a text is a scene file by its keys: it has a key that no other file format has.
 #[must_use]
 pub fn is_scene(source: &Source) -> bool {
     const OWN: [&str; 8] = ["start", "span", "integration", "outputs", "events", "impacts", "figures", "ladder"];
     Reader::parse(source).is_ok_and(|(_, table)| OWN.iter().any(|key| table.get_ref().contains_key(*key)))
 }
 
-/// The model file that a scene file belongs to: its key `model`, relative to the scene, or
-/// `../model.toml`.
+/// Path of the model file that a scene file belongs to: its key `model`, relative to the scene's
+/// folder, or `../model.toml` if the key is absent.
 ///
 /// # Errors
-/// [`Diagnostics`] if the scene file is not TOML or its `model` is not a string.
+/// [`Diagnostics`] if the scene file is not TOML, or if its key `model` is not a string.
 pub fn model_path(source: &Source) -> Result<PathBuf, Diagnostics> {
     let (mut reader, table) = Reader::parse(source)?;
     let stated = reader.get(table.get_ref(), "model").and_then(|v| reader.string(v, "`model`"));
@@ -188,7 +191,7 @@ pub fn model_path(source: &Source) -> Result<PathBuf, Diagnostics> {
     Ok(if stated.is_absolute() { stated } else { folder.join(stated) })
 }
 
-/// Reads a scene for its model; event functions go to the model's arena.
+/// Reads a scene file for its model. Terms of events and outputs are added to the model's arena.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the scene file.
@@ -238,8 +241,8 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
 }
 
 impl Scene {
-    /// Scenes of the ladder, each after the text "name = value" of the varied number. Without a ladder: the scene
-    /// itself.
+    /// Scenes of the ladder (the varied start value), one for each value, with the text "name = value".
+    /// Without a ladder, the scene itself is the only entry.
     #[must_use]
     pub fn rungs(&self) -> Vec<(String, Self)> {
         let Some(ladder) = &self.ladder else { return vec![("as it is".to_owned(), self.clone())] };
@@ -260,7 +263,7 @@ impl Scene {
         ladder.values.iter().map(rung).collect()
     }
 
-    /// Warnings about angles that were probably meant in degrees, one line each.
+    /// Warnings about start angles that were probably meant in degrees, one line each.
     #[must_use]
     pub fn hints(&self, model: &Model) -> Vec<String> {
         let starts = model.coordinates.iter().zip(&self.q).filter(|(c, q)| c.looks_like_degrees(**q));
@@ -271,30 +274,34 @@ impl Scene {
     }
 }
 
-/// Numbers of a scene, which may depend on its parameters.
+/// Numeric values of a scene file: parameters, and the values that may depend on them.
 struct Numbers {
+    /// Values of the parameters, in the order of the model.
     p: Vec<Number>,
+    /// Coordinates and speeds at the start.
     start: Start,
+    /// First and last instant, s; `None` after an error.
     span: Option<(f64, f64)>,
+    /// Settings of the integration.
     integration: Integration,
     /// Coefficients of restitution and friction, in the order of the scene's contacts.
     coefficients: Vec<settings::impacts::Coefficients>,
 }
 
-/// State at one instant: parameters, coordinates and generalized speeds.
+/// State of a mechanism at one instant: parameters, coordinates and generalized speeds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
-    /// Values of the parameters, in the order of the model.
+    /// Values of the parameters in SI units, in the order of the model.
     pub parameters: Vec<f64>,
-    /// Values of the generalized coordinates, in the order of the model.
+    /// Values of the generalized coordinates in SI units, in the order of the model.
     pub q: Vec<f64>,
-    /// Values of the generalized speeds, in the order of the model.
+    /// Values of the generalized speeds in SI units, in the order of the model.
     pub u: Vec<f64>,
 }
 
 impl State {
-    /// Warnings about angles that were probably meant in degrees: they exceed one turn and have few decimals. One line
-    /// each.
+    /// Warnings about angles of the state that were probably meant in degrees, one line each. These
+    /// angles exceed one turn and have few decimals.
     #[must_use]
     pub fn hints(&self, model: &Model) -> Vec<String> {
         let turned = model.coordinates.iter().zip(&self.q).filter(|(c, q)| c.looks_like_degrees(**q));
@@ -302,11 +309,11 @@ impl State {
     }
 }
 
-/// Reads a state file: `[parameters]` (where they differ from the model's) and `[state]`. Formulas that the file gives
-/// to inputs are put into the model.
+/// Reads a state file: `[parameters]`, if values differ from the model's defaults, and `[state]`.
+/// Formulas that the file gives to inputs replace the inputs in the model.
 ///
 /// # Errors
-/// [`Diagnostics`] with every error of the file.
+/// [`Diagnostics`] with every error of the state file.
 pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnostics> {
     settings::inputs::bind(source, model)?;
     let (reader, table) = Reader::parse(source)?;
@@ -326,6 +333,8 @@ pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnosti
 }
 
 impl<'a> ValueReader<'a, '_> {
+    /// Reads the parameters, start, span, integration settings and contact coefficients of a scene
+    /// file. Errors are recorded in the reader.
     fn scene_numbers(&mut self, table: &'a DeTable<'a>) -> Numbers {
         let parameters = self.parameters(table);
         let span = self.span(table, parameters.as_deref().unwrap_or_default());
@@ -351,6 +360,7 @@ impl<'a> ValueReader<'a, '_> {
         Numbers { coefficients, p, start: start.unwrap_or_default(), span, integration }
     }
 
+    /// Reads `span`: first and last instant, s. `None` after an error is reported.
     fn span(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Option<(Number, Number)> {
         let Some(value) = self.reader.get(table, "span") else {
             let help = "add span = [0, 1], in seconds";
@@ -381,7 +391,8 @@ impl<'a> ValueReader<'a, '_> {
         Some((from, to))
     }
 
-    /// Tables under a key that holds an array of tables, each with its value, which gives its place.
+    /// Tables of an array of tables such as `[[events]]`, each with its TOML value, which has its
+    /// place. Empty if the key is absent.
     fn entries(&mut self, table: &'a DeTable<'a>, key: &str) -> Vec<(&'a DeTable<'a>, &'a Spanned<DeValue<'a>>)> {
         let Some(value) = self.reader.get(table, key) else { return Vec::new() };
         let DeValue::Array(array) = value.get_ref() else {
@@ -395,6 +406,7 @@ impl<'a> ValueReader<'a, '_> {
             .collect()
     }
 
+    /// Reads the events of a scene file; reports wrong ones.
     fn events(&mut self, table: &'a DeTable<'a>) -> Vec<SceneEvent> {
         let mut events: Vec<SceneEvent> = Vec::new();
         for (entry, value) in self.entries(table, "events") {
@@ -425,6 +437,7 @@ impl<'a> ValueReader<'a, '_> {
         events
     }
 
+    /// Reads the figures of a scene file; reports wrong ones.
     fn figures(&mut self, table: &'a DeTable<'a>) -> Vec<Figure> {
         let mut figures = Vec::new();
         for (entry, value) in self.entries(table, "figures") {
@@ -439,6 +452,7 @@ impl<'a> ValueReader<'a, '_> {
         figures
     }
 
+    /// Text of an optional key on one line; `None` if the key is absent.
     fn text(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
         self.reader.prose(table, key)
     }

@@ -145,12 +145,15 @@ fn definitions_and_chains_of_a_paper_are_read_by_their_labels() {
         "[[system]]\nid = \"two\"\nsection = \"1\"\nformulation = \"lagrange\"\nlabel = \"eq:side\"\n".to_owned(),
         equation("second", "label = \"eq:side\"\nline = 2"),
     ];
-    check(&text.concat(), &expect![[r#"
+    check(
+        &text.concat(),
+        &expect![[r#"
         T-1 equal
         T-2 different
         two-row1 equal
         two-row2 different: in the right-hand side, m*l*g*sin(theta) should be -m*l*g*sin(theta)
-        second different: in the right-hand side, m*l*g*sin(theta) should be -m*l*g*sin(theta)"#]]);
+        second different: in the right-hand side, m*l*g*sin(theta) should be -m*l*g*sin(theta)"#]],
+    );
     let one = |line: &str| {
         format!("file = \"paper.tex\"\n[abbreviations]\n{line}\n{}", equation("V", "quantity = \"V\"\nprinted = \"0\""))
     };
@@ -198,7 +201,8 @@ fn definitions_and_chains_of_a_paper_are_read_by_their_labels() {
         3 | h = { label = "eq:chains" }
           |                ^^^^^^^^^
           |
-          = help: did you mean `eq:chain`?"#]].assert_eq(&errors.join("\n"));
+          = help: did you mean `eq:chain`?"#]]
+    .assert_eq(&errors.join("\n"));
 }
 
 #[test]

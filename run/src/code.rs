@@ -1,4 +1,5 @@
-//! Code that runs the equations of a model: compiled into the program, or interpreted.
+//! Code that runs the equations of motion of a model: compiled into the program, or tapes that are
+//! interpreted.
 
 use crate::equations_name::EquationsName;
 use crate::error::Error;
@@ -16,17 +17,17 @@ use tripos_derive::scene::{Scene, Solve};
 use tripos_derive::{Equations, Formulation, derive};
 use tripos_traits::{CompiledModel, CompiledSystem, DoubleDouble, System};
 
-/// Form of the code that runs equations.
+/// Form in which equations of motion are run: compiled Rust code, or interpreted tapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// Generated Rust code.
+    /// Rust code that was generated from the equations and compiled into the program.
     Compiled,
-    /// Tape for interpretation.
+    /// Tapes (lists of arithmetic instructions) that are interpreted at run time.
     Interpreted,
 }
 
 impl Form {
-    /// Name of the form in tables.
+    /// Name of the form for tables and messages: `compiled` or `interpreted`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -36,11 +37,12 @@ impl Form {
     }
 }
 
-/// Interpreted equations in each number type that runs use.
+/// Interpreted equations of motion in each number type that runs use: doubles, and pairs of
+/// doubles.
 pub struct InterpretedSystem {
-    /// Equations as tapes in doubles.
+    /// Equations of motion as tapes in double precision.
     pub double: Interpreted,
-    /// Equations as tapes in twice the precision of a double, made on first use.
+    /// Equations as tapes in twice the precision of a double; empty until they are first used.
     extended: OnceLock<Interpreted<DoubleDouble>>,
 }
 
@@ -51,19 +53,19 @@ impl From<Interpreted> for InterpretedSystem {
 }
 
 impl InterpretedSystem {
-    /// Interpreted equations in twice the precision of a double.
+    /// Returns the equations as tapes in twice the precision of a double. The first call makes them.
     #[must_use]
     pub fn extended(&self) -> &Interpreted<DoubleDouble> {
         self.extended.get_or_init(|| self.double.to())
     }
 }
 
-/// Equations of motion that are ready to run.
+/// Equations of motion in a form that can be run, compiled or interpreted. A clone is cheap.
 #[derive(Clone)]
 pub enum Code {
     /// Generated Rust code that is compiled into the program.
     Compiled(&'static CompiledSystem),
-    /// Tapes that were made at run time.
+    /// Tapes that were made at run time, shared between clones.
     Interpreted(Arc<InterpretedSystem>),
 }
 
@@ -86,18 +88,19 @@ impl Code {
         }
     }
 
-    /// Makes code from interpreted equations.
+    /// Makes runnable code from equations that were compiled to tapes in double precision.
     fn interpreted(system: Interpreted) -> Self {
         Self::Interpreted(Arc::new(system.into()))
     }
 
-    /// True if the equations are compiled in.
+    /// True if the equations are Rust code that is compiled into the program; false if they are
+    /// interpreted.
     #[must_use]
     pub fn is_compiled(&self) -> bool {
         self.form() == Form::Compiled
     }
 
-    /// Name of the form in tables: `compiled` or `interpreted`.
+    /// Name of the code's form for tables and messages: `compiled` or `interpreted`.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.form().name()
@@ -124,10 +127,13 @@ pub fn formulation(name: &str) -> Result<Formulation, Error> {
     })
 }
 
-/// Finds the equations with the given name, such as `kane` or `printed:ID`.
+/// Finds the origin of the equations of a model with the given name, such as `kane` or
+/// `printed:ID`.
 ///
 /// # Errors
-/// [`Error::Request`] if there are no such equations; [`Error::Input`] if the publication has errors.
+/// [`Error::Request`] if the model has no equations of this name; [`Error::Input`] if the
+/// publication has errors. The name `reduced` is refused too, since reduced equations belong to a
+/// scene.
 pub fn by(model: &Mechanism, name: &EquationsName) -> Result<EquationsOrigin, Error> {
     let id = match name {
         EquationsName::Derived(formulation) => return Ok(EquationsOrigin::from(*formulation)),
@@ -149,17 +155,19 @@ pub fn by(model: &Mechanism, name: &EquationsName) -> Result<EquationsOrigin, Er
     })
 }
 
-/// Finds the equations with the given name, or those of the first formulation that the model supports if no name is
-/// given.
+/// Finds the origin of the equations of a model with the given name. Without a name, it is the
+/// first standard formulation by which the model can be derived, or Kane's if none can.
 ///
 /// # Errors
-/// Errors of [`by`].
+/// `Error::Request` if the model has no equations of the given name; `Error::Input` if its
+/// publication has errors. No error without a name.
 pub fn by_or_first(model: &Mechanism, name: Option<&EquationsName>) -> Result<EquationsOrigin, Error> {
     let first = || Formulation::STANDARD.into_iter().find(|f| derive(model, *f).is_ok()).unwrap_or(Formulation::Kane);
     name.map_or_else(|| Ok(EquationsOrigin::from(first())), |name| by(model, name))
 }
 
-/// Names of the printed equations in the publication file beside a model, in the order of that file.
+/// Lists the origins of the printed equations in the publication file beside the model file, in the
+/// order of the publication. The list is empty without a publication file.
 ///
 /// # Errors
 /// [`Error::Input`] if the publication file or the model has errors.
@@ -168,8 +176,8 @@ pub fn printed(model: &Mechanism) -> Result<Vec<EquationsOrigin>, Error> {
     Ok(list.into_iter().map(|equations| equations.by).collect())
 }
 
-/// Printed equations of the publication beside a model, with the arena that holds their terms. `None` without
-/// publication.
+/// Reads the printed equations of the publication beside the model file, with the arena that holds
+/// their terms. `None` if there is no publication file.
 fn printed_derivation(model: &Mechanism) -> Result<Option<(Arena, Vec<Equations>)>, Error> {
     let mut with_publication = model.clone();
     let Some(publication) = load_beside(&model.source.path, &mut with_publication)? else { return Ok(None) };
@@ -178,21 +186,26 @@ fn printed_derivation(model: &Mechanism) -> Result<Option<(Arena, Vec<Equations>
     Ok(Some((derivations.kinematics.arena, list)))
 }
 
-/// Extent to which equations are made ready to run. Compiled equations have everything except recurrences, which few
-/// have. If recurrences are needed, compiled equations without them are not used: the equations are interpreted.
+/// Extent to which equations of motion are made ready to run: as derived, with accelerations, or
+/// with Taylor series.
+///
+/// Compiled equations always contain accelerations. Few contain recurrences of Taylor coefficients.
+/// If a run needs recurrences that the compiled equations lack, the equations are interpreted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ready {
-    /// The equations as they were derived: a matrix, a right-hand side, energies.
+    /// The equations as they were derived: mass matrix, forcing and energies. Accelerations are found
+    /// numerically.
     AsDerived,
-    /// The derived equations, and the accelerations solved for, with their Jacobian. This takes much longer.
+    /// The derived equations, with accelerations v̇ solved for and their Jacobian. The preparation
+    /// takes much longer.
     Solved,
-    /// The solved equations, and the recurrences of Taylor coefficients.
+    /// The solved equations, with recurrences of the Taylor coefficients of the motion.
     WithSeries,
 }
 
 impl Ready {
-    /// Extent of preparation that runs of a scene need. Taylor's method needs recurrences. A numeric solve needs
-    /// elimination only for the Jacobian.
+    /// Extent of preparation that runs of a scene need. Taylor's method needs recurrences. With a
+    /// numeric solve, the accelerations are eliminated only if the method needs the Jacobian.
     #[must_use]
     pub fn for_runs(scene: &Scene) -> Self {
         let how = &scene.integration;
@@ -205,16 +218,18 @@ impl Ready {
         }
     }
 
-    /// True if compiled equations are ready to this extent.
+    /// True if the given compiled equations are ready to this extent.
     fn is_had(self, system: &CompiledSystem) -> bool {
         self != Self::WithSeries || system.double.has_taylor()
     }
 }
 
-/// Makes the equations of a model ready to run. They are compiled code if this was generated from exactly the model's
-/// text and is ready to the given extent; otherwise they are interpreted.
+/// Makes the equations of a model ready to run, to at least the given extent. The code is compiled
+/// if it was generated from exactly the model's text and is ready to this extent; otherwise it is
+/// interpreted.
 ///
-/// The equations are written in the distance from a singular surface, if one is given.
+/// `by` selects the formulation or the printed equations. If `distance` is given, the distance of
+/// an angle from a multiple of 90° replaces this angle as a coordinate.
 ///
 /// # Errors
 /// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived;
@@ -231,7 +246,9 @@ pub fn code(model: &Mechanism, by: &EquationsOrigin, distance: Option<Distance>,
     code_of(model, by, &derivation, ready)
 }
 
-/// Finds the compiled equations of a model; `None` unless they are current and ready to the given extent.
+/// Finds compiled equations of a model by their origin. `None` if the program has none that were
+/// generated from the model's present text, with this distance, and that are ready to the given
+/// extent.
 pub fn compiled_code(
     model: &Mechanism,
     by: &EquationsOrigin,
@@ -246,8 +263,8 @@ pub fn compiled_code(
     found.filter(|system| current && ready.is_had(system)).map(Code::Compiled)
 }
 
-/// Finds the compiled equations of a scene; `None` unless they belong to this reduction and are ready to the given
-/// extent.
+/// Finds the compiled reduced equations of a scene by the key of its reduction. `None` if the
+/// program has none with this key, or none that are ready to the given extent.
 #[must_use]
 pub fn compiled_scene(mechanism: &Mechanism, reduction: &Reduction, ready: Ready) -> Option<Code> {
     let key = reduction.key();
@@ -255,10 +272,12 @@ pub fn compiled_scene(mechanism: &Mechanism, reduction: &Reduction, ready: Ready
     found.filter(|scene| ready.is_had(&scene.system)).map(|scene| Code::Compiled(&scene.system))
 }
 
-/// Prepares equations for interpretation. Printed equations are run as they stand, without solving for accelerations.
+/// Compiles derived or printed equations to tapes for interpretation. The accelerations v̇ are
+/// solved for if `ready` asks for them, except for printed equations, which run as they stand.
 ///
 /// # Errors
-/// [`Error::Request`] if the equations depend on a symbol that has no value during a run. Only printed ones can do so.
+/// [`Error::Request`] if the equations contain a symbol that has no value during a run, which only
+/// printed equations can, or if they cannot be solved for v̇.
 pub fn code_of(model: &Mechanism, by: &EquationsOrigin, derivation: &Derivation, ready: Ready) -> Result<Code, Error> {
     let code = Interpreted::new(model, derivation).map_err(NotInterpreted::from);
     let code = match ready {
@@ -270,11 +289,11 @@ pub fn code_of(model: &Mechanism, by: &EquationsOrigin, derivation: &Derivation,
     Ok(Code::interpreted(code.map_err(|why| not_interpreted(&by.name(), &why))?))
 }
 
-/// Prepares the equations of a scene for interpretation.
+/// Compiles the reduced equations of a scene to tapes for interpretation, with the scene's outputs.
 ///
 /// # Errors
-/// [`Error::Request`] if the equations depend on a symbol that has no value during a run. Equations of a reduction
-/// never do.
+/// [`Error::Request`] if the equations contain a symbol that has no value during a run, or cannot
+/// be solved for v̇. Equations of a reduction never contain such a symbol.
 pub fn interpreted_scene(reduction: &Reduction) -> Result<Code, Error> {
     let derivation = &reduction.derivation;
     let code = Interpreted::new(&reduction.model, derivation).map_err(NotInterpreted::from);
@@ -282,7 +301,7 @@ pub fn interpreted_scene(reduction: &Reduction) -> Result<Code, Error> {
     Ok(Code::interpreted(code.map_err(|why| not_interpreted(&EquationsOrigin::Reduced.name(), &why))?))
 }
 
-/// Error for the named equations, which cannot be interpreted.
+/// Error that says why equations cannot be interpreted; `name` is their name for people.
 fn not_interpreted(name: &str, why: &NotInterpreted) -> Error {
     match why {
         NotInterpreted::Unknown(unknown) => Error::request(
@@ -293,19 +312,21 @@ fn not_interpreted(name: &str, why: &NotInterpreted) -> Error {
     }
 }
 
-/// Compiles a tape that computes `values` from inputs; `what` names them in an error.
+/// Compiles a tape (a list of arithmetic instructions) that computes `values` from numbers for the
+/// symbols `inputs`. `what` names the values in an error.
 ///
 /// # Errors
-/// [`Error::Request`] if a value mentions a symbol other than the inputs.
+/// [`Error::Request`] if a value contains a symbol other than the inputs.
 pub fn tape(arena: &Arena, inputs: &[Expr], values: &[Expr], what: &str) -> Result<Tape, Error> {
     stepwise(arena, inputs, &[], values, what)
 }
 
-/// Compiles a tape that computes `values` from inputs and from the symbols that the steps define; `what` names the
-/// values in an error.
+/// Compiles a tape that computes `values` from numbers for the symbols `inputs`. The values may
+/// also contain symbols that `steps` define, in this order. `what` names the values in an error.
 ///
 /// # Errors
-/// Errors of [`tape`].
+/// `Error::Request` if a value or a step contains a symbol that is neither an input nor defined by
+/// an earlier step.
 pub fn stepwise(
     arena: &Arena,
     inputs: &[Expr],
@@ -319,10 +340,12 @@ pub fn stepwise(
     })
 }
 
-/// Derives the equations of a model as terms, or reads its printed ones.
+/// Derives the equations of motion of a model by a formulation, or reads its printed equations, as
+/// terms.
 ///
 /// # Errors
-/// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived.
+/// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it
+/// cannot be derived; `Error::Request` if the publication has no such printed equations.
 pub fn derivation(model: &Mechanism, by: &EquationsOrigin) -> Result<Derivation, Error> {
     if let Some(formulation) = by.formulation() {
         return model.derive(formulation);
@@ -336,7 +359,8 @@ pub fn derivation(model: &Mechanism, by: &EquationsOrigin) -> Result<Derivation,
     Ok(Derivation { arena, equations: equations.ok_or_else(missing)? })
 }
 
-/// Finds the compiled equations of a model with exactly this text; `None` if the program has none.
+/// Finds the compiled equations of a model whose text has the same hash. `None` if the program
+/// contains none.
 #[must_use]
 pub fn compiled(model: &Mechanism) -> Option<&'static CompiledModel> {
     let hash = model.text_hash();

@@ -1,22 +1,23 @@
-//! Names by which a run asks for its equations of motion.
+//! Names by which the user of a run selects its equations of motion.
 
 use std::fmt;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::EquationsOrigin;
 
-/// Name of the equations of motion that a run asks for.
+/// Name by which the user of a run selects its equations of motion, such as `kane` or `printed:ID`.
 ///
-/// Every text is such a name, as only a model tells which printed equations there are. A name that no equations have is
-/// refused where it is looked up.
+/// Every text is accepted here, because only a model knows which printed equations exist. A name
+/// that no equations of the model have is refused later, when the equations are looked up.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum EquationsName {
-    /// Equations that the program derives with a formulation, such as `kane`.
+    /// Equations that the program derives by a formulation, such as `kane`.
     Derived(Formulation),
-    /// Equations of the publication beside the model, `printed:ID`, by their id.
+    /// Printed equations of the publication beside the model, named `printed:ID`; the value is their
+    /// id.
     Printed(String),
-    /// The reduced equations of a scene, `reduced`.
+    /// Reduced equations of the scene, named `reduced`.
     Reduced,
-    /// Another text. No equations have this name.
+    /// Any other text, which is the name of no equations.
     Unknown(String),
 }
 

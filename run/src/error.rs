@@ -1,4 +1,4 @@
-//! Errors of model files, scene files and requests.
+//! Errors of model files, scene files, and requests to models or scenes.
 
 use std::fmt;
 use tripos_derive::diagnostic::{Diagnostics, UnknownName};
@@ -6,36 +6,37 @@ use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::Scene;
 use tripos_sim::SimError;
 
-/// Error of a model, a scene or a request to them.
+/// Error of the library: a faulty file, an impossible request, or a run that stopped.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Error {
-    /// A file with errors, each with its line and column.
+    /// One file has errors. Each error has its line and column.
     Input(Diagnostics),
-    /// Several files with errors.
+    /// Several files have errors. Each error has its line and column.
     Inputs(Vec<Diagnostics>),
-    /// A formulation that the model does not have.
+    /// The model cannot be derived by the requested formulation, as the diagnostics say.
     Unsupported(Diagnostics),
-    /// A request that is not possible, with advice.
+    /// The request is impossible, such as an unknown name or a forbidden setting.
     Request {
-        /// Description of the mistake.
+        /// Description of the mistake in the request.
         what: String,
-        /// Advice on the remedy.
+        /// Advice on how to correct the request.
         help: String,
     },
-    /// A state or a run without a result, with the reason.
+    /// A computation or a run stopped without a result; the text gives the reason.
     Stopped(String),
     /// The caller asked to end the work early.
     Interrupted,
 }
 
 impl Error {
-    /// Creates an error for a request that is not possible, with advice.
+    /// Creates a `Error::Request` from the description of the mistake and the advice.
     pub fn request(what: impl Into<String>, help: impl Into<String>) -> Self {
         Self::Request { what: what.into(), help: help.into() }
     }
 
-    /// Message of the error, the first if there are several, and its advice; `None` without advice.
+    /// Returns the message of the first error and its advice. The advice is `None` if the error has
+    /// none.
     #[must_use]
     pub fn what_and_help(&self) -> (String, Option<String>) {
         let of_first = |list: &[Diagnostics]| {
@@ -57,7 +58,7 @@ impl Error {
         self.what_and_help().0.lines().next().unwrap_or_default().to_owned()
     }
 
-    /// Diagnostics of the files with errors; empty for an error of another kind.
+    /// Diagnostics of the files with errors, a file each; empty if the error is about no file.
     #[must_use]
     pub fn files(&self) -> &[Diagnostics] {
         match self {
@@ -91,7 +92,8 @@ impl From<Diagnostics> for Error {
     }
 }
 
-/// Error for a scene that the simulator refuses to run.
+/// Creates the error for a scene that the simulator refuses to run: the simulator's message, and
+/// advice to check the scene file.
 #[must_use]
 pub fn refused(scene: &Scene, error: &SimError) -> Error {
     Error::request(error.to_string(), format!("check {}", path_in_line(&scene.source.path)))

@@ -1,6 +1,7 @@
-//! Observers of long work, which see its progress and can end it.
+//! Observers of long computations, which see the progress of a computation and may end it early.
 //!
-//! Invariant: an observer changes no number. A run that was ended early has the same steps as a complete run.
+//! Invariant: an observer changes no number. A run that is ended early has taken the same steps as
+//! a complete run up to this instant.
 
 use crate::error::Error;
 use std::fmt;
@@ -8,38 +9,39 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use tripos_sim::{Options, Poll, Solution, Stop};
 
-/// Observer that may end long work between two steps. The default observes nothing.
+/// Observer of a long computation, which may end it between two steps. The default does nothing.
 #[derive(Clone, Default)]
 pub struct Follow(Option<Follower>);
 
-/// Functions that an observer calls during long work.
+/// Two functions of the user that a long computation calls.
 #[derive(Clone)]
 struct Follower {
-    /// Function that gets the time of each accepted step and decides if the run goes on.
+    /// Function that receives the time of each accepted step, s, and decides if the run continues.
     poll: Poll,
-    /// Function that returns true if all work is to end.
+    /// Function that returns true if the whole computation shall end.
     is_interrupted: Arc<dyn Fn() -> bool + Send + Sync>,
 }
 
 impl Follow {
-    /// Creates an observer. `poll` gets the time of each accepted step, s, and decides if the run goes on.
-    /// `is_interrupted` returns true if all work is to end.
+    /// Creates an observer. `poll` receives the time of each accepted step, s, and decides if the run
+    /// continues. `is_interrupted` returns true if the whole computation shall end.
     pub fn new(poll: Poll, is_interrupted: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Self(Some(Follower { poll, is_interrupted: Arc::new(is_interrupted) }))
     }
 
-    /// True if the observer asks to end the work.
+    /// True if the user asks to end the whole computation. Always false for the default observer.
     #[must_use]
     pub fn is_interrupted(&self) -> bool {
         self.0.as_ref().is_some_and(|follower| (follower.is_interrupted)())
     }
 
-    /// Result that breaks a loop if the observer asks to end the work.
+    /// Returns `Break` if the user asks to end the whole computation, and `Continue` otherwise.
     pub fn go_on(&self) -> ControlFlow<()> {
         if self.is_interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// Adds the observer to the options of a run.
+    /// Copies the integration options and puts the observer's function for accepted steps into the
+    /// copy.
     #[must_use]
     pub fn options(&self, options: &Options) -> Options {
         Options { poll: self.0.as_ref().map(|follower| follower.poll.clone()), ..options.clone() }
@@ -52,23 +54,24 @@ impl fmt::Debug for Follow {
     }
 }
 
-/// Returns the solution of a run that was not interrupted.
+/// Returns the solution of a run unchanged, if the run was not interrupted by its observer.
 ///
 /// # Errors
-/// [`Error::Interrupted`] if the run was interrupted.
+/// [`Error::Interrupted`] if the observer interrupted the run.
 pub fn uninterrupted(solution: Solution) -> Result<Solution, Error> {
     if solution.stop == Stop::Interrupted { Err(Error::Interrupted) } else { Ok(solution) }
 }
 
-/// Display for the progress of work in many parts. By default every method does nothing.
+/// Display of the progress of a computation that consists of many parts. By default every method
+/// does nothing.
 pub trait Progress {
-    /// Sets the number of parts of the work.
+    /// Sets the total number of parts of the computation.
     fn set_length(&self, _parts: u64) {}
-    /// Adds a number of finished parts.
+    /// Adds a number of finished parts to those already finished.
     fn inc(&self, _parts: u64) {}
-    /// Shows the name of the part that is being done.
+    /// Shows the name of the part that is being computed.
     fn set_message(&self, _what: &str) {}
 }
 
-/// A progress display that shows nothing.
+/// Progress display that shows nothing.
 impl Progress for () {}

@@ -1,7 +1,8 @@
-//! Derived equations as a [`System`] by interpretation, for models that are not compiled into the program.
+//! Derived equations as a [`System`] by interpretation of tapes, for models that are not compiled
+//! into the program.
 //!
-//! Invariant: the equations are compiled to tapes once. Another number type uses the same tapes, with their exact
-//! constants rounded anew.
+//! Invariant: the equations are compiled to tapes only once. Equations in another number type use
+//! the same tapes, with their exact constants rounded to that type.
 
 use crate::scratch_pool::ScratchPool;
 use tripos_codegen::taylor::{Tape as Series, recurrences_of};
@@ -14,10 +15,10 @@ use tripos_derive::mechanics::{Derivation, Divisors, Solved, Unsolved, energy_gr
 use tripos_derive::reduce::Reduction;
 use tripos_traits::{Lengths, System};
 
-/// Reason why equations cannot be interpreted.
+/// Reason why equations of motion cannot be interpreted.
 #[derive(Clone, Debug)]
 pub enum NotInterpreted {
-    /// An equation mentions a symbol that has no value during a run.
+    /// An equation contains a symbol that has no value during a run.
     Unknown(UnknownSymbol),
     /// The equations could not be solved for the accelerations v̇.
     Unsolved(Unsolved),
@@ -35,68 +36,90 @@ impl From<Unsolved> for NotInterpreted {
     }
 }
 
-/// Parts of the equations, each computed by a tape of its own.
+/// Quantities of a set of equations, each computed by a tape (a list of arithmetic instructions) of
+/// its own.
 #[derive(Clone, Copy)]
 enum Part {
+    /// Rates q̇ of the generalized coordinates, n values.
     CoordinateRates,
+    /// Matrix A of the linear system A x = b for v̇ and the reactions, row by row.
     MassMatrix,
+    /// Right-hand side b of the linear system A x = b for v̇ and the reactions.
     Forcing,
+    /// Accelerations v̇, solved for symbolically.
     Accelerations,
-    /// Rates q̇ of coordinates and v̇ of motion variables together.
+    /// Rates q̇ of the coordinates, followed by the rates v̇ of the motion variables.
     Derivative,
+    /// Jacobian ∂(q̇, v̇)/∂(q, v) row by row, or its product with a direction.
     Jacobian,
-    /// Outputs of a scene, in parameters, time, coordinates and motion variables.
+    /// Outputs of a scene, from parameters, time, coordinates and motion variables.
     Outputs,
-    /// Energy T + V and its derivatives with respect to the state, for a scene that has an energy.
+    /// Energy T + V, followed by its derivatives with respect to the state (q, v). Only scenes with an
+    /// energy have it.
     EnergyGradient,
-    /// Angles z of the quotients sin z/z in the slope of the potential energy.
+    /// Angles z whose quotients sin z/z occur in the slope of the potential energy.
     SlopeAngles,
-    /// Slope of the potential energy between two values of the coordinate, from these values and the quotients sin z/z.
+    /// Divided difference of the potential energy between two values of the coordinate, from these and
+    /// the sin z/z.
     Slope,
+    /// Generalized speeds u of the model, from the state (q, v).
     GeneralizedSpeeds,
+    /// Rates u̇ of the generalized speeds of the model, from (q, v) and v̇.
     GeneralizedSpeedRates,
+    /// Motion variables v, from coordinates and generalized speeds.
     MotionVariables,
-    /// Divisors of the equations that may be zero somewhere.
+    /// Divisors of the equations that can be zero in a permitted state.
     Divisors,
-    /// Functions that are zero where the constraints hold.
+    /// Constraint functions, which are zero where the constraints hold.
     Constraints,
-    /// Derivatives of the functions of the constraints with respect to the state.
+    /// Derivatives of the constraint functions with respect to the state (q, v), row by row.
     ConstraintSlopes,
+    /// Kinetic energy T, J.
     KineticEnergy,
+    /// Potential energy V, J.
     PotentialEnergy,
+    /// Power of the loads that have no potential, W.
     Power,
 }
 
-/// Equations of one formulation as tapes for interpretation; threads may share them.
+/// Equations of motion by one formulation, as tapes for interpretation in the number type `S`.
+/// Threads may share them.
 pub struct Interpreted<S = f64> {
+    /// Numbers of parameters, coordinates, motion variables, speeds and reactions.
     lengths: Lengths,
-    /// Parameters, coordinates and motion variables, which most tapes read.
+    /// Symbols of the parameters, coordinates and motion variables, in this order: the inputs of most
+    /// tapes.
     state: Vec<Expr>,
+    /// True if the mass matrix is symmetric and, away from singular configurations, positive definite.
     symmetric: bool,
-    /// Tapes of the parts, indexed by [`Part`]; `None` for a part that the equations do not have. Printed equations are
-    /// run as they stand, without accelerations. Outputs belong to a scene.
+    /// Tapes of the quantities, indexed by [`Part`]. `None` for a quantity that is absent:
+    /// accelerations of printed equations, for example, or outputs without a scene.
     tapes: [Option<Tape<S>>; Part::Power as usize + 1],
-    /// Recurrences of the Taylor coefficients; `None` if the equations have none.
+    /// Recurrences of the Taylor coefficients of the motion; `None` if the equations have none.
     series: Option<Series<S>>,
-    /// Period, in the first coordinate, of the functions that quadrature needs; `None` if they have no period.
+    /// Period of the integrands of quadrature in the first coordinate, in its unit; `None` if they have
+    /// none.
     coordinate_period: Option<f64>,
-    /// True if the tape of the Jacobian gives its product with a direction.
+    /// True if the tape of the Jacobian computes its product with a direction; false if it computes all
+    /// entries.
     is_product: bool,
-    /// Names of the divisors that a run watches.
+    /// Names for people of the divisors whose sign a run watches.
     divisors: Vec<String>,
-    /// Names of the constraints onto which a run is kept.
+    /// Names of the constraints that a run corrects after each step.
     constraints: Vec<String>,
-    /// Buffers for the joined inputs of a tape and for its intermediate values.
+    /// Reusable buffers: the joined inputs of a tape, and its intermediate values.
     work: ScratchPool<(Vec<S>, Vec<S>)>,
-    /// Buffer for the rates q̇ and v̇ together.
+    /// Reusable buffer for q̇ and v̇ together, as long as the state.
     both: ScratchPool<Vec<S>>,
 }
 
 impl Interpreted {
-    /// Compiles the derived equations of a model to tapes, without eliminated accelerations.
+    /// Compiles the derived equations of a model to tapes. Accelerations are not solved for: see
+    /// `Interpreted::solved`.
     ///
     /// # Errors
-    /// [`UnknownSymbol`] if an equation has a symbol that is not among its inputs. Derived equations never do.
+    /// [`UnknownSymbol`] if an equation contains a symbol without a value during a run. Derived
+    /// equations never do.
     pub fn new(model: &Model, derivation: &Derivation) -> Result<Self, UnknownSymbol> {
         let Derivation { arena, equations: e } = derivation;
         let (p, q) = (model.p(), e.coordinates.clone());
@@ -149,11 +172,12 @@ impl Interpreted {
         })
     }
 
-    /// Adds the eliminated accelerations, their Jacobian and, if possible, the recurrences of Taylor coefficients.
+    /// Solves the equations symbolically for the accelerations v̇. Adds the tapes of v̇ and its
+    /// Jacobian and, if possible, the recurrences of Taylor coefficients.
     ///
     /// # Errors
-    /// [`NotInterpreted`] if v̇ is not determined in any configuration, is not proved, or has a step with an undefined
-    /// symbol.
+    /// [`NotInterpreted`] if v̇ is undetermined in every configuration, if the proof of the solution
+    /// fails, or if a step contains an undefined symbol.
     pub fn solved(mut self, derivation: &Derivation) -> Result<Self, NotInterpreted> {
         let Derivation { mut arena, equations: e } = derivation.clone();
         let Solved { accelerations, jacobian, .. } = Solved::new(&mut arena, &e)?;
@@ -175,11 +199,11 @@ impl Interpreted {
         Ok(self)
     }
 
-    /// Adds the outputs of the scene to which these equations belong, and its energy and potential slope if it has
-    /// them.
+    /// Adds the outputs of the reduction to which these equations belong. Adds also the gradient of its
+    /// energy and the slope of its potential energy, if the reduction has them.
     ///
     /// # Errors
-    /// [`UnknownSymbol`] if an output has an undefined symbol. Outputs of a reduction never do.
+    /// [`UnknownSymbol`] if an output contains an undefined symbol. Outputs of a reduction never do.
     pub fn showing(mut self, reduction: &Reduction) -> Result<Self, UnknownSymbol> {
         let values: Vec<Expr> = reduction.outputs.iter().map(|o| o.value).collect();
         let (p, state) = self.state.split_at(self.lengths.parameters);
@@ -209,7 +233,7 @@ impl Interpreted {
         Ok(self)
     }
 
-    /// Converts the equations to another number type.
+    /// Converts the equations to another number type `S`. Exact constants are rounded anew.
     #[must_use]
     pub fn to<S: Numeric>(&self) -> Interpreted<S> {
         Interpreted {
@@ -229,24 +253,27 @@ impl Interpreted {
 }
 
 impl<S: Numeric> Interpreted<S> {
-    /// True if the equations have this part.
+    /// True if the equations have a tape for this quantity.
     fn has(&self, part: Part) -> bool {
         self.tapes[part as usize].is_some()
     }
 
-    /// Tape of q̇ and v̇, and tape of the constraints onto which a run is kept. Both read parameters, coordinates and
-    /// motion variables.
+    /// Returns the tape of q̇ and v̇, and the tape of the constraint functions that a run keeps at
+    /// zero. Both read parameters, coordinates and motion variables. `None` for a tape that the
+    /// equations do not have.
     pub fn rates_and_constraints(&self) -> (Option<&Tape<S>>, Option<&Tape<S>>) {
         (self.tapes[Part::Derivative as usize].as_ref(), self.tapes[Part::Constraints as usize].as_ref())
     }
 
-    /// Tapes of the kinetic energy and of the motion variables. The first reads parameters, coordinates and motion
-    /// variables, the second parameters, coordinates and speeds.
+    /// Returns the tape of the kinetic energy, which reads parameters, coordinates and motion
+    /// variables. The second tape gives the motion variables v from parameters, coordinates and
+    /// generalized speeds. `None` for a missing tape.
     pub fn energy_and_motions(&self) -> (Option<&Tape<S>>, Option<&Tape<S>>) {
         (self.tapes[Part::KineticEnergy as usize].as_ref(), self.tapes[Part::MotionVariables as usize].as_ref())
     }
 
-    /// Computes the values of a part; NaN if these equations do not have it.
+    /// Evaluates the tape of a quantity on the joined inputs and writes its values to `out`. All are
+    /// NaN if the equations have no such tape.
     fn run(&self, part: Part, inputs: &[&[S]], out: &mut [S]) {
         let Some(tape) = &self.tapes[part as usize] else { return out.fill(S::from_f64(f64::NAN)) };
         self.work.with(|(joined, scratch)| {
@@ -258,14 +285,15 @@ impl<S: Numeric> Interpreted<S> {
         });
     }
 
-    /// Computes the value of a part that has only one value.
+    /// Evaluates the tape of a quantity that has only one value; NaN if the equations have no such
+    /// tape.
     fn value(&self, part: Part, inputs: &[&[S]]) -> S {
         let mut out = [S::int(0)];
         self.run(part, inputs, &mut out);
         out[0]
     }
 
-    /// Number of values that a part has; 0 if the equations do not have the part.
+    /// Number of values that the tape of a quantity gives; 0 if the equations have no such tape.
     fn count(&self, part: Part) -> usize {
         self.tapes[part as usize].as_ref().map_or(0, Tape::outputs)
     }

@@ -1,4 +1,5 @@
-//! Mechanisms and their scenes, prepared and run: the functions of the `tripos` command, for programs.
+//! Mechanisms and their scenes, prepared and run. The library offers the functions of the `tripos`
+//! command to programs.
 //!
 //! ```
 //! use tripos::{Overrides, Scene};
@@ -14,9 +15,10 @@
 //! # Ok::<(), tripos::Error>(())
 //! ```
 //!
-//! A program begins with [`Scene`] and [`Mechanism`]. The modules contain the parts of both, for more special needs.
-//! The library never prints, ends the process, or knows a command line. A scene runs by compiled equations if the
-//! program contains them ([`Scene::with`]). Otherwise the equations are interpreted, with the same results to rounding.
+//! A program begins with [`Scene`] and [`Mechanism`]. The modules contain the parts of both, for
+//! special needs. The library never prints, never ends the process, and knows no command line. A
+//! scene runs by compiled equations if the program contains them ([`Scene::with`]). Otherwise the
+//! equations are interpreted; the results agree to rounding.
 
 // The examples of the README are tested too.
 #![cfg_attr(doctest, doc = include_str!("../README.md"))]

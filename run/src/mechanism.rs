@@ -1,4 +1,4 @@
-//! Model together with its compiled equations.
+//! A model together with the compiled equations of the program and an observer.
 
 use crate::error::Error;
 use crate::follow::Follow;
@@ -12,17 +12,17 @@ use tripos_derive::prove::{Proof, prove};
 use tripos_derive::{Formulation, Model, derive};
 use tripos_traits::CompiledModel;
 
-/// Model with the compiled equations that the program contains, and the observer of long work.
+/// Model, the compiled equations that the program contains, and an observer of long computations.
 ///
 /// Compiled equations run if they were generated from exactly the model's text. Otherwise the equations are
 /// interpreted.
 #[derive(Clone)]
 pub struct Mechanism {
-    /// The model that the mechanism is derived from.
+    /// The checked model, as its file describes it.
     pub model: Model,
-    /// Compiled equations of the program, of this model or of others.
+    /// All compiled equations of the program, of this model or of others; empty if none were added.
     pub compiled: &'static [CompiledModel],
-    /// Observer that may end long work early.
+    /// Observer that may end long computations early.
     pub follow: Follow,
 }
 
@@ -42,13 +42,13 @@ impl Mechanism {
         Ok(Self::new(tripos_derive::model::load(&Source::read(path)?)?))
     }
 
-    /// Adds the equations that were compiled into a program; they replace those added before.
+    /// Sets the list of equations that were compiled into the program, in place of the present list.
     #[must_use]
     pub fn with(self, compiled: &'static [CompiledModel]) -> Self {
         Self { compiled, ..self }
     }
 
-    /// Adds an observer that may end long work early.
+    /// Sets the observer that may end long computations early, in place of the present observer.
     #[must_use]
     pub fn followed(self, follow: Follow) -> Self {
         Self { follow, ..self }
@@ -67,7 +67,8 @@ impl Mechanism {
         })
     }
 
-    /// Proves all that can be proved: the equivalence of the formulations, and the quantities that motions conserve.
+    /// Proves the equivalence of the model's formulations, and the quantities that its motions
+    /// conserve.
     ///
     /// # Errors
     /// [`Error::Input`] if the model cannot be derived.
@@ -76,7 +77,10 @@ impl Mechanism {
         Ok(prove(&self.model, &mut derivations))
     }
 
-    /// Refuses a model without generalized speeds for a task that needs them.
+    /// Returns `Ok` if the model has a generalized speed. `what` names the task in the error.
+    ///
+    /// # Errors
+    /// `Error::Request` if the constraints leave no generalized speed, so that the task has no sense.
     pub(crate) fn has_speeds(&self, what: &str) -> Result<(), Error> {
         if !self.model.speeds.is_empty() {
             return Ok(());
@@ -85,8 +89,9 @@ impl Mechanism {
         Err(Error::request(format!("the constraints leave no speed: {what}"), help))
     }
 
-    /// Writes the equations as a Rust module with the given name. Returns the text of each file of the module. An empty
-    /// list of formulations means all that the model supports. `extras` asks for the Jacobian and the recurrences.
+    /// Writes the equations of motion as a Rust module named `module`, and returns the text of each of
+    /// its files. An empty list of formulations selects all that the model supports. `extras` asks for
+    /// the Jacobian and the recurrences.
     ///
     /// # Errors
     /// [`Error::Input`] if the model cannot be derived, or lacks a named formulation.

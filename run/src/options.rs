@@ -1,15 +1,17 @@
-//! Integration options for the simulator, made from a scene.
+//! Integration options of the simulator, made from the settings of a scene.
 
 use tripos_derive::scene::{Integrator, Project, Scene};
 use tripos_sim::{Method, Options, Output};
 use tripos_traits::AbsoluteTolerance;
 
-/// Makes the integration options of a scene, with the instants of its samples.
+/// Makes the integration options of a scene: method, tolerances, steps, and the instants at which
+/// samples are kept.
 pub fn options(scene: &Scene) -> Options {
     Options { output: output(scene), ..options_of_ends(scene) }
 }
 
-/// Makes the integration options of a scene for the same steps, with only the ends of its runs kept.
+/// Makes the integration options of a scene that keep only the two ends of a run. The steps are
+/// those of `options`.
 pub fn options_of_ends(scene: &Scene) -> Options {
     let how = &scene.integration;
     Options {
@@ -45,7 +47,8 @@ pub fn method_words(scene: &Scene) -> String {
     format!("{} with {steps}{longest}{projected}{distance}", how.method)
 }
 
-/// Instants at which a run of the scene keeps samples.
+/// Selects the instants at which a run of the scene keeps samples. By default, these are four in
+/// each step; otherwise they are the scene's number of instants at equal distances, s.
 fn output(scene: &Scene) -> Output {
     match scene.integration.samples {
         None => Output::Steps { refine: 4 },

@@ -1,38 +1,42 @@
-//! Settings for a run that replace those of the scene, without another scene file.
+//! Settings for one run that replace those of its scene file.
 
 use crate::equations_name::EquationsName;
 use crate::error::Error;
 use tripos_derive::scene::{Integrator, Project, Scene, Solve};
 
-/// Settings that override the scene's integration settings. `None` keeps the scene's value.
+/// Settings of one run that replace the integration settings of its scene. `None` keeps the scene's
+/// value.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overrides {
-    /// Name of the equations that run, made from a text: `kane`, `lagrange`, `newton-euler` or `printed:ID`. `None` or
-    /// `reduced` means the scene's reduced equations.
+    /// Name of the equations of motion to run: `kane`, `lagrange`, `newton-euler` or `printed:ID`.
+    /// `None` or `reduced` means the scene's reduced equations.
     pub by: Option<EquationsName>,
-    /// Integrator of the run.
+    /// Numerical method of integration: a stepping method, or quadrature.
     pub method: Option<Integrator>,
-    /// Invariant onto which the state is projected after each step.
+    /// Integral onto which the state is projected after each step, such as the energy.
     pub project: Option<Project>,
-    /// Method by which accelerations are found.
+    /// Method that finds the accelerations: eliminated beforehand, or solved for numerically in each
+    /// step.
     pub solve: Option<Solve>,
-    /// Length of every step, s.
+    /// Constant length of every step, s; error control is then off.
     pub step: Option<f64>,
     /// Longest step that error control may choose, s.
     pub max_step: Option<f64>,
-    /// Relative tolerance of each step.
+    /// Relative tolerance of the error of each step, without unit.
     pub rtol: Option<f64>,
-    /// Absolute tolerance of every component of the state.
+    /// Absolute tolerance of the error of each step, for every component of the state in its own unit.
     pub atol: Option<f64>,
-    /// Last instant of the run, s; the run goes backwards if it is before the first instant.
+    /// Last instant of the run, s. The run goes backwards in time if it is before the scene's first
+    /// instant.
     pub until: Option<f64>,
 }
 
 impl Overrides {
-    /// Replaces values of the scene by those overrides that are not `None`.
+    /// Replaces settings of the scene by all overrides that are not `None`.
     ///
     /// # Errors
-    /// [`Error::Request`] for numbers with which no run is possible, and for settings that exclude one another.
+    /// [`Error::Request`] for steps, tolerances or an end with which no run is possible, and for
+    /// settings that exclude one another. The scene may then be partly changed.
     pub fn change(&self, scene: &mut Scene) -> Result<(), Error> {
         let how = &mut scene.integration;
         how.method = self.method.unwrap_or(how.method);

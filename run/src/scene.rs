@@ -1,4 +1,4 @@
-//! Scene with its mechanism, read and run: the starting point of a program.
+//! A scene with its mechanism, read from files and run: the starting point of most programs.
 
 use crate::error::Error;
 use crate::follow::Follow;
@@ -20,15 +20,17 @@ use tripos_derive::scene::model_path;
 use tripos_derive::scene::{self as description, Family, Grid, load_bound};
 use tripos_traits::CompiledModel;
 
-/// Scene that was read from a file, together with its mechanism.
+/// Scene (parameters, start and span of a run) that was read from a file, together with its
+/// mechanism.
 #[derive(Clone)]
 pub struct Scene {
+    /// Model of the scene, with compiled equations and an observer.
     mechanism: Mechanism,
-    /// Description of the scene as its file gives it.
+    /// Description of the scene exactly as its file gives it.
     file: description::Scene,
-    /// Description of the scene with the values that were set by [`Scene::set`].
+    /// Description of the scene after all changes by [`Scene::set`].
     current: description::Scene,
-    /// Names and values that were set by [`Scene::set`].
+    /// Names of the numbers that [`Scene::set`] changed, with their new values.
     set: Vec<(String, f64)>,
 }
 
@@ -52,40 +54,43 @@ impl Scene {
         Self::load(mechanism, &Source::from_text("scene", text))
     }
 
+    /// Reads the text of a scene file and puts the scene's formulas of inputs into the mechanism's
+    /// model.
     fn load(mut mechanism: Mechanism, source: &Source) -> Result<Self, Error> {
         let file = load_bound(source, &mut mechanism)?;
         Ok(Self { mechanism, current: file.clone(), file, set: Vec::new() })
     }
 
-    /// Adds equations that were compiled into a program, such as `tripos_models::MODELS`. Without them the equations of
-    /// every model are interpreted.
+    /// Adds equations of motion that were compiled into the program, such as `tripos_models::MODELS`.
+    /// Without them, the equations of every model are interpreted.
     #[must_use]
     pub fn with(mut self, compiled: &'static [CompiledModel]) -> Self {
         self.mechanism.compiled = compiled;
         self
     }
 
-    /// Adds an observer that may end long runs early.
+    /// Adds an observer that may end long computations early.
     #[must_use]
     pub fn followed(mut self, follow: Follow) -> Self {
         self.mechanism.follow = follow;
         self
     }
 
-    /// Mechanism of the scene: the model with its compiled equations.
+    /// Mechanism of the scene: its model, with compiled equations and an observer.
     #[must_use]
     pub fn mechanism(&self) -> &Mechanism {
         &self.mechanism
     }
 
-    /// Description of the scene, with the values that were set.
+    /// Description of the scene, with the values that `Scene::set` changed.
     #[must_use]
     pub fn description(&self) -> &description::Scene {
         &self.current
     }
 
-    /// Sets a parameter, or a number of the start, to another value, in the unit of the model file. Numbers that the
-    /// scene computes from this number change too.
+    /// Sets a parameter, or a number of the start, to another value, in the unit of the model file.
+    /// Numbers that the scene computes from this number change too. After an error the scene is
+    /// unchanged.
     ///
     /// # Errors
     /// [`Error::Inputs`] if the scene has no number of this name; [`Error::Input`] if the number cannot have this
@@ -100,7 +105,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Proves all that can be proved of the model: the equivalence of its formulations, and the quantities that motions
+    /// Proves the equivalence of the model's formulations, and the quantities that its motions
     /// conserve.
     ///
     /// # Errors
@@ -109,7 +114,8 @@ impl Scene {
         self.mechanism.prove()
     }
 
-    /// Derives the smallest equations that give the outputs of the scene, and the constants of its motion.
+    /// Derives the smallest set of equations that gives the outputs of the scene, and the constants of
+    /// its motion.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived, or does not determine an output of the scene.
@@ -117,8 +123,8 @@ impl Scene {
         Reduced::new(&self.mechanism, &self.current)
     }
 
-    /// Computes the states at the given instants, s, in the order of the run, to some twenty digits, with their
-    /// uncertainty.
+    /// Computes reference states at the given instants to about twenty digits, with their uncertainty.
+    /// The instants are in seconds and in the order in which the run passes them.
     ///
     /// # Errors
     /// [`Error`] if a run does not reach the last instant.
@@ -129,15 +135,17 @@ impl Scene {
     /// Runs the scene by its own reduced equations, unless `how` names other equations or asks for a numeric solve.
     ///
     /// # Errors
-    /// [`Error`] if the scene cannot be run. A run that began and could not go on is a [`Run`] that says so.
+    /// [`Error`] if the scene cannot be run. A run that began and stopped early is a [`Run`] that says
+    /// why.
     pub fn simulate(&self, how: &Overrides) -> Result<Run, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
         simulate(&self.mechanism, &scene, how.by.as_ref())
     }
 
-    /// Runs the scene by full equations. Returns the derivatives of its shown quantities with respect to the named
-    /// parameters and numbers of the start.
+    /// Runs the scene by full (not reduced) equations. Returns the derivatives of its shown quantities,
+    /// at the instants that `at` selects, with respect to the named parameters and numbers of the
+    /// start.
     ///
     /// ```
     /// # use tripos::{At, Overrides, Scene};
@@ -148,7 +156,8 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// Errors of [`crate::sensitivities`].
+    /// `Error::Input` for a name that the scene does not have. `Error::Request` if the equations, the
+    /// integrator or a number cannot be differentiated. Otherwise `Error` if the scene cannot be run.
     pub fn sensitivities(&self, names: &[&str], at: At, how: &Overrides) -> Result<Sensitivities, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
@@ -156,8 +165,9 @@ impl Scene {
         sensitivities(&self.mechanism, &scene, &self.set, &names, at, how.by.as_ref())
     }
 
-    /// Runs the scene by full equations. Returns the derivatives of one number at its end with respect to all its
-    /// parameters and all numbers of its start. Their count adds no cost: one backward sweep computes all.
+    /// Runs the scene by full (not reduced) equations. Returns the derivatives of the quantity named
+    /// `of` at the end of the run by all parameters and all numbers of the start. A single backward
+    /// sweep computes all derivatives.
     ///
     /// ```
     /// # use tripos::{Overrides, Scene};
@@ -170,28 +180,32 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// Errors of [`crate::gradient`].
+    /// `Error::Request` if the scene shows no quantity named `of`, or its equations cannot be
+    /// differentiated. Otherwise `Error` if the scene cannot be run.
     pub fn gradient(&self, of: &str, how: &Overrides) -> Result<Gradient, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
         gradient(&self.mechanism, &scene, &self.set, of, how.by.as_ref())
     }
 
-    /// Runs the scene with recorded signals for a part of its inputs, each held from one instant to the next.
+    /// Runs the scene with recorded signals for some of its inputs. Each value is held until the next
+    /// instant of its signal.
     ///
     /// # Errors
-    /// Errors of [`Scene::simulate_sampled`]; [`Error::Request`] for a signal without as many values as instants.
+    /// [`Error::Request`] for a signal without as many values as instants. Otherwise errors of
+    /// [`Scene::simulate_sampled`], as for unknown inputs.
     pub fn simulate_held(&self, signals: &[Held<'_>], how: &Overrides) -> Result<SampledRun, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
         sampled::simulate_held(&self.mechanism, &scene, signals, how.by.as_ref())
     }
 
-    /// Runs the scene with inputs that a controller sets at the given instants, s, from the state at each. The inputs
-    /// are held until the next instant (zero-order hold). Before the first instant they have the values of the scene.
+    /// Runs the scene with inputs that a controller sets at the given instants, s, from the state at
+    /// each instant. The inputs are held until the next instant (zero-order hold). Before the first
+    /// instant they have the scene's values.
     ///
-    /// Full equations are run, and a step ends at each instant. A second run gives the errors. Each of the two runs
-    /// has a new controller, which may keep data between instants:
+    /// Full (not reduced) equations are run, and a step ends at each instant. A second run gives the
+    /// errors. Each run has a new controller, which may keep data between instants:
     ///
     /// ```
     /// # use tripos::{Mechanism, Overrides, Sample, Scene};

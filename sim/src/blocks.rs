@@ -1,47 +1,54 @@
-//! Vectors of the state in blocks of a fixed width, padded with zeros.
+//! State vectors in blocks of a fixed number of components, padded with zeros.
 //!
-//! Why: a loop over the lanes of a block has a known length and no bounds to check, so it becomes vector
-//! instructions; and the stages of one block lie side by side.
+//! A loop over the components of a block has a known length and no bounds to check. The compiler turns
+//! it into vector instructions, and the stages of a block lie next to one another in memory.
 
 use tripos_traits::Real;
 
-/// Width of a block: the number of doubles in a register that every x86-64 and ARM processor has.
+/// Number of components in a block: the doubles in a register that every x86-64 and ARM processor has.
 pub(crate) const LANES: usize = 2;
 
-/// Block of neighbouring components of a vector.
+/// Block of `LANES` neighbouring components of a state vector.
 pub(crate) type Block<S> = [S; LANES];
 
-/// A vector of n components in blocks.
+/// Vector of n components, stored in blocks; the last block is padded with zeros.
 #[derive(Clone, Debug)]
 pub(crate) struct Blocks<S> {
+    /// Blocks of the vector, in order.
     pub(crate) blocks: Vec<Block<S>>,
+    /// Number of components of the vector, without padding.
     n: usize,
 }
 
 impl<S: Real> Blocks<S> {
+    /// Creates a vector of `n` zeros.
     pub(crate) fn zeros(n: usize) -> Self {
         Self { blocks: vec![[S::from_f64(0.0); LANES]; n.div_ceil(LANES)], n }
     }
 
+    /// Returns the n components of the vector, without padding.
     pub(crate) fn components(&self) -> &[S] {
         &self.blocks.as_flattened()[..self.n]
     }
 
+    /// Returns the n components of the vector, without padding, for writing.
     pub(crate) fn components_mut(&mut self) -> &mut [S] {
         &mut self.blocks.as_flattened_mut()[..self.n]
     }
 }
 
-/// Detector of numbers that are not finite, with two operations for each number.
+/// Test that many numbers are finite, at the cost of two operations for each. It holds sums of x − x,
+/// which are 0 for finite numbers.
 #[derive(Clone, Copy)]
 pub(crate) struct Finite(Block<f64>);
 
 impl Finite {
+    /// Creates a test for finite numbers that has examined no number yet.
     pub(crate) const fn new() -> Self {
         Self([0.0; LANES])
     }
 
-    /// Takes note of the numbers of a block.
+    /// Examines the numbers of a block; the result of all blocks is read with `all`.
     #[inline]
     pub(crate) fn note<S: Real>(&mut self, block: &Block<S>) {
         // x − x is 0, or not a number if x is infinite or not a number.
@@ -51,7 +58,7 @@ impl Finite {
         }
     }
 
-    /// True if every number noted so far is finite.
+    /// True if every number examined so far is finite.
     #[inline]
     pub(crate) fn all(self) -> bool {
         !self.0.into_iter().sum::<f64>().is_nan()

@@ -9,69 +9,70 @@ use std::fmt;
 /// Reason why a run cannot start. Nothing was integrated.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SimError {
-    /// A slice has the wrong length.
+    /// A list, such as the initial state or the parameters, has the wrong length.
     Length {
-        /// Content of the slice, in words.
+        /// Content of the list in words, such as "absolute tolerances".
         what: &'static str,
-        /// Length that the slice must have.
+        /// Number of entries that the list must have.
         expected: usize,
-        /// Length that the slice has.
+        /// Number of entries that the list has.
         found: usize,
     },
-    /// A number is not finite, though it must be.
+    /// A start, a time or another number of the question is infinite or not a number.
     NotFinite {
-        /// Name of the number.
+        /// Name of the number that is not finite.
         what: String,
     },
-    /// The run would end at the time at which it starts.
+    /// The span of the run is empty: the run would end at the time at which it starts.
     EmptySpan {
-        /// Time of the start and of the end, s.
+        /// Time at which the run would both start and end, s.
         t: f64,
     },
     /// A tolerance is negative, not a number, or leaves a component without any tolerance.
     Tolerance {
-        /// Description of the mistake, for people.
+        /// Description of the wrong tolerance in words, as a whole message.
         what: String,
     },
     /// An option of the run has a value outside its range.
     Option {
-        /// Name of the option.
+        /// Name of the option whose value is outside its range.
         name: &'static str,
-        /// Condition that the value must meet, in words.
+        /// Condition that the value of the option must meet, in words.
         must: &'static str,
     },
-    /// A method without an error estimate has no fixed step.
+    /// The options give no fixed step, but the method estimates no error and cannot choose its steps.
     NoStep {
-        /// Name of the method.
+        /// Name of the integration method that cannot be used.
         method: &'static str,
     },
-    /// A method that needs ∂f/∂y cannot run a right-hand side without it.
+    /// The method needs the Jacobian ∂f/∂y, and the right-hand side does not provide it.
     NoJacobian {
-        /// Name of the method.
+        /// Name of the integration method that cannot be used.
         method: &'static str,
     },
-    /// A trajectory of a batch cannot be run.
+    /// A trajectory of a batch, which is a set of runs made together, cannot be run.
     Trajectory {
-        /// Position of the trajectory in the batch, from 0.
+        /// Index of the trajectory in the batch, from 0.
         index: usize,
-        /// Error of this trajectory.
+        /// Reason why this trajectory cannot be run.
         error: Box<SimError>,
     },
-    /// A method that needs Taylor coefficients cannot run a right-hand side without them.
+    /// The method needs Taylor coefficients of the solution, and the right-hand side does not provide them.
     NoSeries {
-        /// Name of the method.
+        /// Name of the integration method that cannot be used.
         method: &'static str,
     },
-    /// The method of a batch does not run in lanes, or not with these equations.
+    /// The method of a batch cannot integrate several trajectories in the lanes of vector registers, or not
+    /// these equations.
     NoLanes {
-        /// Name of the method.
+        /// Name of the integration method that cannot be used.
         method: &'static str,
     },
-    /// An output time lies outside the span or before its predecessor.
+    /// A wanted output time lies outside the span, or before the output time that precedes it in the list.
     OutputTime {
-        /// Position of the output time in the list, from 0.
+        /// Position of the output time in the list of output times, from 0.
         index: usize,
-        /// Output time, s.
+        /// Output time that is outside the span or out of order, s.
         t: f64,
     },
 }
@@ -118,12 +119,12 @@ impl fmt::Display for SimError {
 
 impl std::error::Error for SimError {}
 
-/// Reason why a right-hand side has no value at some state.
+/// Reason why a right-hand side or an event function has no value at a state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Failure {
-    /// A short stable word for programs, such as `"singular"`.
+    /// Short stable word that names the kind of failure for programs, such as `"singular"`.
     pub code: &'static str,
-    /// A sentence for people: the value that does not exist, and the place where it was needed.
+    /// Sentence for people: the value that does not exist, and the place where it was needed.
     pub message: String,
 }
 

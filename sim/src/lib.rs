@@ -36,7 +36,7 @@
 //! equations by the trait [`tripos_traits::System`] ([`Dynamics`] joins one to the integrator) or
 //! as a closure.
 
-// The examples of the README are tested too.
+// The examples of `README.md` are tested as doc tests, too.
 #![cfg_attr(doctest, doc = include_str!("../README.md"))]
 #![cfg_attr(test, allow(clippy::float_cmp, reason = "exact answers are compared exactly"))]
 

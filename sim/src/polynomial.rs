@@ -1,35 +1,42 @@
-//! Solution inside a step as one polynomial for each component, and its ranges over parts of the step.
+//! Dense output of a step as a polynomial for each component of the state, with guaranteed ranges over
+//! parts of the step.
 
 use tripos_traits::{Enclosure, Interval};
 
 use crate::stepper::DenseStep;
 
-/// Polynomials of one step, for the components of the state that event functions need.
+/// Polynomials of the solution inside a step, for the components of the state that event functions
+/// need.
 ///
-/// Invariant: `rows` holds, power by power, the coefficients of the powers of τ = 2θ − 1 for each of `components`; |τ|
-/// ≤ 1 inside the step. The polynomials differ from those of the dense output by rounding, which `margins` bound.
+/// They are in τ = 2θ − 1 with the fraction θ of the step, so that |τ| ≤ 1 inside it. They differ from
+/// the dense output only by rounding, which `margins` bound.
 #[derive(Debug, Default)]
 pub(crate) struct Polynomial {
-    /// Indices of the components of the state, in order; `length` is the length of the state.
+    /// Indices in the state of the components that have a polynomial, in ascending order.
     components: Vec<usize>,
+    /// Number of components of the state.
     length: usize,
+    /// Coefficients of the powers of τ: row k has those of τᵏ, an entry for each of `components`.
     rows: Vec<f64>,
-    /// Bounds of the rounding error of the value, and of the slope by θ, of each component.
+    /// Bounds of the rounding errors of each component's value and of its derivative by the fraction θ of
+    /// the step.
     margins: Vec<[f64; 2]>,
-    /// Start and end of the step, s.
+    /// Start and end time of the step, s.
     times: (f64, f64),
-    /// Space for the coefficients of all components; `shifted` is space for coefficients about another middle.
+    /// Working space for the coefficients of all components of the state.
     all: Vec<f64>,
+    /// Working space for the coefficients of `rows` about the middle of a part of the step.
     shifted: Vec<f64>,
 }
 
 impl Polynomial {
-    /// Creates the polynomials of these components, for a state of this length.
+    /// Creates polynomials for the components with these indices, of a state with `length` components. They
+    /// have no coefficients yet.
     pub(crate) fn new(components: Vec<usize>, length: usize) -> Self {
         Self { components, length, ..Self::default() }
     }
 
-    /// Copies the polynomials of a step; false if its solution is no polynomial.
+    /// Copies the dense output of a step. False if the solution inside the step is no polynomial.
     pub(crate) fn take(&mut self, step: &dyn DenseStep) -> bool {
         let Some(degree) = step.degree() else { return false };
         self.times = step.times();
@@ -52,15 +59,16 @@ impl Polynomial {
         true
     }
 
-    /// Range of the time over a part of the step, s, with the fraction of the step as the argument of its slope.
+    /// Range of the time, s, over the part of the step between the fractions `from` and `to`. The slope of
+    /// the result is the derivative by the fraction of the step.
     pub(crate) fn time(&self, from: f64, to: f64) -> Enclosure {
         let (start, end) = (Interval::point(self.times.0), Interval::point(self.times.1));
         let slope = end - start;
         Enclosure { value: start + Interval::new(from, to) * slope, slope }
     }
 
-    /// Writes the ranges of the state over a part of the step, with the fraction of the step as the argument of slopes.
-    /// Components that are not needed are undefined.
+    /// Writes the range of each component of the state between the fractions `from` and `to` of the step.
+    /// Slopes are derivatives by the fraction. Components without a polynomial are undefined intervals.
     pub(crate) fn state(&mut self, from: f64, to: f64, out: &mut Vec<Enclosure>) {
         let (middle, radius) = (from + to - 1.0, to - from);
         let count = self.components.len();
@@ -74,8 +82,11 @@ impl Polynomial {
     }
 }
 
-/// Computes bounds of the rounding error of polynomials with these coefficients, and of their slopes, for |θ| ≤ 1. Each
-/// operation of the shifts, and of the method's own evaluation, counts ε of the numbers that it adds up.
+/// Computes bounds of the rounding errors of `count` polynomials and of their slopes, for |θ| ≤ 1. Row
+/// k of `rows` has the coefficients of power k.
+///
+/// Each operation of a shift, and of the method's own evaluation, counts ε times the numbers that it
+/// adds up.
 fn margins(rows: &[f64], count: usize, out: &mut Vec<[f64; 2]>) {
     let degree = (rows.len() / count.max(1)).saturating_sub(1) as f64;
     out.clear();
@@ -89,7 +100,8 @@ fn margins(rows: &[f64], count: usize, out: &mut Vec<[f64; 2]>) {
     }
 }
 
-/// Replaces the coefficients of p(x) by those of p(x + by), for `count` polynomials, by Horner's scheme.
+/// Replaces the coefficients of p(x) by those of p(x + `by`), for `count` polynomials, by Horner's
+/// scheme. Row k of `rows` has the coefficients of power k.
 fn shift(rows: &mut [f64], count: usize, by: f64) {
     if by == 0.0 || count == 0 {
         return;
@@ -105,7 +117,8 @@ fn shift(rows: &mut [f64], count: usize, by: f64) {
     }
 }
 
-/// Range of Σ c_k (radius x)^k over |x| ≤ 1, and of its slope by θ; dx/dθ is 2/radius.
+/// Range of the polynomial Σ c_k (radius x)^k over |x| ≤ 1, and of its slope by the fraction θ of the
+/// step, with dx/dθ = 2/radius. The two margins bound the rounding errors and widen the ranges.
 fn range<'c>(row: impl Iterator<Item = &'c f64>, radius: f64, [margin, slope_margin]: [f64; 2]) -> Enclosure {
     // Even powers are between 0 and 1, odd ones between −1 and 1.
     let (mut value, mut slope) = (Spread::default(), Spread::default());
@@ -118,15 +131,17 @@ fn range<'c>(row: impl Iterator<Item = &'c f64>, radius: f64, [margin, slope_mar
     Enclosure { value: value.within(margin), slope: slope.within(slope_margin) }
 }
 
-/// Sum of terms, each known between bounds.
+/// Lower and upper bound of a sum of terms, each of which is known between bounds.
 #[derive(Default)]
 struct Spread {
+    /// Lower bound of the sum.
     lo: f64,
+    /// Upper bound of the sum.
     hi: f64,
 }
 
 impl Spread {
-    /// Adds the term c xᵏ with |x| ≤ 1.
+    /// Adds the bounds of the term c xᵏ for |x| ≤ 1 to the sum.
     fn add(&mut self, c: f64, k: usize) {
         match k {
             0 => (self.lo, self.hi) = (self.lo + c, self.hi + c),
@@ -135,6 +150,7 @@ impl Spread {
         }
     }
 
+    /// Interval of the sum, widened by `margin` on both sides.
     fn within(&self, margin: f64) -> Interval {
         Interval::new(self.lo - margin, self.hi + margin)
     }

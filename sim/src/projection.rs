@@ -1,17 +1,20 @@
-//! Projection of a run onto its invariants or its constraints, with a report of the corrections.
+//! Projection of the states of a run onto its invariants or its constraints, with a report of the
+//! corrections.
 //!
-//! After each accepted step the state is moved onto I_k(y) = I_k(y₀), or onto the constraints φ_k(y) = 0 of the
-//! equations, by the smallest correction in the norm of the tolerances. The method goes on from there. The removed
-//! drift is added up with its sign: a projected run does not hide the drift that the method has. E. Hairer, C. Lubich &
-//! G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), §IV.4.
+//! After each accepted step the state is moved onto I_k(y) = I_k(y₀), or onto the constraints φ_k(y) =
+//! 0 of the equations, by the smallest correction in the norm of the tolerances. The method continues
+//! from the corrected state. The removed drift is added up with its sign, so that a projected run shows
+//! the drift of the method. E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd
+//! edition (2006), §IV.4.
 //!
-//! If the state is (q, q̇) and its mass matrix M is known, constraints are met in that metric: first by q, with M⁻¹ Gᵀ
-//! times multipliers, then by q̇ in the same way. The correction of q̇ then does no work on the motions that the
-//! constraints allow. Constraints that depend on others, everywhere or in a singular pose, are left out.
+//! If the state is (q, q̇) and its mass matrix M is known, corrections onto constraints are the
+//! smallest in the metric of M. First q is moved by M⁻¹ Gᵀ times multipliers, with G = ∂φ/∂q; then q̇
+//! is moved in the same way. The correction of q̇ then does no work on the motions that the constraints
+//! allow. Constraints that depend on others, everywhere or in a singular pose, are left out.
 //!
-//! Events, and output at and inside a step, belong to the step before the correction at its end. Samples of a run on
-//! constraints are moved onto them, each by itself. The last state, and all later steps, follow from the corrected
-//! state.
+//! Events, and output at and inside a step, belong to the step before the correction at its end.
+//! Samples of a run on constraints are moved onto them, each separately. The last state, and all later
+//! steps, follow from the corrected state.
 
 use tripos_traits::Real;
 
@@ -21,25 +24,28 @@ use crate::methods::options::Options;
 use crate::rhs::RightHandSide;
 use crate::tolerance::ErrorTest;
 
-/// Largest number of Newton iterations of a correction that does not settle.
+/// Largest number of Newton iterations for a correction that has not become as small as rounding.
 const ITERATIONS: u32 = 3;
-/// Largest number of iterations once corrections are as small as the rounding of the largest component. Other
-/// components then have to take over the share of an angle of many turns.
+/// Largest number of Newton iterations once corrections are as small as the rounding of the largest
+/// component of the state. If that component is an angle of many turns, other components must take over
+/// its share of the correction.
 const SETTLING: u32 = 8;
-/// Size below which a correction is rounding, in units in the last place of the largest component.
+/// Size below which a correction of the state counts as rounding, in units in the last place of the
+/// largest component.
 const ROUNDING: f64 = 16.0;
-/// Fraction of the drift that may be left after the last iteration; Newton's method squares it each time.
+/// Fraction of the drift that may be left after the last Newton iteration; each iteration squares it.
 const LEFT: f64 = 1e-3;
 
-/// Function `(t, y, values, gradients)` that writes the invariants I_k, and ∂I_k/∂y row by row.
+/// Function `(t, y, values, gradients)` that writes m invariants I_k(y) and their m × n gradients
+/// ∂I_k/∂y, row by row. The time t is in s.
 pub type InvariantFunction<'a, S> = Box<dyn FnMut(f64, &[S], &mut [S], &mut [S]) + 'a>;
 
-/// Invariants that a projected run keeps at their first values.
+/// Invariants of a motion, such as its energy, that a projected run keeps at their values at the start.
 pub struct Invariants<'a, S = f64> {
-    /// Number of invariants.
+    /// Number m of invariants that the function computes.
     pub count: usize,
-    /// Function for values and gradients of the invariants: `count` values and `count` times the length of the state,
-    /// each in its own unit.
+    /// Function that writes the `count` values of the invariants, each in its unit, and their `count` × n
+    /// gradients by the state.
     pub function: InvariantFunction<'a, S>,
 }
 
@@ -52,23 +58,24 @@ impl<S> std::fmt::Debug for Invariants<'_, S> {
 /// Report on the projection in a run: its corrections, and the drift that they removed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ProjectionReport {
-    /// Number of steps after which the state was moved.
+    /// Number of steps after which the state was moved onto the invariants or constraints.
     pub corrections: u64,
-    /// Number of steps without a correction because gradients of invariants are dependent, zero or not finite.
+    /// Number of steps without a correction because the gradients are dependent, zero or not finite.
     pub singular: u64,
-    /// Number of steps without a correction because Newton's method did not reach the invariants: the gradients are
-    /// wrong, or the step was far too long.
+    /// Number of steps without a correction because Newton's method did not reach the invariants or
+    /// constraints. The gradients are wrong, or the step was far too long.
     pub not_converged: u64,
-    /// Sum Σ |correction| of each component of the state, in its unit.
+    /// Sum Σ |correction| over all steps, for each component of the state, in its unit.
     pub moved: Vec<f64>,
-    /// Drift that was removed, for each invariant or constraint: Σ (value before − value after), with its sign.
+    /// Sum of the drift that corrections removed, Σ (value before − value after), for each invariant or
+    /// constraint, with its sign.
     pub removed: Vec<f64>,
     /// Largest drift that a single correction removed, for each invariant or constraint, with its sign.
     pub largest: Vec<f64>,
 }
 
 impl ProjectionReport {
-    /// Adds the report of a run that continues this one.
+    /// Adds the report `next` of a run that continues the run of this report.
     pub fn add(&mut self, next: &Self) {
         self.corrections += next.corrections;
         self.singular += next.singular;
@@ -82,61 +89,77 @@ impl ProjectionReport {
     }
 }
 
-/// Target onto which the state of a run is moved.
+/// Set onto which the states of a run are moved: level sets of invariants, or constraints.
 pub(crate) enum Onto<'p, 'a, S> {
-    /// Invariants, kept at their values at the start.
+    /// Invariants, which are kept at their values at the start of the run.
     Invariants(&'p mut Invariants<'a, S>),
-    /// Constraints of the equations, kept at zero; the number of constraints.
+    /// Constraints of the equations, which are kept at zero. The number says how many there are.
     Constraints(usize),
 }
 
-/// Projection of a run in progress.
+/// Projection of the states of a run onto invariants or constraints, with its working space and its
+/// report so far.
 pub(crate) struct Projector<'p, 'a, S> {
+    /// Invariants or constraints onto which states are moved.
     onto: Onto<'p, 'a, S>,
+    /// Error test whose weights define the norm of a correction; `None` if the tolerances are invalid, and
+    /// all weights are 1.
     weights: Option<ErrorTest>,
+    /// Target value of each invariant or constraint: the value at the start, or 0.
     wanted: Vec<S>,
+    /// Value of each invariant or constraint at the state `y`.
     values: Vec<S>,
+    /// Gradients of the invariants or constraints by the state at `y`, m × n entries, row by row.
     gradients: Vec<S>,
+    /// Difference `values` − `wanted` of each invariant or constraint.
     drift: Vec<f64>,
+    /// Drift of each invariant or constraint before the last correction.
     before: Vec<f64>,
+    /// State that is being moved onto the invariants or constraints.
     y: Vec<S>,
-    /// True if the state is on its target up to the rounding of its components.
+    /// True if the drift is no more than the rounding of the components of the state would cause.
     is_near: bool,
-    /// Mass matrix, row by row, if the equations have one.
+    /// Mass matrix at the state, row by row; empty if the equations provide none.
     inertia: Vec<f64>,
-    /// Gradients by the state of the quantities that must be kept, row by row.
+    /// Gradients of the invariants or constraints, rounded to `f64`, m × n entries, row by row.
     slopes: Vec<f64>,
-    /// Deviations of these quantities from their targets, which a correction of the state removes.
+    /// Right-hand sides of the linear conditions that a correction satisfies: the deviation of each
+    /// invariant or constraint.
     open: Vec<f64>,
-    /// Correction of the state.
+    /// Correction that is subtracted from the state, n entries.
     correction: Vec<f64>,
-    /// Solver for the correction that is least in the metric of the mass matrix.
+    /// Solver for the correction of (q, q̇) that is the smallest in the metric of the mass matrix.
     in_rates: Correction,
-    /// Solver for the correction that is least in the metric of the tolerances.
+    /// Solver for the correction that is the smallest in the norm of the tolerances.
     in_weights: LeastVectorSolver,
-    /// Index of the component that is the time, which no correction moves.
+    /// Index of the component of the state that is the time, which no correction moves; `None` if there is
+    /// none.
     clock: Option<usize>,
+    /// Report on the corrections made so far.
     pub(crate) report: ProjectionReport,
 }
 
-/// Size of a correction of the state, in three classes.
+/// Class of the size of a correction of the state, in ascending order.
 #[derive(PartialEq, PartialOrd)]
 enum Moved {
-    /// The correction is no more than the rounding of the constraints, as they are computed.
+    /// The correction is no larger than the rounding errors with which the constraints are computed.
     Constraint,
-    /// The correction is no more than the rounding of the largest component.
+    /// The correction is no larger than the rounding of the largest component of the state.
     State,
+    /// The correction is larger than rounding.
     Further,
 }
 
-/// Reason why the state is not corrected.
+/// Reason why the state cannot be moved onto the invariants or constraints.
 enum Hindrance {
+    /// The gradients are dependent, zero or not finite.
     Singular,
+    /// Newton's method did not reach the invariants or constraints.
     NotConverged,
 }
 
 impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
-    /// Creates a projection onto invariants with their values at the start, or onto constraints.
+    /// Creates a projection onto invariants at their values at the start (t0, y0), or onto constraints.
     pub(crate) fn new<R: RightHandSide<S>>(
         onto: Onto<'p, 'a, S>,
         rhs: &mut R,
@@ -185,7 +208,9 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         projector
     }
 
-    /// Moves the state onto the invariants or constraints; `None` if it is there up to rounding, or cannot be moved.
+    /// Moves the state `y` at time `t`, s, onto the invariants or constraints, and returns the moved state.
+    /// `None` if the state lies on them up to rounding, or if it cannot be moved; the report counts the
+    /// latter.
     pub(crate) fn project<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Option<&[S]> {
         match self.place(rhs, t, y) {
             Ok(true) => {
@@ -199,14 +224,15 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         None
     }
 
-    /// Prepares a sample for output. It is moved onto the constraints if possible. In a run that keeps invariants it
-    /// stays, and shows the drift of the invariants.
+    /// Returns the state of a sample as it is shown. In a run with constraints it is moved onto them if
+    /// possible. In a run with invariants it is not moved, so that their drift is visible.
     pub(crate) fn sample<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: Vec<S>) -> Vec<S> {
         let is_placed = matches!(self.onto, Onto::Constraints(_)) && matches!(self.place(rhs, t, &y), Ok(true));
         if is_placed { self.y.clone() } else { y }
     }
 
-    /// Moves the state onto the invariants or constraints; false if it was there up to rounding.
+    /// Moves a copy of the state `y` onto the invariants or constraints, into `self.y`. `Ok(false)` if it
+    /// was there up to rounding.
     fn place<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<bool, Hindrance> {
         self.y.copy_from_slice(y);
         if self.values.is_empty() || self.measure(rhs, t) {
@@ -218,8 +244,9 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         Ok(true)
     }
 
-    /// Moves the slopes of a state on the constraints until the slopes of the constraints are zero, by the smallest
-    /// correction again. They are then the slopes of motions that all stay on the constraints.
+    /// Corrects the derivatives that the numbers of the moved state carry, if its scalar has any.
+    /// Afterwards the constraints have derivative zero along each of them, and the change is the smallest
+    /// possible.
     fn straighten<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
         for along in 0..S::SLOPES {
             self.open.clear();
@@ -232,9 +259,9 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         Ok(())
     }
 
-    /// Derivative of a weighted sum of the last moved state by the drift of each constraint. It is `weights` times the
-    /// correction of a constraint whose value is 1: the transpose of [`Self::straighten`]. Not a number if there is no
-    /// correction.
+    /// Derivatives of the weighted sum `weights` · y of the last moved state by the drift of each
+    /// constraint. Entry k is `weights` times the correction for a drift of 1 in constraint k alone. This
+    /// is the transpose of [`Self::straighten`]. Not a number if no correction exists.
     pub(crate) fn shares<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, weights: &[f64]) -> Vec<f64> {
         let count = self.values.len();
         let mut share = |k: usize| {
@@ -248,10 +275,12 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         (0..count).map(&mut share).collect()
     }
 
-    /// Computes values and gradients at the state, and the drift; true if the drift is only rounding.
+    /// Computes the values, the gradients and the drift of the invariants or constraints at `self.y`. True
+    /// if the drift is only rounding.
     ///
-    /// Constraints are rounded as they are computed, not as their arguments are. The sine of an angle of a thousand
-    /// turns is as exact as that of a small one, and the other coordinates can satisfy the constraint.
+    /// Constraints are rounded as they are computed, not as their arguments are. The sine of an angle of a
+    /// thousand turns is as exact as that of a small angle, and the other coordinates can satisfy the
+    /// constraint.
     fn measure<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> bool {
         match &mut self.onto {
             Onto::Invariants(invariants) => (invariants.function)(t, &self.y, &mut self.values, &mut self.gradients),
@@ -273,11 +302,14 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         rounding
     }
 
-    /// Size from which on a component counts as this size in rounding: 1 for constraints, infinite for invariants.
+    /// Upper bound of the size of a component of the state that counts for rounding errors: 1 for
+    /// constraints, infinite for invariants.
     fn reach(&self) -> f64 {
         if matches!(self.onto, Onto::Constraints(_)) { 1.0 } else { f64::INFINITY }
     }
 
+    /// Moves `self.y` by Newton's method until the drift is rounding. Error if there is no correction, or
+    /// if too much drift is left.
     fn iterate<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
         let mut is_settled = false;
         for iteration in 0..SETTLING {
@@ -294,7 +326,8 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         if near || is_settled || self.is_near { Ok(()) } else { Err(Hindrance::NotConverged) }
     }
 
-    /// Finds the smallest correction that removes the values `open` from the constraints, to first order.
+    /// Computes the smallest correction that removes the deviations `open` of the invariants or
+    /// constraints, to first order. Error if the gradients are singular.
     fn correct<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
         let n = self.y.len();
         self.slopes.clear();
@@ -312,7 +345,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         Ok(())
     }
 
-    /// Takes one step of Newton's method, and returns the size of its correction.
+    /// Takes a step of Newton's method from `self.y`, and returns the class of size of its correction.
     fn step<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<Moved, Hindrance> {
         self.open.clone_from(&self.drift);
         self.correct(rhs, t)?;
@@ -329,7 +362,8 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         })
     }
 
-    /// Computes the correction W² Gᵀ (G W² Gᵀ)⁻¹ `open`, with the weights W of the tolerances.
+    /// Computes the correction W² Gᵀ (G W² Gᵀ)⁻¹ `open`, with gradients G and the weights W of the
+    /// tolerances. Error if gradients of invariants are dependent.
     fn correct_in_weights(&mut self) -> Result<(), Hindrance> {
         let (reach, y, weights) = (self.reach(), &self.y, &self.weights);
         let size = |y: &S| y.to_f64().abs().min(reach);
@@ -345,6 +379,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         Ok(())
     }
 
+    /// Adds the correction from the state `y` to `self.y` to the report.
     fn account(&mut self, y: &[S]) {
         self.report.corrections += 1;
         for ((moved, new), old) in self.report.moved.iter_mut().zip(&self.y).zip(y) {

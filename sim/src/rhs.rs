@@ -1,91 +1,102 @@
-//! Right-hand sides that a run integrates: y' = f(t, y), and ∂f/∂y for methods that need it.
+//! Right-hand sides f of equations y' = f(t, y) that a run integrates, with the functions that
+//! accompany them. Examples are the Jacobian ∂f/∂y, divisors, constraints and the power of forces.
 
 use tripos_traits::{Lengths, Real, System};
 
 use crate::error::Failure;
 
-/// Right-hand side f of y' = f(t, y). Every closure `|t: f64, y: &[S], dydt: &mut [S]| -> Result<(), Failure>` is one.
+/// Right-hand side f of y' = f(t, y), with optional functions that accompany it. The time t is in s and
+/// always an `f64`; the state y has the scalar type `S` that the run computes in.
 ///
-/// The time is in s and always an `f64`; the state has the scalar type that the run computes in.
+/// Every closure `|t: f64, y: &[S], dydt: &mut [S]| -> Result<(), Failure>` is a right-hand side.
 pub trait RightHandSide<S = f64> {
-    /// Writes f(t, y) to `dydt`, which comes with old contents; both slices have the state's length.
+    /// Writes f(t, y) to `dydt`, whose old contents have no meaning. Both slices have the length of the
+    /// state.
     ///
     /// # Errors
     /// [`Failure`] if f has no value at (t, y).
     fn rhs(&mut self, t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure>;
 
-    /// Writes ∂f/∂y row by row to `out`, n² entries: `out[i * n + j]` is ∂fᵢ/∂yⱼ. `None` if it is not known,
-    /// which rules out the implicit methods.
+    /// Writes the n × n Jacobian ∂f/∂y at (t, y) to `out`, row by row: `out[i * n + j]` is ∂fᵢ/∂yⱼ. `None`
+    /// if the Jacobian is not known, which rules out the implicit methods `gauss6` and `radau5`. The inner
+    /// error says that it has no value there.
     fn jacobian(&mut self, t: f64, y: &[S], out: &mut [S]) -> Option<Result<(), Failure>> {
         let _ = (t, y, out);
         None
     }
 
-    /// Writes the Taylor coefficients of the solution through the state in the first row of `x` at the time `t`. Row k
-    /// has those of order k, (1/k!) dᵏy/dtᵏ, up to `order`; each row has the state's length. `None` if they are not
-    /// known, which rules out [`crate::Method::Taylor`].
+    /// Writes Taylor coefficients of the solution that passes through the first row of `x` at time `t`, s.
+    /// Row k of `x` gets the coefficients of order k, (1/k!) dᵏy/dtᵏ, for k up to `order`; each row has the
+    /// length of the state. `None` if they are not known, which rules out [`crate::Method::Taylor`]. The
+    /// inner error says that they have no value there.
     fn taylor(&mut self, t: f64, order: usize, x: &mut [S]) -> Option<Result<(), Failure>> {
         let _ = (t, order, x);
         None
     }
 
-    /// Number of watched divisors: expressions by which f divides, and which might be zero somewhere.
+    /// Number of watched divisors: expressions by which f divides, and which can become zero at some
+    /// states.
     fn divisor_count(&self) -> usize {
         0
     }
 
-    /// Writes the divisors at (t, y) to `out`, which has [`RightHandSide::divisor_count`] entries. A step over a change
-    /// of sign of a divisor is no part of a solution: the run ends there, with [`crate::Stop::Singular`].
+    /// Writes the values of the divisors of f at (t, y) to `out`, which has
+    /// [`RightHandSide::divisor_count`] entries. If a divisor changes its sign within a step, the run ends
+    /// at that place, with [`crate::Stop::Singular`].
     fn divisors(&mut self, t: f64, y: &[S], out: &mut [S]) {
         let _ = (t, y, out);
     }
 
-    /// Name of a divisor for people; divisors are counted from 0.
+    /// Returns the name of a divisor of f for people. `at` is the index of the divisor, from 0.
     fn divisor_name(&self, at: usize) -> String {
         format!("divisor {at}")
     }
 
-    /// Number of constraints that a run corrects after each step.
+    /// Number of constraints on the state that the run restores after each step; 0 if there are none.
     fn constraint_count(&self) -> usize {
         0
     }
 
-    /// Writes the constraint functions to `values`, an entry each, and their slopes along the state to `slopes`, row by
-    /// row. After each step the state is moved to where the functions are zero: [`crate::projection`].
+    /// Writes the constraint functions φ(t, y) to `values`, m entries, and ∂φ/∂y to `slopes`, m × n
+    /// entries, row by row. After each step the run moves the state to φ = 0: [`crate::projection`].
     fn constraints(&mut self, t: f64, y: &[S], values: &mut [S], slopes: &mut [S]) {
         let _ = (t, y, values, slopes);
     }
 
-    /// Writes the mass matrix of the rates to `out`, row by row, n² entries, if the state is (q, q̇) with n of each.
-    /// Corrections of the state are then the smallest in the metric of this matrix. False if it is not.
+    /// Writes the n × n mass matrix at (t, y) to `out`, row by row, if the state is (q, q̇) with n
+    /// coordinates q. Corrections of the state are then the smallest in the metric of this matrix. False if
+    /// there is no such matrix.
     fn inertia(&mut self, t: f64, y: &[S], out: &mut Vec<f64>) -> bool {
         let _ = (t, y, out);
         false
     }
 
-    /// True if other equations of the same motion must go on from the state `y` that a step has reached at `t`. The run
-    /// ends there with [`crate::Stop::HandedOver`]. With `None` as `y`, they must go on from the start of a step to `t`
-    /// that would lead across a zero of a divisor.
+    /// True if the run must end and other equations of the same motion must go on. The run ends with
+    /// [`crate::Stop::HandedOver`].
+    ///
+    /// With `Some(y)` the question is about the state y that a step has reached at time `t`, s. With `None`
+    /// it is about the start of a step to `t` that would lead across a zero of a divisor.
     fn hands_over(&mut self, t: f64, y: Option<&[S]>) -> bool {
         let _ = (t, y);
         false
     }
 
-    /// True if a step must not end at `y`, since rates are known to few digits there: the step is then made shorter.
+    /// True if a step must not end at (t, y), because the rates have few correct digits there. The run then
+    /// repeats the step with a smaller size.
     fn avoids(&mut self, t: f64, y: &[S]) -> bool {
         let _ = (t, y);
         false
     }
 
-    /// True if other equations of the same motion must make the step that led to `y` at `t`. The run ends at the start
-    /// of this step with [`crate::Stop::HandedOver`].
+    /// True if the step that led to the state `y` at time `t`, s, must be made by other equations of the
+    /// same motion. The run then ends at the start of this step, with [`crate::Stop::HandedOver`].
     fn yields(&mut self, t: f64, y: &[S]) -> bool {
         let _ = (t, y);
         false
     }
 
-    /// Power at (t, y), W, whose integral is computed beside the solution as [`crate::Solution::work`]; `None` at every
-    /// state if no work is wanted. It changes no step.
+    /// Power at (t, y), W, whose integral over the run becomes [`crate::Solution::work`]. `None` at every
+    /// state if the work is not wanted. The power has no effect on the steps.
     fn power(&mut self, t: f64, y: &[S]) -> Option<f64> {
         let _ = (t, y);
         None
@@ -102,35 +113,40 @@ where
     }
 }
 
-/// Sums to which pulled weights are added: an entry for each component of the state, and one for each parameter.
+/// Two vectors to which transposed products Jᵀ w are added: (f_yᵀ w, f_pᵀ w). The first has an entry
+/// for each component of the state, the second an entry for each parameter.
 pub type Pulled<'a> = (&'a mut [f64], &'a mut [f64]);
 
-/// A right-hand side f(t, y, p) with its transposed slopes by state and parameters, for the adjoint of a run.
+/// Right-hand side f(t, y, p) that can multiply its transposed Jacobians f_yᵀ and f_pᵀ by a vector. The
+/// adjoint of a run, which gives gradients by the parameters p, needs them.
 pub trait Transposed: RightHandSide<f64> {
-    /// Number of parameters of the right-hand side.
+    /// Number of parameters p of the right-hand side f(t, y, p).
     fn parameter_count(&self) -> usize;
 
-    /// Adds f_yᵀ w to the first and f_pᵀ w to the second part of `to`, for weights w of the components of f at (t, y).
+    /// Adds f_yᵀ w to the first and f_pᵀ w to the second vector of `to`. The Jacobians are taken at (t, y);
+    /// w are `weights`, one for each component of f.
     ///
     /// # Errors
-    /// [`Failure`] if the slopes have no value at (t, y).
+    /// [`Failure`] if the Jacobians have no value at (t, y).
     fn pull(&mut self, t: f64, y: &[f64], weights: &[f64], to: Pulled<'_>) -> Result<(), Failure>;
 
-    /// Adds φ_yᵀ w to the first and φ_pᵀ w to the second part of `to`, for weights w of the constraints φ of the state.
+    /// Adds φ_yᵀ w to the first and φ_pᵀ w to the second vector of `to`. The Jacobians of the constraints
+    /// φ(t, y, p) are taken at (t, y); w are `weights`, one for each constraint.
     ///
     /// # Errors
-    /// [`Failure`] if the slopes have no value at (t, y).
+    /// [`Failure`] if the Jacobians have no value at (t, y).
     fn pull_constraints(&mut self, t: f64, y: &[f64], weights: &[f64], to: Pulled<'_>) -> Result<(), Failure> {
         let _ = (t, y, weights, to);
         Ok(())
     }
 }
 
-/// Right-hand side made of a closure and its Jacobian, another closure of the same form that writes n² entries.
+/// Right-hand side made of two closures `(t, y, out)`: one writes the n entries of f, the other the n²
+/// entries of ∂f/∂y.
 pub struct WithJacobian<F, J> {
-    /// Closure that writes f(t, y).
+    /// Closure `(t, y, out)` that writes f(t, y), n entries.
     pub rhs: F,
-    /// Closure that writes ∂f/∂y at (t, y), row by row.
+    /// Closure `(t, y, out)` that writes the Jacobian ∂f/∂y at (t, y), n² entries, row by row.
     pub jacobian: J,
 }
 
@@ -149,32 +165,36 @@ where
     }
 }
 
-/// Right-hand side with additional functions for a run: a power to integrate, and conditions under which other
-/// equations take over.
+/// Right-hand side with three optional functions of a run. They are a power to integrate, and two
+/// conditions under which other equations of the same motion take over.
 pub struct Accompanied<'a, S = f64> {
-    /// Right-hand side of the equations.
+    /// Right-hand side f of the equations y' = f(t, y).
     pub rhs: &'a mut dyn RightHandSide<S>,
-    /// Power at (t, y), W, whose integral is computed; `None` if no work is wanted.
+    /// Power at (t, y), W, whose integral is the work of the run; `None` if no work is wanted.
     pub power: Option<PowerAt<'a, S>>,
-    /// Condition under which other equations go on, as [`RightHandSide::hands_over`]; `None` if they never do.
+    /// Condition under which the run ends and other equations go on, as [`RightHandSide::hands_over`].
+    /// `None` means never.
     pub over: Option<HandsOver<'a, S>>,
-    /// Condition under which other equations make a step, as [`RightHandSide::yields`]; `None` if they never do.
+    /// Condition under which other equations must make the last step, as [`RightHandSide::yields`]. `None`
+    /// means never.
     pub yields: Option<Yields<'a, S>>,
 }
 
-/// Power, W, as a function of time, s, and state.
+/// Function of time, s, and state that gives the power of forces, W.
 pub type PowerAt<'a, S = f64> = &'a mut dyn FnMut(f64, &[S]) -> f64;
 
-/// Condition of time and state under which other equations make a step: [`RightHandSide::yields`].
+/// Function of time, s, and state. True if other equations must make the step that led there:
+/// [`RightHandSide::yields`].
 pub type Yields<'a, S = f64> = &'a mut dyn FnMut(f64, &[S]) -> bool;
 
-/// Condition of time and state under which other equations go on: [`RightHandSide::hands_over`].
+/// Function of time, s, and state. True if the run must end and other equations go on:
+/// [`RightHandSide::hands_over`].
 pub type HandsOver<'a, S = f64> = &'a mut dyn FnMut(f64, Option<&[S]>) -> bool;
 
-/// Right-hand side that is lent to a run and used again afterwards.
+/// Right-hand side that is only borrowed by a run, so that the caller can use it again afterwards.
 ///
-/// In `Lent(&mut f as &mut dyn RightHandSide<S>)` the type of f is erased. All methods are then compiled once, not once
-/// for every right-hand side, at the price of an indirect call.
+/// In `Lent(&mut f as &mut dyn RightHandSide<S>)` the type of f is erased. All methods are then
+/// compiled once, not once for every right-hand side, at the price of an indirect call.
 pub struct Lent<'a, R: ?Sized>(pub &'a mut R);
 
 impl<S: Real, R: RightHandSide<S> + ?Sized> RightHandSide<S> for Lent<'_, R> {
@@ -289,16 +309,20 @@ impl<S: Real> RightHandSide<S> for Accompanied<'_, S> {
     }
 }
 
-/// Writes the constraints of a system and their slopes, as [`RightHandSide::constraints`] does.
+/// Writes the constraint functions of a system at parameters `p` and state y = (q, v), and their
+/// slopes. `values` has an entry for each constraint; `slopes` has a row of y's length for each.
 pub(crate) fn constraints<S: Real>(system: &dyn System<S>, p: &[S], y: &[S], values: &mut [S], slopes: &mut [S]) {
     let (q, v) = y.split_at(system.lengths().coordinates);
     system.constraints(p, q, v, values);
     system.constraint_slopes(p, q, v, slopes);
 }
 
-/// Writes the mass matrix of a system in all rates with multipliers, as [`RightHandSide::inertia`] does: the first
-/// block of the system's matrix, which is kept in `matrix`. False for other systems, such as those of Newton and Euler:
-/// their reactions are unknowns too, and their matrix is no mass matrix.
+/// Writes the n × n mass matrix of a system whose n variables are the rates q̇, with multipliers for
+/// its constraints. It is the upper left block of the system's matrix; `matrix` is working space for
+/// that matrix.
+///
+/// False, with nothing written, for any other system. In the equations of Newton and Euler, for
+/// example, reactions are unknowns and the matrix is no mass matrix.
 pub(crate) fn inertia<S: Real>(
     system: &dyn System<S>,
     p: &[S],

@@ -1,11 +1,11 @@
 //! Spacing of floating-point numbers on the time axis, which bounds step sizes from below.
 
-/// Distance from |t| to the next larger number: MATLAB's `eps(t)`.
+/// Distance from |t| to the next larger `f64` (unit in the last place), as MATLAB's `eps(t)`.
 pub(crate) fn ulp(t: f64) -> f64 {
     t.abs().next_up() - t.abs()
 }
 
-/// Smallest step that is tried at the time `t`, s: 16 ulp of t.
+/// Smallest step size that a run tries at time `t`, s: 16 units in the last place of t.
 pub(crate) fn smallest_step(t: f64) -> f64 {
     16.0 * ulp(t)
 }

@@ -1,7 +1,7 @@
-//! Result of a run: samples, counts, events, and the reason of its end.
+//! Result of a run: samples, counts, events, and the reason why it ended.
 //!
-//! Invariant: (`t_end`, `y_end`) is the last point that is part of the solution; no sample and no
-//! event lies beyond it, whatever ended the run.
+//! Invariant: (`t_end`, `y_end`) is the last point of the solution. No sample and no event lies beyond
+//! it, for any reason of the end.
 
 use std::fmt;
 
@@ -18,58 +18,61 @@ use crate::warning::Warning;
 pub enum Stop {
     /// The run reached the end of its span.
     End,
-    /// A terminal event ended the run.
+    /// An event that is terminal, which means that it ends runs, happened.
     Event {
-        /// Name of the event.
+        /// Name of the event that ended the run.
         name: String,
     },
-    /// The run left the domain in which its equations hold.
+    /// The run left the domain in which its equations hold: the function of a domain event became negative.
     LeftDomain {
-        /// Name of the domain event.
+        /// Name of the domain event whose condition no longer holds.
         name: String,
     },
     /// The run started outside the domain in which its equations hold: no step was made.
     StartsOutside {
-        /// Name of the domain event.
+        /// Name of the domain event whose condition does not hold at the start.
         name: String,
     },
-    /// The error test fails although the step is down to rounding, 16 ulp of t.
+    /// The error of a step is above the tolerance, though the step is as small as rounding allows, 16 ulp
+    /// of t.
     StepTooSmall {
-        /// Size of the step that failed, in s.
+        /// Size of the smallest step that was tried, s.
         step: f64,
     },
-    /// The limit on the number of accepted and rejected steps is reached.
+    /// The number of accepted and rejected steps has reached its limit.
     StepLimit {
-        /// Largest number of steps that was allowed.
+        /// Largest number of steps that the options allow.
         limit: u64,
     },
     /// A state or derivative is infinite or not a number, even in the smallest step.
     NotFinite {
-        /// Component of the state, from 0.
+        /// Index in the state, from 0, of the component that is infinite or not a number.
         component: usize,
     },
-    /// The equations of an implicit step are not solved, even in the smallest step.
+    /// Newton's method does not solve the equations of an implicit step, even for the smallest step.
     NotConverged {
         /// Number of iterations of Newton's method that were made.
         iterations: u32,
     },
-    /// A divisor of the equations is zero at the end of the run: they have no value there, and no motion goes on by
-    /// them.
+    /// A divisor of the equations is zero at the end of the run. The equations have no value there, and
+    /// cannot continue the motion.
     Singular {
-        /// Name of the divisor.
+        /// Name of the divisor that is zero.
         divisor: String,
     },
-    /// The right-hand side (or an event function) has no value, even in the smallest step.
+    /// The right-hand side or an event function has no value, even in the smallest step.
     Failed(Failure),
-    /// The follower of the run interrupted it.
+    /// The `poll` function of the options asked to stop the run.
     Interrupted,
-    /// Other equations of the same motion must go on, as [`crate::RightHandSide::hands_over`] decided.
+    /// Other equations of the same motion must go on, by [`crate::RightHandSide::hands_over`] or
+    /// `RightHandSide::yields`.
     HandedOver,
 }
 
 impl Stop {
-    /// Stable text for programs: `end`, `event:NAME`, `domain:NAME`, `step-too-small`, `step-limit`, `not-finite`,
-    /// `not-converged`, `singular`, `interrupted`, `handed-over`, or the code of the [`Failure`], such as `singular`.
+    /// Stable text that names the reason for programs: `end`, `event:NAME`, `domain:NAME`,
+    /// `step-too-small`, `step-limit`, `not-finite`, `not-converged`, `singular`, `interrupted` or
+    /// `handed-over`. If the right-hand side failed, it is the code of its [`Failure`].
     #[must_use]
     pub fn code(&self) -> String {
         match self {
@@ -95,7 +98,7 @@ impl Stop {
 }
 
 impl Stop {
-    /// Reason of the end in words, with these names for the components of the state.
+    /// Returns the reason why the run ended, in words. `names` names the components of the state, in order.
     #[must_use]
     pub fn described(&self, names: &[String]) -> String {
         match self {
@@ -135,44 +138,47 @@ impl fmt::Display for Stop {
     }
 }
 
-/// Result of a run: samples, counts, events, and the reason of its end.
+/// Result of a run: samples, counts, events, and the reason why it ended.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<S = f64> {
-    /// Times of the samples, s, in the direction of the run.
+    /// Times of the samples, s, in the direction of the run, which may go backward in time.
     pub t: Vec<f64>,
-    /// States of the samples, at the times `t`.
+    /// States of the samples, one for each time in `t`.
     pub y: Vec<Vec<S>>,
-    /// Work done from the start to each sample, J, that of impacts included. Empty if the equations state no power and
-    /// there are no impacts.
+    /// Work of the forces from the start to each sample, J, including the work of impacts. Empty if the
+    /// equations state no power and there are no impacts.
     pub work: Vec<f64>,
-    /// Last time of the solution, s.
+    /// Time at which the solution ends, s.
     pub t_end: f64,
-    /// State at `t_end`.
+    /// State at the end of the solution, at time `t_end`.
     pub y_end: Vec<S>,
-    /// Work done up to `t_end`, J; 0 if the equations state no power.
+    /// Work of the forces from the start to `t_end`, J; 0 if the equations state no power.
     pub work_end: f64,
-    /// Number of accepted steps.
+    /// Number of accepted steps of the run.
     pub steps: u64,
     /// Number of rejected steps: too inaccurate, or without a finite result.
     pub rejected: u64,
-    /// Number of calls of the right-hand side; calls by event functions are not counted.
+    /// Number of calls of the right-hand side by the method; calls by event functions are not counted.
     pub evaluations: u64,
-    /// Number of evaluations of the Jacobian; only implicit methods need it.
+    /// Number of evaluations of the Jacobian ∂f/∂y; 0 for explicit methods.
     pub jacobians: u64,
-    /// Reason of the end of the run.
+    /// Reason why the run ended, such as the end of its span, an event or a failure.
     pub stop: Stop,
-    /// Records of the events, in order of time.
+    /// Events that happened in the run, in the order in which the run met them.
     pub events: Vec<EventRecord>,
-    /// Records of impacts, in order of time; only a caller that joins a run from parts fills them.
+    /// Impacts in the order in which they happened. Empty for a single run: only a run that is joined from
+    /// parts has impacts.
     pub impacts: Vec<ImpactRecord>,
-    /// Warnings about the run for the caller.
+    /// Warnings about the accuracy of the run and about undecided events.
     pub warnings: Vec<Warning>,
-    /// Report on the projection; `None` if the run was not projected.
+    /// Report on the corrections that kept the state on invariants or constraints; `None` if the run had
+    /// neither.
     pub projection: Option<ProjectionReport>,
 }
 
 impl<S: Clone> Solution<S> {
-    /// Solution of a run that ended at (t, y) before its first step.
+    /// Creates the solution of a run that ended at its start (t, y), before the first step, for the reason
+    /// `stop`.
     #[must_use]
     pub fn unbegun(t: f64, y: &[S], stop: Stop) -> Self {
         Self {
@@ -196,9 +202,11 @@ impl<S: Clone> Solution<S> {
 }
 
 impl<S> Solution<S> {
-    /// Largest change of energy that the work does not account for, J: the change of E − W from its first sample, over
-    /// all samples and the end. `at_samples` and `at_end` are the energies E. Not a number if one of them is not a
-    /// number.
+    /// Largest change of energy that the work does not account for, J. It is the largest change of E − W
+    /// since the first sample, over all samples and the end of the run.
+    ///
+    /// `at_samples` has the energy E at each sample, J, and `at_end` that at the end. Not a number if an
+    /// energy is not a number.
     pub fn energy_drift(&self, at_samples: impl IntoIterator<Item = f64>, at_end: f64) -> f64 {
         let work = self.work.iter().copied().chain(std::iter::repeat(0.0));
         let mut left = at_samples.into_iter().zip(work).map(|(energy, work)| energy - work).peekable();
@@ -207,7 +215,8 @@ impl<S> Solution<S> {
         left.chain([end]).map(|left| (left - start).abs()).fold(0.0, larger)
     }
 
-    /// Time, number of steps and reason of the end in words, with these names for the components of the state.
+    /// Returns end time, number of steps and reason of the end, in words. `names` names the components of
+    /// the state, in order.
     #[must_use]
     pub fn described(&self, names: &[String]) -> String {
         let verb = if self.stop == Stop::End { "ended" } else { "stopped" };
@@ -219,7 +228,7 @@ impl<S> Solution<S> {
 }
 
 impl<S: Real> Solution<S> {
-    /// Copy of the solution in doubles, with states rounded to them.
+    /// Returns a copy of the solution whose states are rounded to `f64`.
     #[must_use]
     pub fn rounded(&self) -> Solution {
         let doubles = |y: &Vec<S>| y.iter().map(|y| y.to_f64()).collect::<Vec<f64>>();
@@ -243,7 +252,8 @@ impl<S: Real> Solution<S> {
     }
 }
 
-/// Writes time, number of steps and reason of the end: "stopped at t = 3.181 s after 412 steps (19 rejected): …".
+/// Writes end time, number of steps and reason of the end: "stopped at t = 3.181 s after 412 steps (19
+/// rejected): …".
 impl<S> fmt::Display for Solution<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.described(&[]))

@@ -1,6 +1,8 @@
-//! Limits of runs: growth of small errors, the horizon after which no digit is left, and the trend of a drift.
+//! Limits of runs: the growth of small errors, the time after which no correct digit is left, and the
+//! trend of a drift.
 //!
-//! Absent on purpose: models and references. Any right-hand side serves; with a Jacobian the results are more exact.
+//! Absent on purpose: models and references. Any right-hand side can be examined; with a Jacobian the
+//! results are more exact.
 
 use crate::driver::integrate::integrate;
 use crate::error::{Failure, SimError};
@@ -9,22 +11,25 @@ use crate::rhs::{Lent, RightHandSide};
 use crate::solution::Stop;
 use tripos_traits::largest;
 
-/// Growth of a small error of the start, along a run.
+/// Growth of a small error at the start of a run, as a function of time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Growth {
-    /// Instants of the samples, s.
+    /// Times at which the growth is known, s.
     pub times: Vec<f64>,
-    /// Logarithm ln |w(t)| / |w(t0)| at each instant, for a solution w of the linearized equations; |w| is the largest
-    /// component over 1 + |y|.
+    /// Logarithm ln(|w(t)| / |w(t0)|) at each of the times, for a solution w of the linearized equations.
+    /// |w| is the largest
+    /// wᵢ| / (1 + |yᵢ|).
     pub logarithms: Vec<f64>,
-    /// Reason why the run ended.
+    /// Reason why the run ended that computed the growth.
     pub stop: Stop,
 }
 
 impl Growth {
-    /// Instant from which on errors have grown to 1 or more, s, so that no digit is left; `None` if digits are left at
-    /// the end. `size` is the error up to an instant before it grows; for a run, the errors of all its steps together.
-    /// A growth that goes back again, as in passing a singular surface, does not count.
+    /// Time from which on errors have grown to 1 or more, s, so that no correct digit is left. `None` if
+    /// digits are left at the end of the run.
+    ///
+    /// `size(t)` is the relative error that the run has made up to time t, before it grows. Errors that
+    /// grow to 1 and shrink again, as near a singular surface, do not count.
     #[must_use]
     pub fn horizon(&self, size: impl Fn(f64) -> f64) -> Option<f64> {
         let lost = |(t, l): &(&f64, &f64)| size(**t).ln() + **l >= 0.0;
@@ -33,7 +38,8 @@ impl Growth {
         self.times.get(first).copied()
     }
 
-    /// Rate of an exponential growth, 1/s: the slope of ln |w| by least squares over the second half of the instants.
+    /// Rate of exponential growth of a small error, 1/s. It is the slope of ln |w| by least squares over
+    /// the second half of the times.
     #[must_use]
     pub fn rate(&self) -> f64 {
         let half = self.times.len() / 2;
@@ -41,7 +47,8 @@ impl Growth {
     }
 }
 
-/// Slope of the line through the points (x, y) by least squares.
+/// Slope of the straight line that fits the points (x, y) best by least squares. Not a number for fewer
+/// than two points.
 #[must_use]
 pub fn slope(x: &[f64], y: &[f64]) -> f64 {
     let n = x.len().min(y.len()) as f64;
@@ -55,13 +62,14 @@ pub fn slope(x: &[f64], y: &[f64]) -> f64 {
     above / below
 }
 
-/// Integrates the equations together with their linearization w' = J(y) w from w(t0) = `direction`.
+/// Integrates the equations together with their linearization w' = J(y) w from w(t0) = `direction`, and
+/// returns the growth of w.
 ///
-/// The size of w is kept at 1 by integrating its logarithm apart, so that no growth overflows. Without a Jacobian J w
-/// is a central difference of the right-hand side.
+/// The length of w is kept constant, and the logarithm of its growth is integrated separately, so that
+/// no growth overflows. Without a Jacobian, J w is a central difference of the right-hand side.
 ///
 /// # Errors
-/// [`SimError`], as for [`integrate`].
+/// [`SimError`] in the cases in which [`integrate`] returns it.
 pub fn growth(
     rhs: &mut dyn RightHandSide<f64>,
     span: (f64, f64),
@@ -97,20 +105,26 @@ pub fn growth(
     Ok(Growth { times: solution.t, logarithms, stop: solution.stop })
 }
 
-/// Working space for the product J w.
+/// Working space for the product J w of a Jacobian and a vector.
 struct Slope {
+    /// Jacobian ∂f/∂y, n² entries, row by row.
     jacobian: Vec<f64>,
+    /// Values of f at y + h w, for a central difference.
     ahead: Vec<f64>,
+    /// Values of f at y − h w, for a central difference.
     behind: Vec<f64>,
+    /// State y ± h w, for a central difference.
     place: Vec<f64>,
 }
 
 impl Slope {
+    /// Creates the working space for a state of `n` components.
     fn new(n: usize) -> Self {
         Self { jacobian: vec![0.0; n * n], ahead: vec![0.0; n], behind: vec![0.0; n], place: vec![0.0; n] }
     }
 
-    /// Writes the product J(t, y) w of the Jacobian and a vector to `out`.
+    /// Writes the product J(t, y) w of the Jacobian and a vector to `out`. Without a Jacobian a central
+    /// difference of f is used. Error if f or J has no value.
     fn along(
         &mut self,
         rhs: &mut dyn RightHandSide<f64>,
@@ -142,22 +156,22 @@ impl Slope {
     }
 }
 
-/// Largest |wᵢ| / (1 + |yᵢ|), the measure of errors everywhere in this crate.
+/// Largest quotient |wᵢ| / (1 + |yᵢ|): the measure of errors w of a state y.
 fn size(w: &[f64], y: &[f64]) -> f64 {
     largest(w.iter().zip(y).map(|(w, y)| w / (1.0 + y.abs())))
 }
 
-/// Trend of the drift of a first integral along a run.
+/// Trend of the drift of a first integral, such as the energy, along a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Trend {
-    /// The drift stays within the size that it reached early on.
+    /// The drift at the end of the run is at most three times that at its beginning.
     Bounded,
-    /// The drift grows as long as the run goes on.
+    /// The drift grows for as long as the run goes on.
     Secular,
 }
 
-/// Judges |drift| sampled along a run: it is secular if the largest of the last tenth is more than three times the
-/// largest of the first tenth.
+/// Judges the drift of a first integral from samples of |drift| along a run. The drift is secular if
+/// the largest sample of the last tenth is more than three times the largest of the first tenth.
 #[must_use]
 pub fn trend(drifts: &[f64]) -> Trend {
     let tenth = drifts.len().div_ceil(10);

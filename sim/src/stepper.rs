@@ -1,4 +1,5 @@
-//! Interface of a one-step method to the driver: a trial step, its error, and the solution inside it.
+//! Interface of a one-step method of integration to the driver of a run: a trial step, its error, and
+//! its dense output.
 
 use tripos_traits::{Real, Scalar};
 
@@ -6,24 +7,25 @@ use crate::error::Failure;
 use crate::rhs::RightHandSide;
 use crate::tolerance::ErrorTest;
 
-/// Reason why a trial step has no result.
+/// Reason why an attempted step has no result. The driver then tries a smaller step.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Trouble {
     /// A component of the state or its derivative became infinite or not a number.
     NotFinite {
-        /// Component of the state, from 0.
+        /// Index in the state, from 0, of the component that is infinite or not a number.
         component: usize,
     },
     /// The right-hand side has no value at a point of the step.
     Failed(Failure),
-    /// The equations of an implicit step were not solved.
+    /// Newton's method did not solve the equations of an implicit step.
     NotConverged {
         /// Number of iterations of Newton's method that were made.
         iterations: u32,
     },
 }
 
-/// Fails with the index of the first entry that is not finite.
+/// Checks that all entries of a state or derivative are finite. The error has the index of the first
+/// entry that is not.
 pub(crate) fn check_finite<S: Real>(values: &[S]) -> Result<(), Trouble> {
     match values.iter().position(|x| !x.to_f64().is_finite()) {
         Some(component) => Err(Trouble::NotFinite { component }),
@@ -31,7 +33,7 @@ pub(crate) fn check_finite<S: Real>(values: &[S]) -> Result<(), Trouble> {
     }
 }
 
-/// Evaluates f(t, y), and fails if it is not finite.
+/// Writes f(t, y) to `out`. Error if f has no value there, or if an entry is not finite.
 #[inline]
 pub(crate) fn evaluate<S, R>(rhs: &mut R, t: f64, y: &[S], out: &mut [S]) -> Result<(), Trouble>
 where
@@ -42,39 +44,41 @@ where
     check_finite(out)
 }
 
-/// True if two numbers are equal, to the last bit except for the sign of 0.
+/// True if two numbers are exactly equal; 0 equals −0.
 #[expect(clippy::float_cmp, reason = "asks for identity, not for nearness")]
 pub(crate) fn same(a: f64, b: f64) -> bool {
     a == b
 }
 
-/// Size and end of a step that is being tried.
+/// Size and end time of a step that is being tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Trial {
-    /// Signed size of the step, s, as the step control chose it.
+    /// Signed size of the step, s, as the step control chose it; negative in a run backward in time.
     pub(crate) h: f64,
-    /// Time at the end of the step, s: t + h rounded, or the end of the run.
+    /// Time at the end of the step, s: t + h after rounding, or exactly the end of the run.
     pub(crate) t_new: f64,
 }
 
 impl Trial {
-    /// Distance from `t` to the end of the step, s, without the rounding of t + h: exact in a scalar wider than `f64`.
+    /// Signed distance from time `t` to the end of the step, s, computed in the scalar `S`. A scalar wider
+    /// than `f64` holds it without rounding.
     pub(crate) fn exact<S: Real>(self, t: f64) -> S {
         S::from_f64(self.t_new) - S::from_f64(t)
     }
 }
 
-/// Solution inside a step, rounded to `f64`, for events.
+/// Dense output of a step (the solution inside it), rounded to `f64`, for the search of events.
 pub(crate) trait DenseStep {
-    /// Start and end of the step, s; the end is smaller in a run backward in time.
+    /// Start and end time of the step, s. The end is before the start in a run backward in time.
     fn times(&self) -> (f64, f64);
-    /// Writes the state at the fraction `theta` of the step; it is exactly that of the step's ends at 0 and 1. A little
-    /// beyond 1 is allowed and extrapolates.
+    /// Writes the state at the fraction `theta` of the step. At 0 and 1 it is exactly the state at the
+    /// step's ends. Values a little above 1 are allowed and extrapolate.
     fn interpolate(&self, theta: f64, out: &mut [f64]);
-    /// Degree of the solution inside the step as a polynomial; `None` if it is no polynomial.
+    /// Degree of the dense output as a polynomial in the fraction of the step; `None` if it is no
+    /// polynomial.
     fn degree(&self) -> Option<usize>;
-    /// Writes the coefficients of the powers of the fraction of the step, up to the degree: first those of power 0, a
-    /// coefficient for each component.
+    /// Writes the coefficients of the dense output in powers of the fraction of the step, (degree + 1) × n
+    /// numbers. Row k has those of power k, an entry for each of the n components.
     fn powers(&self, out: &mut [f64]);
     /// Time at the fraction `theta` of the step, s.
     fn time_at(&self, theta: f64) -> f64 {
@@ -83,24 +87,25 @@ pub(crate) trait DenseStep {
     }
 }
 
-/// Solution inside a step, in the scalar of the run.
+/// Dense output of a step (the solution inside it), in the scalar type of the run.
 pub(crate) trait Interpolant {
-    /// Type of the numbers of the run.
+    /// Scalar type in which the run computes its states.
     type Real: Real;
-    /// Start and end of the step, s.
+    /// Start and end time of the step, s.
     fn span(&self) -> (f64, f64);
     /// States at the start and at the end of the step.
     fn ends(&self) -> (&[Self::Real], &[Self::Real]);
-    /// Hands each component of the state at the fraction `theta` of the step to `put`, with its index.
+    /// Computes the state at the fraction `theta` of the step. Calls `put(i, value)` for each component i.
     fn inside(&self, theta: Self::Real, put: impl FnMut(usize, Self::Real));
-    /// Degree of the solution inside the step as a polynomial in the fraction of the step; `None` if it is no
+    /// Degree of the dense output as a polynomial in the fraction of the step; `None` if it is no
     /// polynomial.
     fn order_inside(&self) -> Option<usize>;
-    /// Hands `put` the component, the power of the fraction of the step and its coefficient, for every power up to the
-    /// degree: the polynomial of [`Interpolant::inside`] up to rounding.
+    /// Computes the coefficients of the dense output in powers of the fraction of the step. Calls `put(i,
+    /// k, value)` for each component i and each power k up to the degree. The polynomial equals
+    /// [`Interpolant::inside`] up to rounding.
     fn coefficients(&self, put: impl FnMut(usize, usize, Self::Real));
 
-    /// State at the fraction `theta` of the step, which is at the time `t`, s.
+    /// Returns the state at the fraction `theta` of the step. `t` is the time there, s.
     fn sample(&self, theta: f64, t: f64) -> Vec<Self::Real> {
         let (y, y_new) = self.ends();
         let mut out = if same(theta, 1.0) { y_new.to_vec() } else { y.to_vec() };
@@ -110,8 +115,8 @@ pub(crate) trait Interpolant {
         out
     }
 
-    /// Fraction of the step at the time `t`, s, as exactly as the scalar can hold it; `theta` is this fraction as
-    /// `f64`.
+    /// Fraction of the step at time `t`, s, as exactly as the run's scalar can hold it. `theta` is the same
+    /// fraction in `f64`.
     fn fraction(&self, theta: f64, t: f64) -> Self::Real {
         let wide = <Self::Real as Scalar>::from_f64;
         if <Self::Real as Real>::EPSILON < f64::EPSILON {
@@ -154,24 +159,28 @@ impl<I: Interpolant> DenseStep for I {
     }
 }
 
-/// A one-step method of integration. Only the driver knows about step sizes, events and output.
+/// One-step method of integration. It tries single steps; the driver decides on step sizes, events and
+/// output.
 pub(crate) trait Stepper: Interpolant {
-    /// Puts the method at (t, y) and evaluates the derivative there.
+    /// Sets the method to the state `y` at time `t`, s, and evaluates the derivative there. Error if the
+    /// derivative has no finite value.
     fn start<R>(&mut self, rhs: &mut R, t: f64, y: &[Self::Real]) -> Result<(), Trouble>
     where
         R: RightHandSide<Self::Real>;
-    /// Size of the next step, s, if the method knows it before the step is tried, so that it needs no step control.
+    /// Size of the next step, s, for a method that finds it before the step is tried, as Taylor's does.
+    /// `None` for a method that needs step control.
     fn proposal(&mut self, test: &ErrorTest) -> Option<f64> {
         let _ = test;
         None
     }
-    /// Tries a step from the current point, and returns its error in the norm of the error test; 0 without a test. A
-    /// step that passes the test has a derivative at its end.
+    /// Tries a step from the current state, and returns its error in the norm of `test`; 0 if there is no
+    /// test. The derivative at the step's end is known if the step passes the test. Error if the step has
+    /// no result.
     fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, test: Option<&ErrorTest>) -> Result<f64, Trouble>
     where
         R: RightHandSide<Self::Real>;
-    /// Evaluates the stages that only the solution inside the last tried step needs. False if f has no value there; the
-    /// solution inside is then of lower order.
+    /// Evaluates the stages that only the dense output of the last tried step needs. False if f has no
+    /// value there; the dense output is then of lower order.
     fn prepare_inside<R>(&mut self, rhs: &mut R) -> bool
     where
         R: RightHandSide<Self::Real>,
@@ -179,9 +188,11 @@ pub(crate) trait Stepper: Interpolant {
         let _ = rhs;
         true
     }
-    /// Announces, before the start, that each accepted step is followed by [`Stepper::restart`] or [`Stepper::stay`].
+    /// Announces, before the start, that the driver may move the state after each step. Each accepted step
+    /// is then followed by [`Stepper::restart`] or [`Stepper::stay`].
     fn expect_moves(&mut self) {}
-    /// Goes on from the current state, which might have been moved but was not.
+    /// Continues from the current state after an accepted step. The driver was allowed to move the state,
+    /// but did not. Error if the derivative there has no finite value.
     fn stay<R>(&mut self, rhs: &mut R) -> Result<(), Trouble>
     where
         R: RightHandSide<Self::Real>,
@@ -189,7 +200,8 @@ pub(crate) trait Stepper: Interpolant {
         let _ = rhs;
         Ok(())
     }
-    /// Goes on from another state at the current time.
+    /// Continues from the state `y` at the current time, in place of the state that the last step reached.
+    /// Error if the derivative there has no finite value.
     fn restart<R>(&mut self, rhs: &mut R, y: &[Self::Real]) -> Result<(), Trouble>
     where
         R: RightHandSide<Self::Real>,
@@ -197,20 +209,21 @@ pub(crate) trait Stepper: Interpolant {
         let t = self.span().0;
         self.start(rhs, t, y)
     }
-    /// Fraction, at most 1, of the size that the error of the last tried step allows for the next step. It is less than
-    /// 1 if the equations of the step were hard to solve.
+    /// Factor, at most 1, by which the next step must be smaller than the error of the last tried step
+    /// allows. It is below 1 if the equations of an implicit step were hard to solve.
     fn margin(&self) -> f64 {
         1.0
     }
-    /// Component with the largest weighted error in the last tried step; `None` if no component has an error.
+    /// Index of the component with the largest weighted error in the last tried step; `None` if all errors
+    /// are 0.
     fn worst(&self, test: &ErrorTest) -> Option<usize>;
-    /// Moves to the end of the last tried step.
+    /// Makes the last tried step part of the solution: its end becomes the current state.
     fn accept(&mut self);
-    /// Derivative of the state at the start, before the first step.
+    /// Derivative y' at the start of the run, before the first step.
     fn slope(&self) -> &[Self::Real];
-    /// Number of calls of the right-hand side so far.
+    /// Number of calls of the right-hand side by this method so far.
     fn evaluations(&self) -> u64;
-    /// Number of evaluations of the Jacobian so far.
+    /// Number of evaluations of the Jacobian ∂f/∂y so far; 0 for explicit methods.
     fn jacobians(&self) -> u64 {
         0
     }

@@ -1,4 +1,5 @@
-//! Error test of a step: relative and absolute tolerances, and the norm that they define.
+//! Error test of a step: relative and absolute tolerances, and the weighted norm of the error that they
+//! define.
 
 use tripos_traits::{AbsoluteTolerance, Lanes, Real, Scalar, larger_or_second};
 
@@ -6,29 +7,34 @@ use crate::blocks::LANES;
 use crate::error::SimError;
 use crate::warning::Warning;
 
-/// Smallest relative tolerance that is not raised in `f64`: 100 ε, as in `ode45`. Other scalars have their own ε.
+/// Smallest relative tolerance of a run in `f64`, 100 ε, as in `ode45`. Smaller ones are raised to it.
+/// Other scalar types have their own ε.
 pub const SMALLEST_RTOL: f64 = 100.0 * f64::EPSILON;
 
-/// Norm that joins the errors of the components into one number.
+/// Norm that joins the weighted errors of all components of the state into one number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Norm {
-    /// The largest error of a component. As in `ode45`, error eᵢ is divided by max(|yᵢ|, |yᵢ new|, atolᵢ / rtol) and
-    /// compared with rtol; without a relative tolerance it is divided by atolᵢ and compared with 1.
+    /// Largest weighted error of a component. As in `ode45`, error eᵢ is divided by max(|yᵢ|, |yᵢ new|,
+    /// atolᵢ / rtol) and compared with rtol. Without a relative tolerance it is divided by atolᵢ and
+    /// compared with 1.
     Largest,
-    /// The root of the mean square of all errors. As in Hairer's codes, error eᵢ is divided by atolᵢ + rtol max(|yᵢ|,
-    /// |yᵢ new|) and compared with 1.
+    /// Root of the mean square of all weighted errors. As in Hairer's codes, error eᵢ is divided by atolᵢ +
+    /// rtol max(|yᵢ|,
+    /// yᵢ new|) and compared with 1.
     MeanSquare,
 }
 
-/// Error test that a step must pass: the norm of its error is at most `tolerance`.
+/// Error test that a step must pass: the weighted norm of its error is at most `tolerance`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ErrorTest {
+    /// Norm that joins the weighted errors of all components.
     norm: Norm,
-    /// Largest norm of an error that passes the test.
+    /// Largest norm of an error that passes the test, without unit.
     pub(crate) tolerance: f64,
-    /// Factor of |y| in the weight of a component.
+    /// Factor of the component's size |y| in the weight by which its error is divided.
     relative: f64,
-    /// Part of each component's weight that does not depend on |y|, padded to whole blocks.
+    /// Part of each component's weight that does not depend on |y|, in the component's unit. Entries beyond
+    /// the state pad it to whole blocks.
     absolute: Vec<f64>,
 }
 
@@ -73,7 +79,8 @@ impl ErrorTest {
         Ok((test, warning))
     }
 
-    /// Norm of the error of a step. An error of exactly 0 counts as 0 even if its weight is 0.
+    /// Weighted norm of the error of a step from state `y` to `y_new`. An error of exactly 0 counts as 0,
+    /// even if the weight of its component is 0. Not a number if an error is not a number.
     pub(crate) fn norm<S: Real>(&self, error: &[S], y: &[S], y_new: &[S]) -> f64 {
         match self.norm {
             Norm::Largest => self.largest(error, y, y_new),
@@ -89,6 +96,7 @@ impl ErrorTest {
         }
     }
 
+    /// Largest weighted error of a step from `y` to `y_new`: the norm for [`Norm::Largest`].
     fn largest<S: Real>(&self, error: &[S], y: &[S], y_new: &[S]) -> f64 {
         let mut norm = 0.0_f64;
         for (i, e) in error.iter().enumerate() {
@@ -103,8 +111,9 @@ impl ErrorTest {
         norm
     }
 
-    /// Largest quotients |xᵢ| / wᵢ of two vectors of finite numbers. Components without a weight are left out: the
-    /// error of the step itself shows if they are too large.
+    /// Largest quotients |xᵢ| / wᵢ of two vectors x = `a` and x = `b` of finite numbers, with the weights w
+    /// at state `y`. Components of weight 0 are left out: the error of the step itself shows if they are
+    /// too large.
     pub(crate) fn largest_of_two<S: Real>(&self, a: &[S], b: &[S], y: &[S]) -> [f64; 2] {
         let mut norms = [0.0; 2];
         for (((a, b), y), absolute) in a.iter().zip(b).zip(y).zip(&self.absolute) {
@@ -118,18 +127,20 @@ impl ErrorTest {
         norms
     }
 
-    /// Norm maxᵢ |y′ᵢ| / wᵢ of a derivative. Components without a weight are left out: there is nothing to compare them
-    /// with, and the error test examines them after the first step.
+    /// Largest quotient |y′ᵢ| / wᵢ of a derivative y′ and the error test's weights at state `y`, 1/s.
+    /// Components without a weight are left out, since the error test examines them after the first step.
     pub(crate) fn slope_norm<S: Real>(&self, slope: &[S], y: &[S]) -> f64 {
         self.weighed(slope, y).fold(0.0, f64::max)
     }
 
-    /// Norm √Σᵢ (xᵢ / wᵢ)² by which Hairer's codes choose the first step: a sum, not a mean. Components without a
-    /// weight are left out.
+    /// Norm √Σᵢ (xᵢ / wᵢ)² of a vector `x` with the weights at state `y`: a sum, not a mean. Hairer's codes
+    /// choose the first step with it. Components without a weight are left out.
     pub(crate) fn root_sum<S: Real>(&self, x: &[S], y: &[S]) -> f64 {
         self.weighed(x, y).map(|q| q * q).sum::<f64>().sqrt()
     }
 
+    /// Quotients |xᵢ| / wᵢ of a vector `x` and the weights at state `y`, without the components whose
+    /// weight is 0.
     fn weighed<'a, S: Real>(&'a self, x: &'a [S], y: &'a [S]) -> impl Iterator<Item = f64> + 'a {
         x.iter()
             .enumerate()
@@ -138,7 +149,8 @@ impl ErrorTest {
             .map(|(x, weight)| x / weight)
     }
 
-    /// Weight of component `i`, by which its error is divided, from the size `magnitude` of the component.
+    /// Weight by which the error of component `i` of the state is divided, in its unit. `magnitude` is the
+    /// size |yᵢ| of the component.
     pub(crate) fn weight(&self, i: usize, magnitude: f64) -> f64 {
         match self.norm {
             Norm::Largest => (self.relative * magnitude).max(self.absolute[i]),
@@ -146,38 +158,39 @@ impl ErrorTest {
         }
     }
 
-    /// Weight of a component, as [`ErrorTest::weight`], in lanes and for [`Norm::Largest`]. `absolute` is the part of
-    /// the weight that does not depend on the size of the component.
+    /// Weights of a component of the state in N trajectories at once, for [`Norm::Largest`]. `absolute` is
+    /// the part of the weight that does not depend on the size `magnitude` of the component.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "two operations, also inside code for wider registers")]
     pub(crate) fn weight_in_lanes<const N: usize>(&self, absolute: f64, magnitude: Lanes<N>) -> Lanes<N> {
         (Lanes::from_f64(self.relative) * magnitude).larger_or_second(Lanes::from_f64(absolute))
     }
 
-    /// True if the error test has no relative tolerance.
+    /// True if the relative tolerance is 0, so that only absolute tolerances bound the error.
     pub(crate) fn is_absolute(&self) -> bool {
         self.relative == 0.0
     }
 
-    /// Error that the absolute tolerance allows in a component.
+    /// Largest error that the absolute tolerance allows in component `i` of the state, in its unit.
     pub(crate) fn allowed(&self, i: usize) -> f64 {
         self.tolerance * self.absolute[i]
     }
 
-    /// Component with the largest error over its weight; `None` if no component has an error.
+    /// Index of the component with the largest error over its weight, for a step from `y` to `y_new`;
+    /// `None` if all errors are 0.
     pub(crate) fn worst<S: Real>(&self, error: impl Iterator<Item = S>, y: &[S], y_new: &[S]) -> Option<usize> {
         let magnitude = |i: usize| y[i].to_f64().abs().max(y_new[i].to_f64().abs());
         let quotients = error.enumerate().map(|(i, e)| (i, e.to_f64().abs() / self.weight(i, magnitude(i))));
         quotients.filter(|(_, q)| *q > 0.0).max_by(|(_, p), (_, q)| p.total_cmp(q)).map(|(i, _)| i)
     }
 
-    /// Parts of the weights that do not depend on |y|, in the blocks of the state.
+    /// Parts of the components' weights that do not depend on |y|, in blocks like those of the state.
     pub(crate) fn absolute_blocks(&self) -> &[[f64; LANES]] {
         self.absolute.as_chunks().0
     }
 
-    /// Reciprocals of the weights of several components for [`Norm::MeanSquare`], from the absolute parts of the
-    /// weights.
+    /// Reciprocal weights of L components for [`Norm::MeanSquare`], for a step from `y` to `y_new`.
+    /// `absolute` has the parts of the weights that do not depend on |y|.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "a few operations on arrays, also inside code for wider registers")]
     pub(crate) fn inverse_weights<const L: usize>(
@@ -193,13 +206,15 @@ impl ErrorTest {
         weights
     }
 
-    /// Parts of the weights that do not depend on |y|, one for each component.
+    /// Parts of the weights that do not depend on |y|, an entry for each component, with padding to whole
+    /// blocks at the end.
     pub(crate) fn absolute(&self) -> &[f64] {
         &self.absolute
     }
 }
 
-/// Absolute tolerances as a list of n; an error if a list has another length.
+/// Returns the absolute tolerances as a list of `n` numbers. Error if a list of another length is
+/// given.
 fn per_component(atol: &AbsoluteTolerance, n: usize) -> Result<Vec<f64>, SimError> {
     match atol {
         AbsoluteTolerance::Uniform(atol) => Ok(vec![*atol; n]),
@@ -210,6 +225,7 @@ fn per_component(atol: &AbsoluteTolerance, n: usize) -> Result<Vec<f64>, SimErro
     }
 }
 
+/// Refuses a relative tolerance that is negative or not finite.
 fn check_relative(rtol: f64) -> Result<(), SimError> {
     if rtol.is_finite() && rtol >= 0.0 {
         return Ok(());
@@ -217,6 +233,8 @@ fn check_relative(rtol: f64) -> Result<(), SimError> {
     Err(SimError::Tolerance { what: format!("relative tolerance {rtol} must be finite and not negative") })
 }
 
+/// Refuses an absolute tolerance of component `i` that is negative or not finite, or is 0 while the
+/// relative one is 0.
 fn check_absolute(i: usize, atol: f64, rtol: f64) -> Result<(), SimError> {
     let what = if !(atol.is_finite() && atol >= 0.0) {
         format!("absolute tolerance {atol} of component {i} must be finite and not negative")

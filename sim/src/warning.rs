@@ -1,62 +1,65 @@
-//! Warnings about a run. They do not stop the run.
+//! Warnings about a run, such as a tolerance below rounding. A warning does not stop the run.
 
 use std::fmt;
 
-/// Warning about a run. It does not stop the run.
+/// Warning about a run, with the numbers that its text shows. A warning does not stop the run.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Warning {
-    /// The relative tolerance was below 100 ε and was raised to 100 ε.
+    /// The relative tolerance was below 100 ε, with the ε of the run's scalar type, and was raised to 100
+    /// ε.
     RtolRaised {
-        /// Relative tolerance of the options.
+        /// Relative tolerance that the options ask for.
         from: f64,
-        /// Relative tolerance that was used instead.
+        /// Relative tolerance that the run used instead: 100 ε.
         to: f64,
     },
-    /// There is no relative tolerance, and the absolute one of a component is finer than the component's rounding. The
-    /// steps follow rounding errors: they are many, and do not make the result better.
+    /// The run has no relative tolerance, and a component's absolute tolerance is finer than the rounding
+    /// of the component. Step sizes then follow rounding errors: the run takes many steps, which do not
+    /// make the result better.
     ToleranceBelowRounding {
-        /// Index of the component, from 0.
+        /// Index in the state, from 0, of the component whose tolerance is below its rounding.
         component: usize,
         /// Time at which the tolerance was farthest below rounding, s.
         t: f64,
-        /// Size of the component at that time.
+        /// Absolute value of the component at time `t`, in its unit.
         size: f64,
-        /// Spacing of floating-point numbers of that size.
+        /// Spacing of floating-point numbers of the component's size, in its unit.
         spacing: f64,
-        /// Error of the component that was allowed.
+        /// Largest error that the absolute tolerance allows in the component, in its unit.
         allowed: f64,
-        /// Number of attempted steps that this component decided.
+        /// Number of attempted steps in which this component had the largest weighted error.
         attempts: u64,
     },
-    /// Shorter steps often did not make the error smaller: f jumps, has kinks, or is noise at the size of the
-    /// tolerance.
+    /// Shorter steps often did not make the error smaller. The right-hand side f jumps, has kinks, or
+    /// contains noise of the size of the tolerance.
     NotSmooth {
         /// Time at which a shorter step first did not help, s.
         t: f64,
-        /// Number of shorter steps that did not help.
+        /// Number of repeated steps whose error did not fall, though they were shorter.
         retries: u64,
-        /// Number of all attempted steps.
+        /// Number of all attempted steps of the run.
         attempts: u64,
     },
-    /// The equations have no value at a point that only the solution inside a step needs: events and output in that
-    /// step are those of a cubic through its ends.
+    /// The right-hand side has no value at a point that only the dense output of a step needs. Events and
+    /// output inside this step come from a cubic through the states and slopes of its ends.
     CoarseInside {
-        /// Start of the first step that needed a point without a value, s.
+        /// Start time of the first step whose dense output is such a cubic, s.
         t: f64,
     },
-    /// It is not known if an event happened that would have ended the run.
+    /// The search could not decide if an event function that ends runs crossed zero. The run went on.
     EventUndecided {
-        /// Name of the event.
+        /// Name of the undecided event.
         name: String,
-        /// Time of the first undecided place, s.
+        /// Time of the first place at which the event is undecided, s.
         t: f64,
-        /// Number of undecided places after the first.
+        /// Number of further undecided places of this event.
         more: usize,
     },
 }
 
 impl Warning {
-    /// Text of the warning, with these names for the components of the state.
+    /// Returns the text of the warning. `names` names the components of the state, in order; a component
+    /// without a name is shown by its index.
     #[must_use]
     pub fn described(&self, names: &[String]) -> String {
         let who = |at: usize| names.get(at).map_or_else(|| format!("component {at}"), |name| format!("`{name}`"));
@@ -65,6 +68,8 @@ impl Warning {
         out
     }
 
+    /// Writes the text of the warning to `f`. `who` gives the name of a component of the state from its
+    /// index.
     fn say(&self, f: &mut impl fmt::Write, who: &dyn Fn(usize) -> String) -> fmt::Result {
         match self {
             Self::RtolRaised { from, to } => {

@@ -1,7 +1,7 @@
-//! Speed against accuracy: measurements of runs, and their evaluation.
+//! Work–precision measurements: computing time of runs against their error.
 //!
-//! Each error is the largest |e| / (1 + |reference|) over all components. Absent on purpose: models, and the search for
-//! a reference.
+//! Each error is the largest |e| / (1 + |reference|) over all components. Absent on purpose: models,
+//! and the search for a reference.
 
 #[cfg(feature = "clock")]
 use std::ops::ControlFlow;
@@ -12,21 +12,21 @@ use tripos_traits::{DoubleDouble, Method, Real, Scalar, larger};
 
 use crate::methods::options::{Options, Output};
 
-/// Statistics of the times of repeated runs, s.
+/// Statistics of the measured times of repeated runs, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// Shortest time, s.
+    /// Shortest measured computing time, s.
     pub least: f64,
-    /// Median of the times, s; of an even number, the lower of the middle two.
+    /// Median of the measured times, s; for an even number of times, the lower of the middle two.
     pub median: f64,
-    /// Longest time, s.
+    /// Longest measured computing time, s.
     pub most: f64,
     /// Number of runs that were timed.
     pub runs: usize,
 }
 
 impl Spread {
-    /// Statistics of measured times, s; `None` without times.
+    /// Computes the statistics of measured times, s. `None` if there are no times.
     #[must_use]
     pub fn of(times: &[f64]) -> Option<Self> {
         let mut sorted = times.to_vec();
@@ -36,8 +36,8 @@ impl Spread {
     }
 }
 
-/// Error of a result: the largest |found − reference| / (1 + |reference|), with the difference in twice the precision
-/// of a double. Not a number if a component has no value or a length differs.
+/// Error of a state: the largest |found − reference| / (1 + |reference|) over all components, computed
+/// in double-double numbers. Not a number if a component is not a number, or if the lengths differ.
 #[must_use]
 pub fn error(found: &[DoubleDouble], reference: &[DoubleDouble]) -> f64 {
     if found.len() != reference.len() {
@@ -47,9 +47,9 @@ pub fn error(found: &[DoubleDouble], reference: &[DoubleDouble]) -> f64 {
     found.iter().zip(reference).map(one).fold(0.0, larger)
 }
 
-/// Options that run a method at a tolerance over a span of `length` s.
+/// Options for a run of a method at a tolerance, over a span of `length` s.
 ///
-/// Relative and absolute tolerance are equal. A method without error estimate takes equal steps of
+/// Relative and absolute tolerance are equal. A method without an error estimate takes equal steps of
 /// length/10 · tolerance^(1/order), so that its error falls about as the tolerance does.
 #[must_use]
 pub fn options(method: Method, tolerance: f64, length: f64, step_limit: u64) -> Options {
@@ -58,8 +58,11 @@ pub fn options(method: Method, tolerance: f64, length: f64, step_limit: u64) -> 
     Options { method, step, step_limit, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) }
 }
 
-/// Times every job `repeats` times, s, in turn, so that other load of the machine affects all jobs alike. `after` is
-/// called after every single run, and may end the measurement: that run does not count then.
+/// Measures the time of each job `repeats` times, s. All jobs run once before any runs again, so that
+/// other load of the machine affects them alike. Returns a list of times for each job.
+///
+/// `after` is called after every single run. If it breaks, the measurement ends and that run does not
+/// count.
 #[cfg(feature = "clock")]
 pub fn interleaved(
     jobs: &mut [Box<dyn FnMut() + '_>],
@@ -81,8 +84,8 @@ pub fn interleaved(
     all
 }
 
-/// Indices of the points that no other point beats in both time and error, ordered by time. Points are (seconds,
-/// error); points that are not finite are never among them.
+/// Indices of the points (time in s, error) that no other point beats in both time and error, ordered
+/// by time. Points that are not finite are left out.
 #[must_use]
 pub fn pareto(points: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> =
@@ -97,7 +100,8 @@ pub fn pareto(points: &[(f64, f64)]) -> Vec<usize> {
     order
 }
 
-/// Index of the fastest point (seconds, error) whose error is no larger than `target`; `None` if there is none.
+/// Index of the fastest point (time in s, error) whose error is at most `target`; `None` if no error is
+/// so small.
 #[must_use]
 pub fn cheapest(points: &[(f64, f64)], target: f64) -> Option<usize> {
     let good = (0..points.len()).filter(|i| points[*i].1 <= target && points[*i].0.is_finite());

@@ -1,4 +1,5 @@
-//! Figure of a speed chart: a panel for each question.
+//! Figure of a speed chart: error against run time, with a panel each for methods, formulations and
+//! solves.
 
 use super::sentences::{is_derived, is_whole};
 use crate::failure::Failure;
@@ -19,7 +20,7 @@ pub fn chart(list: &[Measurement], uncertainty: f64) -> Result<String, Failure> 
     draw(&panels(list, uncertainty), 3).map_err(|error| failed(&error))
 }
 
-/// Draws a figure as one `<svg>` element.
+/// Draws any figure, panels or a heat map, as one `<svg>` element.
 ///
 /// # Errors
 /// [`Failure::Output`] if the figure cannot be drawn.
@@ -31,12 +32,13 @@ pub fn drawn(figure: &Figure) -> Result<String, Failure> {
     svg.map_err(|error| failed(&error))
 }
 
-/// Makes the failure of a figure that could not be drawn.
+/// Returns the failure for a figure that could not be drawn.
 pub fn failed(error: &PlotError) -> Failure {
     Failure::Output("the figure".to_owned(), std::io::Error::other(error.to_string()))
 }
 
-/// Panels of the speed chart: methods, formulations, solves. `uncertainty` is the relative error of the reference.
+/// Returns the panels of the speed chart: methods, formulations, solves. `uncertainty` is the
+/// relative error of the reference solution.
 pub fn panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
     // The formulation that is listed first, and the best method, represent the others.
     let Some(Measurement { by: first, solve: natural, .. }) = list.first() else { return Vec::new() };
@@ -50,7 +52,7 @@ pub fn panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
         MethodAtTolerance::Quadrature => Some((format!("{}, {}", m.by.name(), m.way.name()), BY_QUADRATURE)),
         _ => (is_best(m) && m.solve == *natural).then(|| (m.by.name(), own_style(list, &m.by))),
     };
-    // Runs that are not solved numerically are in the panel of formulations, by the same names.
+    // Runs with eliminated accelerations have the same names here as in the panel of formulations.
     let solve = |m: &Measurement| {
         let shown = is_best(m) && is_whole(m) && is_derived(m);
         let (name, style) = match m.solve {
@@ -67,7 +69,8 @@ pub fn panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
     ]
 }
 
-/// Style of the curve of a set of equations; each printed set has a style of its own.
+/// Returns the style number of the curve for a set of equations. Each printed set of equations has
+/// its own style.
 fn own_style(list: &[Measurement], by: &EquationsOrigin) -> usize {
     let mut printed: Vec<&EquationsOrigin> = Vec::new();
     for m in list.iter().filter(|m| m.by.printed_id().is_some()) {
@@ -78,9 +81,12 @@ fn own_style(list: &[Measurement], by: &EquationsOrigin) -> usize {
     printed.iter().position(|other| *other == by).map_or_else(|| style(by), |at| PRINTED + at % MOST_PRINTED)
 }
 
-/// Function from a measurement to its curve: the name in the legend and the style; `None` if it is not shown.
+/// Function from a measurement to its curve: name in the legend and style number. `None` if the
+/// panel does not show the measurement.
 type Group<'a> = &'a dyn Fn(&Measurement) -> Option<(String, usize)>;
 
+/// Returns a panel of the speed chart: the curves that `group` forms, with the Pareto front and a
+/// note.
 fn panel(list: &[Measurement], title: &str, group: Group<'_>, uncertainty: f64) -> Panel {
     let shown: Vec<((String, usize), &Measurement)> = list.iter().filter_map(|m| Some((group(m)?, m))).collect();
     // Curves of one name and style may be of several sets of equations.
@@ -92,7 +98,8 @@ fn panel(list: &[Measurement], title: &str, group: Group<'_>, uncertainty: f64) 
     }
     let points: Vec<(f64, f64)> = shown.iter().map(|(_, m)| place(m)).collect();
     let front: Vec<(f64, f64)> = pareto(&points).into_iter().map(|at| points[at]).collect();
-    // The points of the front are measurements too: they are marked where they are, not along the line.
+    // The points of the front are measurements too, so markers are at these points and not along
+    // the line.
     let spread = front.iter().map(|(x, _)| (*x, *x)).collect();
     let mut series =
         vec![Series { label: "Pareto front".to_owned(), style: FRONT, points: front, spread, band: Vec::new() }];
@@ -118,7 +125,8 @@ fn panel(list: &[Measurement], title: &str, group: Group<'_>, uncertainty: f64) 
     }
 }
 
-/// Place of a measurement in the chart, (time, s; error); the error of a run that ended early is not a number.
+/// Returns the place of a measurement in the chart: (median run time in s, error). The error is not
+/// a number for a run that ended early.
 fn place(m: &Measurement) -> (f64, f64) {
     (m.seconds.median, m.error.unwrap_or(f64::NAN))
 }

@@ -1,4 +1,4 @@
-//! Files of a speed chart: tables for programs, and a table for people.
+//! Files of a speed chart: CSV tables for programs, and a table of advice for people.
 
 use super::sentences::{TARGETS, fastest, seconds};
 use crate::failure::Failure;
@@ -8,7 +8,8 @@ use std::path::Path;
 use tripos::Conserved;
 use tripos::studies::chart::Measurement;
 
-/// Writes the tables of a chart: `work_precision.csv`, `times.csv` (the bars of the chart) and `drifts.csv`.
+/// Writes the CSV tables of a speed chart into the folder `out`: `work_precision.csv`, `times.csv`
+/// (shortest, median and longest run) and `drifts.csv` (drifts of integrals).
 ///
 /// # Errors
 /// [`Failure::Output`] if a file cannot be written.
@@ -37,12 +38,12 @@ pub fn write(out: &Path, list: &[Measurement], integrals: &[Conserved]) -> Resul
     table(&out.join("drifts.csv"), &header, rows)
 }
 
-/// Tolerance as text in a table; `-` without a tolerance.
+/// Returns a tolerance as text in a table; `-` for `None`.
 pub fn tolerance(tolerance: Option<f64>) -> String {
     tolerance.map_or_else(|| "-".to_owned(), |tolerance| format!("{tolerance:e}"))
 }
 
-/// Table of advice: the fastest run for each of three accuracies, "to reach 1e-6 use …".
+/// Returns a table of advice: the fastest run for each of three accuracies.
 pub fn advice(list: &[Measurement]) -> String {
     let mut out = "to reach  use                                          tolerance  time       error\n".to_owned();
     for target in TARGETS {

@@ -6,24 +6,26 @@ use tripos_derive::scene::Solve;
 use tripos_sim::Method;
 use tripos_sim::work_precision::cheapest;
 
-/// Accuracies for which advice is given: largest relative errors at the end of a run.
+/// Accuracies for which a method is recommended: largest relative errors at the end of a run.
 pub const TARGETS: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
-/// Fastest run, among those that `of` accepts, with an error of at most `target`; `None` if there is none. Runs of
-/// printed equations never count: they answer another question.
+/// Returns the fastest run with an error of at most `target`, among the runs that `of` accepts.
+/// `None` if there is none. Runs of printed equations never count, because printed equations may
+/// differ from the derived ones.
 pub fn fastest(list: &[Measurement], target: f64, of: impl Fn(&Measurement) -> bool) -> Option<&Measurement> {
     let some: Vec<&Measurement> = list.iter().filter(|m| of(m) && is_derived(m)).collect();
     let points: Vec<(f64, f64)> = some.iter().map(|m| (m.seconds.median, m.error.unwrap_or(f64::NAN))).collect();
     cheapest(&points, target).map(|at| some[at])
 }
 
-/// Accuracy at which kinds of runs are compared: the middle target, or the first if no run reaches the middle one.
+/// Returns the accuracy at which kinds of runs are compared: the middle target, or the first if no
+/// run reaches the middle target. `None` if no run reaches either.
 fn compared_at(list: &[Measurement]) -> Option<f64> {
     [TARGETS[1], TARGETS[0]].into_iter().find(|target| fastest(list, *target, |_| true).is_some())
 }
 
-/// Time at which a curve crosses an accuracy, s; `None` if it does not. It is read between the curve's points on
-/// logarithmic axes, since tolerances are far apart.
+/// Returns the run time, s, at which a curve crosses an accuracy; `None` if it does not cross. The
+/// time is interpolated on logarithmic axes, since tolerances are far apart.
 fn crossing(curve: &[&Measurement], target: f64) -> Option<f64> {
     let points: Vec<(f64, f64)> =
         curve.iter().filter_map(|m| Some((m.error?.max(f64::MIN_POSITIVE).ln(), m.seconds.median.ln()))).collect();
@@ -34,8 +36,8 @@ fn crossing(curve: &[&Measurement], target: f64) -> Option<f64> {
     at_once.into_iter().chain(between).reduce(f64::min).map(f64::exp)
 }
 
-/// Time that each kind of run needs to an accuracy, s, with the best choice of everything else; `None` if no run of the
-/// kind reaches it.
+/// Returns, for each kind of run, the shortest time, s, in which it reaches an accuracy, with the
+/// best choice of everything else. `None` for a kind that does not reach it.
 fn each<'a, Kind: PartialEq>(
     list: &'a [Measurement],
     target: f64,
@@ -57,7 +59,7 @@ fn each<'a, Kind: PartialEq>(
     kinds.into_iter().map(|kind| (time(&kind), kind)).map(|(time, kind)| (kind, time)).collect()
 }
 
-/// Lists kinds with their times, as `kane in 1.00 ms, lagrange not at all`.
+/// Lists kinds of runs with their times, such as `kane in 1.00 ms, lagrange not at all`.
 fn listed<Kind>(times: &[(Kind, Option<f64>)], name: impl Fn(&Kind) -> String) -> String {
     let one = |(kind, time): &(Kind, Option<f64>)| match time {
         Some(time) => format!("{} in {}", name(kind), seconds(*time)),
@@ -66,14 +68,15 @@ fn listed<Kind>(times: &[(Kind, Option<f64>)], name: impl Fn(&Kind) -> String) -
     times.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// Ratio of the longest to the shortest time, among the kinds that have one; `None` for fewer than two.
+/// Returns the ratio of the longest to the shortest time, among the kinds that have a time. `None`
+/// for fewer than two times.
 fn factor<Kind>(times: &[(Kind, Option<f64>)]) -> Option<f64> {
     let arrived: Vec<f64> = times.iter().filter_map(|(_, time)| *time).collect();
     let (least, most) = (arrived.iter().copied().reduce(f64::min)?, arrived.iter().copied().reduce(f64::max)?);
     (arrived.len() > 1).then_some(most / least)
 }
 
-/// Derived equations that were measured, each once.
+/// Lists the derived sets of equations that were measured, without repetition.
 fn equations(list: &[Measurement]) -> Vec<&EquationsOrigin> {
     let mut found: Vec<&EquationsOrigin> = Vec::new();
     for m in list.iter().filter(|m| is_derived(m)) {
@@ -84,33 +87,40 @@ fn equations(list: &[Measurement]) -> Vec<&EquationsOrigin> {
     found
 }
 
-/// True if the run uses derived equations: printed equations answer another question.
+/// True if the run uses derived equations, false if it uses printed equations of a publication.
 pub fn is_derived(m: &Measurement) -> bool {
     m.by.printed_id().is_none()
 }
 
-/// True if the run uses the equations of the whole model. Only these runs compare methods and solves: a scene's reduced
-/// equations have a single solve, and their gain is not that of the solve.
+/// True if the run uses the equations of the whole model, false for a scene's reduced equations.
+/// Only runs of the whole model compare methods and solves.
 pub fn is_whole(m: &Measurement) -> bool {
     !m.by.is_reduced()
 }
 
-/// Time that each set of equations needs, s, with the best choice of everything else.
+/// Returns the time, s, that each set of equations needs to the accuracy `target`, with the best
+/// method and solve.
+/// `None` for equations that do not reach it.
 fn by_equations(list: &[Measurement], target: f64) -> Vec<(&EquationsOrigin, Option<f64>)> {
     each(list, target, equations(list), |m| Some(&m.by))
 }
 
-/// Time that each method needs by the equations of the whole model, s.
+/// Returns the time, s, that each method needs to the accuracy `target` by the equations of the
+/// whole model.
+/// `None` for a method that does not reach it.
 fn by_method(list: &[Measurement], target: f64) -> Vec<(Method, Option<f64>)> {
     each(list, target, Method::ALL, |m| m.way.method().filter(|_| is_whole(m)))
 }
 
-/// Time that the equations of the whole model need with each solve, s.
+/// Returns the time, s, that the equations of the whole model need to the accuracy `target`, for
+/// each way of solving for accelerations.
+/// `None` if no run with that way reaches it.
 fn by_solve(list: &[Measurement], target: f64) -> Vec<(Solve, Option<f64>)> {
     each(list, target, Solve::ALL, |m| is_whole(m).then_some(m.solve))
 }
 
-/// Sentence with the gain of a scene's reduced equations over the fastest whole ones; `None` without both.
+/// Returns a sentence that compares a scene's reduced equations with the fastest whole equations.
+/// `None` unless both reach the accuracy `target`.
 fn gain(list: &[Measurement], target: f64) -> Option<String> {
     let times = each(list, target, [false, true], |m| Some(is_whole(m)));
     let [(_, Some(own)), (_, Some(whole))] = times.as_slice() else { return None };
@@ -122,7 +132,7 @@ fn gain(list: &[Measurement], target: f64) -> Option<String> {
     ))
 }
 
-/// Caption of the speed chart.
+/// Returns the caption of the speed chart. `until` is the time at the end of the runs, s.
 pub fn caption(list: &[Measurement], until: f64) -> String {
     let seen = format!(
         "Each point is a run at one tolerance: its time, the middle one of several, and its error at t = {until} s; lower \
@@ -144,7 +154,7 @@ pub fn caption(list: &[Measurement], until: f64) -> String {
     )
 }
 
-/// Recommendation of equations, method and solve for the scene, in one paragraph.
+/// Returns a recommendation of equations, method and solve for the scene, as one paragraph.
 pub fn lead(list: &[Measurement]) -> String {
     let best: Vec<&Measurement> = TARGETS.iter().filter_map(|t| fastest(list, *t, |_| true)).collect();
     let Some(target) = compared_at(list) else {
@@ -193,7 +203,7 @@ pub fn lead(list: &[Measurement]) -> String {
     [Some(use_), gain(list, target), compared].into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
-/// Time as text with a readable unit, such as `1.25 ms`; `s` is in seconds.
+/// Returns a time as text with a readable unit, such as `1.25 ms`; `s` is in seconds.
 pub fn seconds(s: f64) -> String {
     match s {
         s if s < 1e-3 => format!("{:.0} µs", s * 1e6),

@@ -1,4 +1,4 @@
-//! `tripos chart`: speed against accuracy for every formulation, solve and method.
+//! Command `tripos chart`: measures speed against accuracy for every formulation, solve and method.
 
 use crate::chart::{figure, files};
 use crate::failure::{Failure, Output, print_either, say, warn};
@@ -12,7 +12,9 @@ use tripos::studies::case::Printed;
 use tripos::studies::chart::{Plan, session};
 use tripos_derive::plain::path_in_line;
 
-/// Measures the speed of a scene by all ways, and writes the tables and the chart to `out`. Returns the exit status.
+/// Measures the speed of a scene with all formulations, solves and methods, and writes tables and a
+/// chart to the folder `out`. Returns the exit status. An interruption keeps partial tables and
+/// gives an error.
 pub fn chart(
     VariedScene { model, scene, .. }: &VariedScene,
     plan: &Plan,
@@ -64,7 +66,7 @@ pub fn chart(
     Ok(0)
 }
 
-/// Makes a progress bar with a count and a message.
+/// Returns a progress bar with a count and a message.
 pub fn progress() -> ProgressBar {
     let bar = ProgressBar::new(1);
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");

@@ -1,4 +1,4 @@
-//! `tripos check`: facts about a model before its equations are used.
+//! Command `tripos check`: states facts about a model before its equations are used.
 
 use crate::failure::{Failure, Output, print, print_json};
 use crate::phrases::{NAMED, shortened};
@@ -11,6 +11,9 @@ use tripos_derive::check::{Check, Checked, ConstraintKind, Effect, LoadEffect, R
 use tripos_derive::model::Branch;
 
 /// Runs `tripos check`: prints the freedoms, constraints and singularities of a model. Returns the exit status.
+///
+/// # Errors
+/// `Failure` if the model cannot be read or checked, or the output cannot be printed.
 pub fn check(model: &Path, output: Output) -> Result<u8, Failure> {
     let model = read_model(model)?;
     let found = check_model(&model).map_err(|error| model.diagnose(&error))?;
@@ -22,6 +25,7 @@ pub fn check(model: &Path, output: Output) -> Result<u8, Failure> {
     Ok(0)
 }
 
+/// Returns the word for a kind of constraint: `configuration` or `motion`.
 fn word(kind: ConstraintKind) -> &'static str {
     match kind {
         ConstraintKind::Configuration => "configuration",
@@ -29,6 +33,7 @@ fn word(kind: ConstraintKind) -> &'static str {
     }
 }
 
+/// Returns the result of a check as JSON.
 fn json_of(model: &Mechanism, found: &Check) -> Value {
     let constraint = |c: &Checked| {
         json!({
@@ -53,7 +58,8 @@ fn json_of(model: &Mechanism, found: &Check) -> Value {
     })
 }
 
-/// Assembly branch as JSON: a pose on it, the number of its independent constraints, and the bounds of that decision.
+/// Returns an assembly branch as JSON: a pose on it, the number of its independent constraints, and
+/// the bounds of that decision.
 fn branch_of(model: &Mechanism, branch: &Branch) -> Value {
     let names = model.coordinates.iter().map(|c| c.name.clone());
     let pose: Map<String, Value> = names.zip(branch.pose.iter().map(|x| json!(x))).collect();
@@ -69,10 +75,12 @@ fn branch_of(model: &Mechanism, branch: &Branch) -> Value {
     })
 }
 
+/// Returns the name of an assembly branch, by a pose on it.
 fn branch_name(model: &Mechanism, branch: &Branch) -> String {
     through(model, &branch.pose)
 }
 
+/// Returns the words `through q1 = …` for a pose, with four decimals.
 fn through(model: &Mechanism, pose: &[f64]) -> String {
     let coordinates = model.coordinates.iter().zip(pose);
     let at: Vec<String> = coordinates.map(|(c, x)| format!("{} = {}", c.name, tidy(*x))).collect();
@@ -84,6 +92,7 @@ fn tidy(x: f64) -> f64 {
     (x * 1e4).round() / 1e4 + 0.0
 }
 
+/// Returns the poses in which the constraints lose rank as JSON.
 fn poses_of(loss: &RankLoss) -> Value {
     let pose =
         loss.pose.as_ref().map(|pose| pose.iter().map(|(name, x)| (name.clone(), json!(x))).collect::<Map<_, _>>());
@@ -99,6 +108,7 @@ fn poses_of(loss: &RankLoss) -> Value {
     })
 }
 
+/// Returns the effect of a load on the energy as JSON.
 fn load_of(load: &LoadEffect) -> Value {
     let energy = match load.effect {
         Effect::Keeps => "keeps",
@@ -109,7 +119,8 @@ fn load_of(load: &LoadEffect) -> Value {
     json!({ "name": load.load, "energy": energy, "why": load.why })
 }
 
-/// Lines about the poses in which the mechanism itself is singular, with a proof or a pose.
+/// Returns the lines about singular poses of the mechanism, in which its constraints lose rank: a
+/// proof that there are none, or a pose.
 fn singular_text(loss: &RankLoss) -> String {
     let taken: Vec<String> = loss.taken.iter().map(|e| shortened(e)).collect();
     let taken = match taken.as_slice() {
@@ -152,7 +163,8 @@ fn singular_text(loss: &RankLoss) -> String {
     out
 }
 
-/// Lines about the loads that can create energy, or for which this is undecided.
+/// Returns the lines about the loads that can create energy, or for which this is undecided. Empty
+/// if there are none.
 fn loads_text(loads: &[LoadEffect]) -> String {
     let mut out = String::new();
     for load in loads {
@@ -166,6 +178,7 @@ fn loads_text(loads: &[LoadEffect]) -> String {
     if out.is_empty() { out } else { format!("\n{out}") }
 }
 
+/// Returns the result of a check as text.
 fn text_of(model: &Mechanism, found: &Check) -> String {
     let mut out = format!("{}\n{}\n\n", model.title, model.count());
     let freedom = found.configuration_freedom.map_or_else(|| "not decided".to_owned(), |n| format!("{n}-dimensional"));

@@ -1,4 +1,4 @@
-//! `tripos derive`: equations of motion, for people and for programs.
+//! Command `tripos derive`: prints equations of motion for people and for programs.
 
 mod document;
 mod formulas;
@@ -30,14 +30,18 @@ use tripos_derive::mechanics::{
 };
 use tripos_derive::prove::{first_integrals, write_integral_names};
 
-/// A formulation with its accelerations; these are `None` if they are not determined.
+/// Derived formulation with its accelerations in closed form. `solved` is `None` if the
+/// accelerations are not determined.
 struct Derived {
     derivation: DerivationInSteps,
     solved: Option<Elimination>,
 }
 
-/// Runs `tripos derive`: derives the equations and prints them in a format. Only LaTeX has parts. Returns the exit
-/// status.
+/// Runs `tripos derive`: derives the equations and prints them in a format. `part` may be a
+/// fragment only for LaTeX. Returns the exit status.
+///
+/// # Errors
+/// `Failure` if the model cannot be read or derived, or the request is refused.
 pub fn derive(
     model: &Path,
     by: Option<&str>,
@@ -75,8 +79,8 @@ pub fn derive(
     Ok(0)
 }
 
-/// Derives the named formulation, or all that the model supports. Formulations that it does not support are named on
-/// standard error.
+/// Derives the formulation named `by`, or all standard ones that the model supports. Unsupported
+/// formulations are named on standard error.
 fn derivations(model: &Mechanism, by: Option<&str>, form: Option<Form>) -> Result<Vec<Derived>, Failure> {
     if let Some(name) = by {
         let derivation = derive_in_steps(model, formulation(name)?, form).map_err(|error| model.diagnose(&error))?;
@@ -94,7 +98,8 @@ fn derivations(model: &Mechanism, by: Option<&str>, form: Option<Form>) -> Resul
 }
 
 impl Derived {
-    /// Solves for the accelerations, and leaves out of their steps the terms that have names already.
+    /// Solves derived equations for the accelerations. Terms that the equations already name are
+    /// left out of the elimination steps.
     fn new(mut derivation: DerivationInSteps) -> Self {
         let DerivationInSteps { arena, equations, .. } = &mut derivation;
         let mut solved = accelerations(arena, &mut Simplifier::default(), equations).ok();
@@ -106,6 +111,7 @@ impl Derived {
     }
 }
 
+/// Returns the derivation as plain text.
 fn as_text(model: &Mechanism, moving: &[MovingPlace], derived: &[Derived]) -> String {
     let mut out = format!("{}\n{}\n", model.title, model.count());
     for place in moving {
@@ -150,7 +156,7 @@ fn as_text(model: &Mechanism, moving: &[MovingPlace], derived: &[Derived]) -> St
     out
 }
 
-/// Row of the linear system as text, M1·x1 + M2·x2 + …, without the zeros.
+/// Returns a row of the linear system as text, `M1*x1 + M2*x2 + …`, without zero entries.
 fn row_text(arena: &Arena, row: &[Expr], unknowns: &[Expr]) -> String {
     let mut terms = Vec::new();
     for (entry, unknown) in row.iter().zip(unknowns) {
@@ -166,10 +172,12 @@ fn row_text(arena: &Arena, row: &[Expr], unknowns: &[Expr]) -> String {
     terms.join(" + ").replace("+ -", "- ")
 }
 
-/// Largest number of coordinates for which `derive` searches conserved quantities; `prove` does for any model.
+/// Largest number of coordinates for which `derive` searches for first integrals. `prove` searches
+/// for them in any model.
 const MOST_PROVED: usize = 8;
 
-/// Makes a document of everything that was derived.
+/// Returns a document with all derived formulations, and with the first integrals of small models.
+/// `Err` if the model cannot be derived by all formulations.
 fn document(model: &Mechanism, moving: &[MovingPlace], derived: &[Derived]) -> Result<Document, Failure> {
     let mut document = Document::new(model, moving);
     for Derived { derivation, solved } in derived {
@@ -185,6 +193,7 @@ fn document(model: &Mechanism, moving: &[MovingPlace], derived: &[Derived]) -> R
     Ok(document)
 }
 
+/// Returns the definitions and the equations of motion as MathML.
 fn as_mathml(derived: &[Derived]) -> String {
     let mut out = String::new();
     for DerivationInSteps { arena, equations: e, .. } in derived.iter().map(|derived| &derived.derivation) {

@@ -1,4 +1,4 @@
-//! `tripos diff`: comparison of a model with a published derivation, or with an edited model.
+//! Command `tripos diff`: compares a model with a published derivation, or with an edited model.
 
 pub mod coordinates;
 mod models;
@@ -24,18 +24,26 @@ use tripos_derive::diff::{Consequences, Difference, Finding, Judgement};
 use tripos_derive::model::is_model;
 use tripos_derive::plain::path_in_line;
 
-/// Result of one comparison: for people, and for programs.
+/// Result of a comparison of a model with one other file, as text and as JSON.
 pub struct Comparison {
+    /// True if the comparison found no difference.
     is_clean: bool,
+    /// Report on the comparison as text, for people.
     text: String,
+    /// Report on the comparison as JSON, for programs.
     json: Value,
 }
 
-/// Function that compares a model with the file of another model or of a publication.
+/// Function that compares a model with another file: a publication or an edited model.
 pub type Compare = fn(&Mechanism, &Path) -> Result<Comparison, Failure>;
 
-/// Compares a model with each of some files; exit status 1 if anything differs. A file that cannot be compared does not
-/// stop the comparison of the others: its failure is told in its place, and its exit status is that of the command.
+/// Compares a model with each of the files `others` and prints the results. Returns the exit
+/// status, 1 if anything differs.
+/// A file that cannot be compared does not stop the other comparisons. Its failure is printed, and
+/// the highest exit status is returned.
+///
+/// # Errors
+/// `Failure` if the model cannot be read, or if the only other file cannot be compared.
 pub fn diff(model: &Path, others: &[PathBuf], compare: Compare, output: Output) -> Result<u8, Failure> {
     let model = read_model(model)?;
     if let [other] = others {
@@ -71,13 +79,16 @@ pub fn diff(model: &Path, others: &[PathBuf], compare: Compare, output: Output) 
     Ok(code)
 }
 
-/// A comparison in JSON with the name of the other file in it.
+/// Adds the name of the compared file to a comparison in JSON.
 fn with_file(mut value: Value, file: &str) -> Value {
     value["file"] = json!(file);
     value
 }
 
-/// Compares a model with a publication file, or an older model with a newer one.
+/// Compares a model with a publication file, or with a newer version of the model.
+///
+/// # Errors
+/// `Failure` if a file cannot be read, or a model cannot be derived.
 pub fn compared(model: &Mechanism, other: &Path) -> Result<Comparison, Failure> {
     let source = Source::read(&model_file(other))?;
     if is_model(&source) {
@@ -86,13 +97,14 @@ pub fn compared(model: &Mechanism, other: &Path) -> Result<Comparison, Failure> 
     Ok(verdicts(Judged::new(model, &source)?, None))
 }
 
-/// Result of the search for the coordinates of a publication, for people and for programs.
+/// Report on the search for the coordinates of a publication, as text and as JSON.
 struct CoordinateReport {
     text: String,
     json: Value,
 }
 
-/// Verdicts on a publication. The report on its coordinates stands in front, if there is one.
+/// Returns the verdicts on a publication as a comparison. A report on its coordinates comes first,
+/// if there is one.
 fn verdicts(judged: Judged, coordinates: Option<CoordinateReport>) -> Comparison {
     let Judged { model, publication, mut derivations, proof, difference } = judged;
     difference.write_names(&proof, &mut derivations);
@@ -106,7 +118,8 @@ fn verdicts(judged: Judged, coordinates: Option<CoordinateReport>) -> Comparison
     Comparison { is_clean: difference.is_clean(), text, json }
 }
 
-/// Verdicts on all entries of a publication, their consequences and root mistakes, as JSON.
+/// Returns the verdicts on all entries of a publication, their consequences and the root mistakes
+/// as JSON.
 pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Value {
     let shown = |e: Option<Expr>| e.map(|e| whole_text(arena, e));
     let equations: Vec<Value> = difference
@@ -172,13 +185,14 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
     })
 }
 
-/// Domain in which a right entry holds: everywhere, or only on the constraints or in the domain of the model; `None`
-/// for a wrong entry.
+/// Returns the domain in which a right entry holds: `everywhere`, on the constraints, or in the
+/// domain of the model. `None` for an entry that is not right.
 fn holds(finding: &Finding) -> Option<&'static str> {
     let is_right = matches!(finding.judgement, Judgement::Equal | Judgement::Scaled);
     is_right.then(|| finding.holds.words().unwrap_or("everywhere"))
 }
 
+/// Returns the number of entries with each verdict as JSON.
 fn summary(difference: &Difference) -> Value {
     let words = ["equal", "scaled", "different", "undecided", "stated"];
     let mut counts: serde_json::Map<String, Value> =
@@ -187,6 +201,8 @@ fn summary(difference: &Difference) -> Value {
     Value::Object(counts)
 }
 
+/// Returns the verdicts on all entries of a publication as text. `title` is the publication's
+/// title.
 fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Difference) -> String {
     let mut out = format!("{title}\nagainst {}\n", model.title);
     let mut section = "";
@@ -251,7 +267,7 @@ fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Differenc
     out
 }
 
-/// Lists every formula that the text shows, so that their names can be defined.
+/// Lists the formulas that the text report shows, so that the names in them can be defined.
 fn printed(difference: &Difference) -> Vec<Expr> {
     let findings = difference.findings.iter().flat_map(|f| match f.judgement {
         Judgement::Scaled => f.factor.into_iter().collect(),
@@ -261,14 +277,15 @@ fn printed(difference: &Difference) -> Vec<Expr> {
     findings.chain(difference.consequences.iter().flat_map(Consequences::shown)).collect()
 }
 
-/// Words for the difference that an entry may have and the domain in which it holds; empty if it holds exactly and
-/// everywhere.
+/// Returns words for the permitted difference of an entry and for the domain in which it holds.
+/// Empty if it holds exactly and everywhere.
 fn place(finding: &Finding) -> String {
     let words: Vec<&str> = finding.up_to.into_iter().chain(finding.holds.words()).collect();
     if words.is_empty() { String::new() } else { format!("  {}", words.join(", ")) }
 }
 
-/// Writes a verdict in a line; a wrong entry also gets its printed and derived form and its remarks.
+/// Writes the verdict on an entry. A wrong entry also gets its printed form, its derived form, a
+/// witness and remarks.
 fn describe(out: &mut String, arena: &Arena, f: &Finding) {
     match &f.judgement {
         Judgement::Equal | Judgement::Stated => {

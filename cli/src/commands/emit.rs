@@ -1,4 +1,4 @@
-//! `tripos emit`: the generated code of any model file, for a program of the user's own.
+//! Command `tripos emit`: writes generated code of any model file, for use in another program.
 
 use crate::failure::{Failure, Output, print_either, say, warn};
 use crate::scene_file::read_scene;
@@ -21,26 +21,31 @@ use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, is_scene};
 use tripos_derive::{Formulation, Model};
 
-/// Languages in which equations can be written.
+/// Names of the languages in which equations can be written.
 const LANGUAGES: [&str; 6] = ["rust", "js", "c", "python", "matlab", "casadi"];
 
-/// Request for the equations of a model in a language.
+/// Arguments of `tripos emit`: the model, the language and the choice of equations and functions.
 pub struct Emit {
     /// Path of the model file, or of a scene file.
     pub model: PathBuf,
-    /// Folder of the files.
+    /// Folder into which the files are written.
     pub out: PathBuf,
-    /// Name of the language.
+    /// Name of the language, such as `c`.
     pub language: String,
-    /// Names of the formulations; all that the model supports if empty.
+    /// Names of the formulations to write; if empty, all that the model supports.
     pub formulations: Vec<String>,
-    /// Names of further functions in Rust.
+    /// Names of the optional functions to write; only for Rust.
     pub with: Vec<String>,
-    /// Names of the functions in languages beside Rust and JavaScript; all if empty.
+    /// Names of the functions to write; if empty, all. Not for Rust and JavaScript.
     pub functions: Vec<String>,
 }
 
-/// Writes the equations of a model in a language to the files of a folder, and prints the outcome for each file.
+/// Runs `tripos emit`: writes the equations of a model in a language into a folder, and prints the
+/// change of each file. Returns the exit status.
+///
+/// # Errors
+/// `Failure` if the request is refused, the model has errors, or a file is in the way or cannot
+/// be written.
 pub fn emit(request: &Emit, output: Output) -> Result<u8, Failure> {
     let Emit { model, out, language, with, .. } = request;
     let formulations = request.formulations.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
@@ -96,7 +101,8 @@ pub fn emit(request: &Emit, output: Output) -> Result<u8, Failure> {
     Ok(0)
 }
 
-/// Emits the Rust module of a model, with a sentence on its use.
+/// Generates the Rust module of a model. The second result is a sentence on its use.
+/// `Err` if the folder has no name, or the model has errors.
 fn rust(model: &Path, out: &Path, formulations: &[Formulation], extras: Extras) -> Result<(Emission, String), Failure> {
     let module = module(out)?;
     let emission = emission(&model_file(model), &module, formulations, extras)?;
@@ -106,7 +112,8 @@ fn rust(model: &Path, out: &Path, formulations: &[Formulation], extras: Extras) 
     Ok((emission, then))
 }
 
-/// Emits the JavaScript modules of a model, with a sentence on their use.
+/// Generates the JavaScript modules of a model. The second result is a sentence on their use.
+/// `Err` if the model has errors.
 fn javascript(model: &Path, formulations: &[Formulation]) -> Result<(Emission, String), Failure> {
     let emission = emit_model(&Model::read(&model_file(model))?, formulations)?;
     let runners = RUNNERS.map(|(name, _)| format!("{name}.{EXTENSION}"));
@@ -116,7 +123,9 @@ fn javascript(model: &Path, formulations: &[Formulation]) -> Result<(Emission, S
     Ok((emission, then))
 }
 
-/// Emits the modules of a model in a language beside Rust and JavaScript, with a sentence on their use.
+/// Generates the modules of a model in C, Python, MATLAB or for CasADi. The second result is a
+/// sentence on their use.
+/// `Err` if a requested function is unknown, or the model or the scene has errors.
 fn other(request: &Emit, dialect: &dyn Dialect, formulations: &[Formulation]) -> Result<(Emission, String), Failure> {
     let known =
         || ModulePlan::FUNCTIONS.into_iter().chain(dialect.composites().iter().map(|composite| composite.name()));
@@ -147,7 +156,9 @@ fn other(request: &Emit, dialect: &dyn Dialect, formulations: &[Formulation]) ->
     Ok((emitted.emission, then))
 }
 
-/// Reads the model that an argument names, or the scene with its model.
+/// Reads the model file that an argument names, or the scene file with its model. The scene is
+/// `None` for a model file.
+/// `Err` if the file has errors.
 fn given(argument: &Path) -> Result<(Model, Option<Scene>), Failure> {
     let path = model_file(argument);
     if Source::read(&path).is_ok_and(|source| is_scene(&source)) {
@@ -157,7 +168,10 @@ fn given(argument: &Path) -> Result<(Model, Option<Scene>), Failure> {
     Ok((Model::read(&path)?, None))
 }
 
-/// Name of the Rust module: that of its folder.
+/// Returns the name of the Rust module: the name of its folder.
+///
+/// # Errors
+/// `Failure` if the folder has no name that can be read.
 fn module(out: &Path) -> Result<String, Failure> {
     // `.` and `..` have no name of their own.
     let named =

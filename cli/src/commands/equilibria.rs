@@ -1,4 +1,5 @@
-//! `tripos equilibria`: states in which a mechanism rests or moves steadily, and their stability.
+//! Command `tripos equilibria`: finds states in which a mechanism rests or moves steadily, and
+//! their stability.
 
 mod closed_form;
 mod figure;
@@ -18,15 +19,22 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::plain::significant;
 use tripos_derive::scene::load_asked;
 
-/// Starting points of the search for steady motions.
+/// Starting points of the search for equilibria and steady motions.
 pub struct StartingPoints<'a> {
-    /// State file or scene to start from; `None` if only formulas are wanted.
+    /// Path of the state file or scene to start from; `None` if only conditions in closed form are
+    /// wanted.
     pub file: Option<&'a Path>,
-    /// Number of further starting points.
+    /// Number of further starting points of the search.
     pub starts: u64,
 }
 
-/// Finds the steady motions of a model in closed form, solved for the wanted unknowns, and from the state of a file.
+/// Runs `tripos equilibria`: prints the conditions of rest and steady motion in closed form, and
+/// the motions found from the state of a file.
+/// `over` holds ranges of numbers to follow, `wanted` the unknowns to solve for, `out` the path of
+/// a figure. Returns the exit status.
+///
+/// # Errors
+/// `Failure` if a file has errors, a range is no range, or there is no steady motion to follow.
 pub fn equilibria(
     model: &Path,
     from: &StartingPoints<'_>,
@@ -80,7 +88,7 @@ pub fn equilibria(
     Ok(0)
 }
 
-/// Words for the branches of the closed form on which a motion lies; empty if it lies on none.
+/// Returns words for the closed-form solutions on which a motion lies. Empty if it lies on none.
 fn branches_text(closed: &ClosedForm, on: Option<BranchesAt>) -> String {
     let Some(BranchesAt { conditions, branches }) = on.filter(|on| !on.branches.is_empty()) else {
         return String::new();
@@ -90,7 +98,8 @@ fn branches_text(closed: &ClosedForm, on: Option<BranchesAt>) -> String {
     format!("by its numbers on solution {} of {of} below\n", list.join(", "))
 }
 
-/// Adds the branches on which a motion lies, by their places, to the JSON of the motion.
+/// Adds the closed-form solutions on which a motion lies, by their indices, to the JSON of the
+/// motion.
 fn with_branches(mut value: Value, on: Option<BranchesAt>) -> Value {
     if let Some(BranchesAt { conditions, branches }) = on {
         value["on"] = json!({ "conditions": conditions, "branches": branches });
@@ -98,6 +107,7 @@ fn with_branches(mut value: Value, on: Option<BranchesAt>) -> Value {
     value
 }
 
+/// Returns a motion that was found as JSON.
 fn json_of(found: &FoundMotion) -> Value {
     match &found.about {
         Ok(about) => point_of(about),
@@ -107,6 +117,8 @@ fn json_of(found: &FoundMotion) -> Value {
     }
 }
 
+/// Returns a linearised equilibrium or steady motion as JSON: state, stability, eigenvalues and
+/// modes.
 fn point_of(about: &About) -> Value {
     json!({
         "at": state_of(about),
@@ -121,6 +133,7 @@ fn point_of(about: &About) -> Value {
     })
 }
 
+/// Returns a motion that was found as text.
 fn text_of(found: &FoundMotion) -> String {
     let mut out = String::new();
     let about = match &found.about {

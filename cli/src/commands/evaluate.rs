@@ -1,4 +1,5 @@
-//! `tripos evaluate`: matrix, forcing, accelerations, reactions and energies at one state, by interpretation.
+//! Command `tripos evaluate`: prints matrix, forcing, accelerations, reactions and energies at one
+//! state.
 
 use crate::failure::{Failure, Output, print, print_json, warn};
 use crate::workspace::{read_model, short_name};
@@ -15,23 +16,35 @@ use tripos_derive::plain::significant;
 use tripos_derive::scene::{State, load_state};
 use tripos_sim::Dynamics;
 
-/// Equations of motion of a formulation in numbers, at one state.
+/// Equations of motion of a formulation evaluated at one state, in SI units.
 struct Values {
+    /// Names of the unknowns of the linear system.
     unknowns: Vec<String>,
+    /// Mass matrix, row by row: a row and a column for each unknown.
     mass_matrix: Vec<Vec<f64>>,
+    /// Right-hand side of the linear system, one entry per row.
     forcing: Vec<f64>,
+    /// Time derivatives of the generalized speeds, with their names.
     accelerations: Vec<(String, f64)>,
+    /// Reactions with their names; empty if the formulation has none.
     reactions: Vec<(String, f64)>,
+    /// Multipliers of constraints with their names; empty if the formulation has reactions or none.
     multipliers: Vec<(String, f64)>,
+    /// Kinetic energy T, J.
     kinetic_energy: f64,
+    /// Potential energy V, J.
     potential_energy: f64,
-    /// Part of the potential energy that is due to gravity, J.
+    /// Part of the potential energy V that is due to gravity, J.
     gravity_potential: f64,
-    /// Rate d(T + V)/dt of the energy, W.
+    /// Rate d(T + V)/dt of the energy, W: the power of the loads without a potential.
     power: f64,
 }
 
-/// Evaluates a formulation at the state of a file, and prints the values. Returns the exit status.
+/// Runs `tripos evaluate`: evaluates a formulation at the state of a file, and prints the values.
+/// Returns the exit status.
+///
+/// # Errors
+/// `Failure` if a file has errors, or if the accelerations are not determined at the state.
 pub fn evaluate(model: &Path, by: &EquationsName, at: &Path, output: Output) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let by = equations(&model, by)?;
@@ -64,6 +77,11 @@ pub fn evaluate(model: &Path, by: &EquationsName, at: &Path, output: Output) -> 
     Ok(0)
 }
 
+/// Evaluates the equations of a formulation at a state.
+///
+/// # Errors
+/// `Failure` if the matrix is singular to rounding, or if an acceleration or energy is not
+/// finite.
 fn values(model: &Mechanism, by: &EquationsOrigin, derivation: &Derivation, state: &State) -> Result<Values, Failure> {
     let code = code_of(model, by, derivation, Ready::AsDerived)?;
     let system = code.system();
@@ -130,7 +148,8 @@ fn values(model: &Mechanism, by: &EquationsOrigin, derivation: &Derivation, stat
     })
 }
 
-/// Potential energy of gravity alone at a state, J.
+/// Returns the potential energy of gravity alone at a state, J.
+/// `Err` if the kinematics cannot be derived.
 fn gravity_potential(model: &Mechanism, state: &State) -> Result<f64, Failure> {
     let mut kinematics = Kinematics::new(model).map_err(|error| model.diagnose(&error))?;
     let gravity = kinematics.gravity_potential(model).map_err(|error| model.diagnose(&error))?;
@@ -138,10 +157,13 @@ fn gravity_potential(model: &Mechanism, state: &State) -> Result<f64, Failure> {
     Ok(tape.evaluate(&[state.parameters.as_slice(), &state.q].concat())[0])
 }
 
-/// Reciprocal condition number below which a warning says that more than half of the digits are lost.
+/// Reciprocal condition number below which a warning states that more than half of the digits are
+/// lost.
 const LOSSY: f64 = 1e-8;
 
-/// Warns of conditions of the domain that do not hold; conditions on reactions are checked only if these are known.
+/// Warns of conditions of the model's domain that do not hold at a state. Conditions on reactions
+/// are checked only if `reactions` are given.
+/// `Err` if a condition contains an unknown symbol.
 fn warn_outside_domain(model: &Mechanism, state: &State, reactions: &[f64]) -> Result<(), Failure> {
     let known: Vec<Expr> = model.reactions.iter().take(reactions.len()).map(|r| r.symbol).collect();
     let inputs = [model.p(), model.q(), model.u(), known].concat();
@@ -165,6 +187,7 @@ fn warn_outside_domain(model: &Mechanism, state: &State, reactions: &[f64]) -> R
     Ok(())
 }
 
+/// Returns the evaluated equations of motion as text.
 fn as_text(model: &Mechanism, title: &str, values: &Values) -> String {
     let mut out = format!("{}: {title}, by interpretation\n\n", model.title);
     let row = |numbers: &[f64]| numbers.iter().map(|x| format!("{x:>15.8e}")).collect::<Vec<_>>().join(" ");

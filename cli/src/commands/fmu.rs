@@ -1,4 +1,4 @@
-//! `tripos fmu`: a scene as a Functional Mock-up Unit.
+//! Command `tripos fmu`: writes a scene as a functional mock-up unit (FMU).
 
 use crate::failure::{Failure, Output, print_either, say, warn};
 use crate::scene_file::read_scene_with;
@@ -13,24 +13,26 @@ use tripos_derive::plain::path_in_line;
 use zip::write::SimpleFileOptions;
 use zip::{DateTime, ZipWriter};
 
-/// Request for a mock-up unit.
+/// Arguments of `tripos fmu`: the scene, the unit's path, and options.
 pub struct UnitRequest {
     /// Path of the scene file.
     pub scene: PathBuf,
-    /// Path of the unit.
+    /// Path of the unit, a file that ends in `.fmu`.
     pub out: PathBuf,
-    /// Values of numbers of the scene, each as `NAME=VALUE`.
+    /// New values of numbers of the scene, each as `NAME=VALUE`.
     pub set: Vec<String>,
-    /// Version of the interface: `2` or `3`, with or without `.0`.
+    /// Version of the Functional Mock-up Interface: `2` or `3`, with or without `.0`.
     pub fmi: String,
-    /// True if the unit contains only sources, and nothing is compiled.
+    /// True if the unit contains only sources. False if a binary for this platform is compiled too.
     pub only_sources: bool,
 }
 
-/// Writes a scene as a unit, with sources and with a binary for this platform.
+/// Runs `tripos fmu`: writes a scene as a functional mock-up unit, with sources and with a binary
+/// for this platform. Returns the exit status.
 ///
 /// # Errors
-/// [`Failure`] for a scene that no unit can contain, without a compiler, and if the file cannot be written.
+/// [`Failure`] for a scene that no unit can contain, without a compiler, and if the file cannot be
+/// written.
 pub fn fmu(request: &UnitRequest, output: Output) -> Result<u8, Failure> {
     if request.out.extension().is_none_or(|extension| extension != "fmu") {
         let what = format!("`{}` does not end with .fmu", path_in_line(&request.out));
@@ -69,11 +71,13 @@ pub fn fmu(request: &UnitRequest, output: Output) -> Result<u8, Failure> {
     Ok(0)
 }
 
+/// Returns the failure for an archive that could not be written to `out`.
 fn archive_failed(out: &Path, error: zip::result::ZipError) -> Failure {
     Failure::Output(path_in_line(out), std::io::Error::other(error))
 }
 
-/// Name of this platform in units of a version.
+/// Returns the name of this platform's folder for binaries in a unit, such as `x86_64-linux` or
+/// `linux64`.
 fn platform(version: Version) -> String {
     let system = match std::env::consts::OS {
         "macos" => "darwin",
@@ -86,8 +90,11 @@ fn platform(version: Version) -> String {
     }
 }
 
-/// Compiles the sources of a unit into a shared library, and returns its bytes. The compiler is that of the environment
-/// variable `CC`, or `cc`.
+/// Compiles the sources of a unit into a shared library, and returns its bytes. The compiler is
+/// named by the environment variable `CC`; otherwise it is `cc`.
+///
+/// # Errors
+/// [`Failure`] if the compiler cannot be run or refuses the sources.
 fn compiled(unit: &Fmu) -> Result<Vec<u8>, Failure> {
     let failed = |error: std::io::Error| Failure::Output("sources of the unit".to_owned(), error);
     let folder = tempfile::tempdir().map_err(failed)?;
@@ -115,12 +122,15 @@ fn compiled(unit: &Fmu) -> Result<Vec<u8>, Failure> {
     std::fs::read(folder.path().join("unit")).map_err(failed)
 }
 
-/// True for the sources that a compiler is given; the others are included by them.
+/// True for sources that the compiler gets as arguments, by the extension `.c`. Other sources are
+/// included by these.
 fn is_source(name: &str) -> bool {
     Path::new(name).extension().is_some_and(|extension| extension == "c")
 }
 
-/// Bytes of the archive: description, sources and binary. Equal units have equal bytes.
+/// Returns the bytes of the unit's ZIP archive: description, sources and binary. Equal units have
+/// equal bytes.
+/// `Err` if the archive cannot be made.
 fn archive(unit: &Fmu, version: Version, binary: Option<&[u8]>) -> zip::result::ZipResult<Vec<u8>> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     let options = SimpleFileOptions::default().last_modified_time(DateTime::default());
@@ -142,7 +152,8 @@ fn archive(unit: &Fmu, version: Version, binary: Option<&[u8]>) -> zip::result::
     Ok(zip.finish()?.into_inner())
 }
 
-/// Text of the list of sources by which importing tools compile a unit by FMI 3.0.
+/// Returns the text of `buildDescription.xml`, by which importing tools compile the sources of a
+/// unit by FMI 3.0.
 fn build_description(unit: &Fmu) -> String {
     let sources = unit.sources.iter().map(|(name, _)| name).filter(|name| is_source(name));
     let list: Vec<String> = sources.map(|name| format!("      <SourceFile name=\"{name}\"/>\n")).collect();

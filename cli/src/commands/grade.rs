@@ -1,4 +1,4 @@
-//! `tripos grade`: marks and feedback for submissions, by root mistakes.
+//! Command `tripos grade`: gives marks and feedback for submissions, based on their root mistakes.
 
 use crate::arguments::{Grade as Request, MarksFormat};
 use crate::failure::{Failure, print, print_json, status};
@@ -15,16 +15,22 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::grade::{Grade, Level, Mark, Outcome, Rubric, grade as graded};
 use tripos_derive::plain::path_in_line;
 
-/// Largest submission that is read, in bytes.
+/// Largest size of a submission that is read, in bytes.
 const LARGEST: u64 = 1_000_000;
 
-/// A submission with its marks, or the reason why it has none.
+/// Submission with its marks, or with the reason why it has none.
 struct Graded {
+    /// Name of the submission's file, without its extension.
     name: String,
+    /// Marks of the submission; `Err` is the reason why there are none.
     grade: Result<Grade, String>,
 }
 
-/// Runs `tripos grade`; exit status 1 if any submission has a mistake or could not be read.
+/// Runs `tripos grade`: judges submissions and prints their marks. Returns the exit status, 1 if
+/// any submission has a mistake or could not be read.
+///
+/// # Errors
+/// `Failure` if the model, the rubric or a folder cannot be read, or a file cannot be written.
 pub fn grade(request: &Request) -> Result<u8, Failure> {
     let model = read_model(&request.model)?;
     let rubric = match &request.rubric {
@@ -57,11 +63,14 @@ pub fn grade(request: &Request) -> Result<u8, Failure> {
     Ok(if list.iter().all(is_right) { 0 } else { status::NO })
 }
 
+/// True if the submission's entry is right.
 fn is_right(mark: &Mark) -> bool {
     mark.outcome == Outcome::Right
 }
 
-/// Amount that feedback tells: that of the command line, else that of the rubric.
+/// Returns the level of detail of the feedback: that of the command line, otherwise that of the
+/// rubric.
+/// `Err` if the command line names no known level.
 fn level(request: &Request, rubric: &Rubric) -> Result<Level, Failure> {
     let Some(name) = &request.level else { return Ok(rubric.level.unwrap_or_default()) };
     Level::named(name).ok_or_else(|| {
@@ -70,7 +79,11 @@ fn level(request: &Request, rubric: &Rubric) -> Result<Level, Failure> {
     })
 }
 
-/// Files of all submissions; a folder stands for the TOML files in it, by name.
+/// Lists the files of all submissions. A folder stands for the TOML files in it, in alphabetical
+/// order.
+///
+/// # Errors
+/// `Failure` if a folder cannot be read or has no submission.
 fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     let mut files = Vec::new();
     for path in given {
@@ -97,11 +110,16 @@ fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     Ok(files)
 }
 
+/// Judges one submission; a failure becomes the reason why it has no marks.
 fn submission(model: &Mechanism, rubric: &Rubric, file: &Path) -> Graded {
     let name = file.file_stem().map_or_else(|| path_in_line(file), |stem| stem.to_string_lossy().into_owned());
     Graded { name, grade: marks(model, rubric, file).map_err(|failure| failure.to_string()) }
 }
 
+/// Judges one submission file and returns its marks.
+///
+/// # Errors
+/// `Failure` if the file is too large, cannot be read, or is no publication of the model.
 fn marks(model: &Mechanism, rubric: &Rubric, file: &Path) -> Result<Grade, Failure> {
     if std::fs::metadata(file).is_ok_and(|about| about.len() > LARGEST) {
         let what = format!("{} has more than {LARGEST} bytes", path_in_line(file));
@@ -110,13 +128,13 @@ fn marks(model: &Mechanism, rubric: &Rubric, file: &Path) -> Result<Grade, Failu
     Ok(graded(&Judged::new(model, &Source::read(file)?)?.difference, rubric))
 }
 
-/// Points as people write them: whole numbers without decimals.
+/// Returns points as text with at most two decimals, without zeros at the end.
 fn points(x: f64) -> String {
     let text = format!("{x:.2}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// Outcome of an entry, and feedback on it, in words.
+/// Returns a word for the outcome of an entry, and feedback on it at the level of detail `level`.
 fn words(mark: &Mark, level: Level) -> (&'static str, String) {
     match &mark.outcome {
         Outcome::Right => ("right", String::new()),
@@ -127,6 +145,7 @@ fn words(mark: &Mark, level: Level) -> (&'static str, String) {
     }
 }
 
+/// Returns the marks of all submissions as text, and a list of who made which mistake.
 fn text_of(list: &[Graded], level: Level) -> String {
     let mut out = String::new();
     for one in list {
@@ -154,7 +173,8 @@ fn text_of(list: &[Graded], level: Level) -> String {
     out
 }
 
-/// Submissions with each mistake, by the id of its entry and its words.
+/// Groups the submissions by their mistakes. The key is the id of the wrong entry and the words for
+/// the mistake.
 fn mistakes(list: &[Graded]) -> BTreeMap<(&str, &str), Vec<&str>> {
     let mut found: BTreeMap<(&str, &str), Vec<&str>> = BTreeMap::new();
     for one in list {
@@ -167,6 +187,7 @@ fn mistakes(list: &[Graded]) -> BTreeMap<(&str, &str), Vec<&str>> {
     found
 }
 
+/// Returns the marks of a submission as JSON.
 fn json_of(one: &Graded, level: Level) -> Value {
     let grade = match &one.grade {
         Ok(grade) => grade,
@@ -190,7 +211,8 @@ fn json_of(one: &Graded, level: Level) -> Value {
     json!({ "name": one.name, "points": grade.points, "of": grade.of, "entries": entries })
 }
 
-/// Marks in the form of Gradescope's `results.json`: one test for each entry. A student sees the feedback alone.
+/// Returns the marks of a submission in the form of Gradescope's `results.json`, one test for each
+/// entry. A student sees only the feedback.
 fn gradescope(one: &Graded, level: Level) -> Value {
     let grade = match &one.grade {
         Ok(grade) => grade,
@@ -211,7 +233,7 @@ fn gradescope(one: &Graded, level: Level) -> Value {
     json!({ "score": grade.points, "output_format": "text", "tests": tests })
 }
 
-/// Page about all submissions: marks, and who made which mistake.
+/// Returns an HTML page about all submissions: marks, and who made which mistake.
 fn page(model: &Mechanism, list: &[Graded]) -> String {
     let title = format!(
         "{}: {} {}",

@@ -1,4 +1,5 @@
-//! `tripos identify`: parameters of a mechanism's inertia that motion determines, and the regressor in numbers.
+//! Command `tripos identify`: finds the inertial parameters that motion determines, and evaluates
+//! the regressor.
 
 use super::inverse::{Shape, read_motion, table};
 use crate::failure::{Failure, print, print_json};
@@ -16,7 +17,12 @@ use tripos_derive::mechanics::{ColumnParameter, Varied};
 use tripos_derive::scene::MotionSample;
 use tripos_traits::DoubleDouble;
 
-/// Finds the base parameters of a model, and prints the regressor at the states of a file. Returns the exit status.
+/// Runs `tripos identify`: finds the base parameters of a model, and prints the regressor at the
+/// states of a file. Returns the exit status, 1 if the base parameters do not reproduce the
+/// dynamics.
+///
+/// # Errors
+/// `Failure` if a file has errors, or the model cannot be derived.
 pub fn identify(model: &Path, varied: Varied, at: Option<&Path>, shape: Shape) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let motion = at.map(|at| read_motion(at, &mut model)).transpose()?;
@@ -45,7 +51,8 @@ pub fn identify(model: &Path, varied: Varied, at: Option<&Path>, shape: Shape) -
     Ok(u8::from(found.complete == Complete::No))
 }
 
-/// Parameter values of the model file, inputs 0; `None` if a parameter has no value.
+/// Returns the parameter values of the model file, in the order of the model, with inputs 0. `None`
+/// if a parameter has no value.
 fn defaults(model: &Mechanism) -> Option<Vec<DoubleDouble>> {
     let value = |p: &tripos_derive::model::Parameter| match &p.value {
         Some(value) => Some(DoubleDouble::of(value)),
@@ -54,11 +61,12 @@ fn defaults(model: &Mechanism) -> Option<Vec<DoubleDouble>> {
     model.parameters.iter().map(value).collect()
 }
 
+/// Returns the name of the parameter of a regressor column.
 fn name(found: &Identification, column: usize) -> &str {
     &found.regressor.columns[column].name
 }
 
-/// Writes a factor of a combination, in parentheses if it is a sum.
+/// Returns a factor of a combination as text, in parentheses if it is a sum.
 fn factor_text(found: &Identification, factor: &Factor) -> String {
     match factor {
         Factor::Exact(e) => {
@@ -70,7 +78,7 @@ fn factor_text(found: &Identification, factor: &Factor) -> String {
     }
 }
 
-/// Writes a base parameter as a sum of parameters with factors.
+/// Returns a base parameter as text: a sum of parameters with factors.
 fn combination(found: &Identification, base: &Base) -> String {
     let mut out = name(found, base.column).to_owned();
     for (column, factor) in &base.with {
@@ -85,6 +93,7 @@ fn combination(found: &Identification, base: &Base) -> String {
     out
 }
 
+/// Returns the result of the identification as JSON. `values` are those of the base parameters.
 fn json_of(
     model: &Mechanism,
     found: &Identification,
@@ -117,7 +126,7 @@ fn json_of(
         json!({ "body": model.bodies[anchor.body].name, "point": point, "frame": frame })
     });
     let (word, bound) = match found.complete {
-        // The proof is one of formulas, before they were grouped by numbers.
+        // The proof is about the formulas, before closed poses grouped them by numbers.
         Complete::Proved(_) if found.before_grouping().is_some() => {
             ("proved before it was grouped in closed poses", None)
         }
@@ -147,10 +156,12 @@ fn json_of(
     })
 }
 
+/// Returns a finite number, and `None` for infinity and NaN, which JSON does not have.
 fn finite(x: f64) -> Option<f64> {
     x.is_finite().then_some(x)
 }
 
+/// Returns a row of the regressor as JSON.
 fn json_of_row(model: &Mechanism, states: &[MotionSample], row: &Row) -> Value {
     json!({
         "t": states[row.state].t, "state": row.state, "speed": model.speeds[row.speed].name,
@@ -158,8 +169,8 @@ fn json_of_row(model: &Mechanism, states: &[MotionSample], row: &Row) -> Value {
     })
 }
 
-/// Table of the regressor as CSV: t if it is known, the state, the speed, a column for each base parameter, and the
-/// known rest.
+/// Returns the regressor as CSV. The columns are the time t in s if known, the state, the speed,
+/// each base parameter, and the known rest.
 fn csv_of(model: &Mechanism, found: &Identification, states: &[MotionSample], rows: &[Row]) -> String {
     let names: Vec<&str> = found.base.iter().map(|base| name(found, base.column)).collect();
     let heads: Vec<&str> = ["t", "state", "speed"].into_iter().chain(names).chain(["rest"]).collect();
@@ -173,6 +184,7 @@ fn csv_of(model: &Mechanism, found: &Identification, states: &[MotionSample], ro
     )
 }
 
+/// Returns the result of the identification as text.
 fn text_of(model: &Mechanism, found: &Identification, values: Option<&[Option<DoubleDouble>]>) -> String {
     let regressor = &found.regressor;
     let mut out = format!("{}: what can be identified from motion\n", model.title);
@@ -203,7 +215,8 @@ fn text_of(model: &Mechanism, found: &Identification, values: Option<&[Option<Do
     out
 }
 
-/// Sentences about the certainty of the result: that no base parameter is redundant, and that none is missing.
+/// Returns sentences about the certainty of the result: that no base parameter is redundant, and
+/// that none is missing.
 fn words(found: &Identification) -> String {
     let minimal = format!(
         "no fewer do: the regressor has rank {} at {} random states modulo a prime",

@@ -1,4 +1,5 @@
-//! `tripos inverse`: the forces that a motion needs, and the inputs that give them.
+//! Command `tripos inverse`: computes the generalized forces that a motion needs, and the inputs
+//! that give them.
 
 use crate::failure::{Failure, print, print_json, warn};
 use crate::workspace::{read_model, short_name};
@@ -13,19 +14,20 @@ use tripos_derive::plain::{significant, within};
 use tripos_derive::scene::{Motion, MotionForm, MotionSample, load_motion, load_samples};
 use tripos_traits::DoubleDouble;
 
-/// Format of printed results.
+/// Format of printed results: text, CSV or JSON.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
-    /// Text for people.
+    /// The result is printed as text for people.
     Text,
-    /// A table in CSV.
+    /// The result is printed as a CSV table.
     Csv,
-    /// JSON for programs.
+    /// The result is printed as JSON for programs.
     Json,
 }
 
 impl Shape {
-    /// Selects the format by two flags, of which at most one is true.
+    /// Selects the format by the flags `--json` and `--csv`, of which at most one is true. Without
+    /// a flag it is text.
     pub fn of(json: bool, csv: bool) -> Self {
         match (json, csv) {
             (true, _) => Self::Json,
@@ -35,11 +37,15 @@ impl Shape {
     }
 }
 
-/// Gap of a loop, in its unit, above which a warning says that the loop is open.
+/// Gap of a loop, in the unit of its constraint, above which a warning states that the loop is
+/// open.
 const OPEN: f64 = 1e-6;
 
-/// Reads a motion from a file: TOML as [`load_motion`] reads it, or, if the name ends in `.csv`, a table of samples at
-/// the default values of the model.
+/// Reads a motion from a file. A TOML file is read by [`load_motion`]. A file that ends in `.csv`
+/// is a table of samples, for the default parameter values of the model.
+///
+/// # Errors
+/// `Failure` if the file has errors, or a parameter has no value for a table of samples.
 pub fn read_motion(path: &Path, model: &mut Mechanism) -> Result<Motion, Failure> {
     let source = Source::read(path)?;
     if !path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) {
@@ -61,7 +67,7 @@ pub fn read_motion(path: &Path, model: &mut Mechanism) -> Result<Motion, Failure
     Ok(Motion { parameters, given: MotionForm::Samples(load_samples(&source, model)?) })
 }
 
-/// Writes a table as CSV.
+/// Returns a table as CSV with the column names `heads`.
 pub fn table(heads: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     let mut out = heads.join(",") + "\n";
     for row in rows {
@@ -71,7 +77,11 @@ pub fn table(heads: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String 
     out
 }
 
-/// Computes and prints the forces that a motion needs. Exit status 1 if the chosen inputs cannot give them.
+/// Runs `tripos inverse`: computes and prints the generalized forces that a motion needs. Returns
+/// the exit status, 1 if the chosen inputs cannot give them.
+///
+/// # Errors
+/// `Failure` if a file has errors, an input is unknown, or the forces cannot be computed.
 pub fn inverse(model: &Path, motion: &Path, inputs: &[String], shape: Shape) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let motion = read_motion(motion, &mut model)?;
@@ -97,15 +107,17 @@ pub fn inverse(model: &Path, motion: &Path, inputs: &[String], shape: Shape) -> 
     Ok(u8::from(is_left))
 }
 
+/// Returns named numbers as a JSON object.
 fn object(names: &[String], values: &[f64]) -> Map<String, Value> {
     names.iter().cloned().zip(values.iter().map(|x| json!(x))).collect()
 }
 
-/// Needed forces along each speed, rounded to doubles.
+/// Returns the needed generalized forces along each speed, rounded to doubles.
 fn along(forces: &Forces) -> Vec<f64> {
     forces.along.iter().map(|x| x.hi()).collect()
 }
 
+/// Returns the names and values of coordinates, speeds and their rates at an instant.
 fn state_of(model: &Mechanism, moving: &MotionSample) -> Vec<(String, f64)> {
     let q = model.coordinates.iter().map(|c| c.name.clone()).zip(&moving.q);
     let u = model.speeds.iter().map(|s| s.name.clone()).zip(&moving.u);
@@ -113,6 +125,7 @@ fn state_of(model: &Mechanism, moving: &MotionSample) -> Vec<(String, f64)> {
     q.chain(u).chain(rates).map(|(name, x)| (name, x.hi())).collect()
 }
 
+/// Returns the result as JSON, with all instants.
 fn json_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]) -> Value {
     let one = |(moving, forces): &(MotionSample, Forces)| {
         let (names, values): (Vec<String>, Vec<f64>) = state_of(model, moving).into_iter().unzip();
@@ -134,8 +147,8 @@ fn json_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]
     })
 }
 
-/// Table of the result as CSV, a row for each instant: t if it is known, the state, `force(u)` along each speed, then
-/// the inputs. Inputs are empty if none give the forces.
+/// Returns the result as CSV, a row for each instant. The columns are t if known, the state,
+/// `force(u)` along each speed u, and the inputs. Inputs are empty if none give the forces.
 fn csv_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]) -> String {
     let has_instants = list.iter().all(|(moving, _)| moving.t.is_some()) && model.time().is_none();
     let names = list.first().map_or(Vec::new(), |(moving, _)| state_of(model, moving));
@@ -161,6 +174,7 @@ fn csv_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)])
     table(&heads, list.iter().map(row))
 }
 
+/// Returns the result as text: all numbers for one instant, otherwise the largest values.
 fn text_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]) -> String {
     let mut out = format!("{}: what its motion needs\n", model.title);
     match list {
@@ -206,13 +220,13 @@ fn text_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]
     out
 }
 
-/// Remark that there are more inputs than needed; empty if there are not.
+/// Returns the remark that there are more inputs than needed. Empty if there are not.
 fn least(inverse: &Inverse, forces: &Forces) -> String {
     let more = inverse.inputs.len() - forces.reached;
     if more == 0 { String::new() } else { format!(", the least of those that give the same ({more} may be chosen)") }
 }
 
-/// Sentence on why the inputs do not give the motion; empty if they do.
+/// Returns a sentence on why the inputs do not give the motion. Empty if they do.
 fn refusal(inverse: &Inverse, list: &[(MotionSample, Forces)]) -> String {
     if inverse.inputs.is_empty() {
         return "\nthe model has no inputs; --input NAME asks for parameters that loads are linear in\n".to_owned();

@@ -1,4 +1,4 @@
-//! `tripos linearise`: a mechanism near rest or a steady motion, as a linear system.
+//! Command `tripos linearise`: prints a mechanism near rest or a steady motion as a linear system.
 
 mod notations;
 
@@ -16,16 +16,21 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::plain::significant;
 use tripos_derive::scene::{load_asked, load_output};
 
-/// Form in which a linear system is printed.
+/// Format in which a linear system is printed.
 #[derive(Clone, Copy)]
 pub enum Written {
-    /// JSON for programs.
+    /// The linear system is printed as JSON for programs.
     Json,
-    /// Text or matrices for people.
+    /// Text or matrices in the given notation.
     Notation(Notation),
 }
 
-/// Linearises a model about the state of a file, and prints the linear system. Returns the exit status.
+/// Runs `tripos linearise`: linearises a model about the state of a file, and prints the linear
+/// system. Returns the exit status.
+/// `letters` are names of parameters that remain symbols in the matrices.
+///
+/// # Errors
+/// `Failure` if a file has errors, an output is listed twice, or the state cannot be linearised.
 pub fn linearise(
     model: &Path,
     about: &Path,
@@ -67,12 +72,13 @@ pub fn linearise(
     Ok(0)
 }
 
-/// Values of all states by their names, as JSON.
+/// Returns the values of all states of a linearised motion as JSON, by name.
 pub fn state_of(found: &About) -> Map<String, Value> {
     found.states().map(|(name, x)| (name.to_owned(), json!(x))).collect()
 }
 
-/// Modes as JSON, each with its eigenvalue and the states that take part in it.
+/// Returns the modes of a linear system as JSON, each with its eigenvalue and the states that take
+/// part in it.
 pub fn modes_of(found: &About) -> Vec<Value> {
     let shares = |mode: &Mode| -> Map<String, Value> {
         taking_part(found, mode).into_iter().map(|(n, s)| (n, json!(s))).collect()
@@ -86,14 +92,14 @@ pub fn modes_of(found: &About) -> Vec<Value> {
     found.modes.iter().map(mode).collect()
 }
 
-/// Damping ratio of a mode: 1 if it only decays, 0 if it only oscillates, negative if it grows; `None` for the
-/// eigenvalue 0.
+/// Returns the damping ratio of a mode, −Re λ/|λ|: 1 for pure decay, 0 for pure oscillation,
+/// negative for growth. `None` for the eigenvalue 0.
 fn damping(mode: &Mode) -> Option<f64> {
     let size = mode.value[0].hypot(mode.value[1]);
     (size > 0.0).then(|| -mode.value[0] / size)
 }
 
-/// States with a share of more than a hundredth in a mode, the largest share first.
+/// Returns the states with a share of more than 0.01 in a mode, with their shares, largest first.
 fn taking_part(found: &About, mode: &Mode) -> Vec<(String, f64)> {
     let names = found.system.kept.iter().map(|at| found.all[*at].clone());
     let mut list: Vec<(String, f64)> =
@@ -102,10 +108,12 @@ fn taking_part(found: &About, mode: &Mode) -> Vec<(String, f64)> {
     list
 }
 
+/// Returns the names of the states with the indices `places`.
 fn names(found: &About, places: &[usize]) -> Vec<String> {
     places.iter().map(|at| found.all[*at].clone()).collect()
 }
 
+/// Returns the linear system with its modes as JSON.
 fn json_of(model: &Mechanism, found: &About) -> Value {
     let system = &found.system;
     let [a, b, c, d] = [&system.a, &system.b, &system.c, &system.d].map(Wide::doubles);
@@ -141,6 +149,7 @@ fn json_of(model: &Mechanism, found: &About) -> Value {
     })
 }
 
+/// Returns the matrices with symbolic parameters as JSON.
 fn json_of_letters(letters: &Letters) -> Value {
     let letter = letters.names.first().map_or("", String::as_str);
     let rows = |matrix: &Vec<Vec<Entry>>| -> Vec<Vec<String>> {
@@ -150,7 +159,8 @@ fn json_of_letters(letters: &Letters) -> Value {
     json!({ "letters": letters.names, "A": a, "B": b, "C": c, "D": d })
 }
 
-/// Text of the entries of A, B, C and D that are not 0, a line each.
+/// Returns the entries of the matrices A, B, C and D with symbolic parameters as text, one per
+/// line, except those that are 0.
 fn text_of_letters(found: &About, letters: &Letters) -> String {
     let letter = letters.names.first().map_or("", String::as_str);
     let mut out = format!("\nfor every {}, by exact algebra; all other entries are 0\n", letters.names.join(", "));
@@ -170,12 +180,12 @@ fn text_of_letters(found: &About, letters: &Letters) -> String {
     out
 }
 
-/// Coordinates along which a steady motion goes, with their rates, as JSON.
+/// Returns the coordinates along which a steady motion goes, with their rates, as JSON.
 pub fn moves_of(found: &About) -> Vec<Value> {
     found.moves.iter().map(|(along, rate)| json!({ "along": along, "rate": rate })).collect()
 }
 
-/// Kind of the state in words: at rest, or a steady motion along coordinates.
+/// Returns words for the kind of the state: at rest, or a steady motion along coordinates.
 pub fn kind_of(found: &About) -> String {
     if found.moves.is_empty() {
         return if found.time.is_some() { "at rest beside what is driven" } else { "at rest" }.to_owned();
@@ -184,22 +194,23 @@ pub fn kind_of(found: &About) -> String {
     format!("a steady motion along {}", moves.join("; "))
 }
 
-/// Text of an eigenvalue, or of a complex pair, with `decimals` decimals.
+/// Returns an eigenvalue, or a complex pair, as text with `decimals` decimals.
 pub fn value_text(mode: &Mode, decimals: usize) -> String {
     let [re, im] = mode.value.map(|x| decimal(x, decimals));
     if mode.value[1] > 0.0 { format!("{re} ± {im}i") } else { re }
 }
 
-/// Text of a number with `decimals` decimals. A number below 0.001 gets as many digits and a power of ten, since
-/// decimals would not show it.
+/// Returns a number as text with `decimals` decimals. A number below 0.001 gets a power of ten,
+/// since decimals would not show it.
 pub fn decimal(x: f64, decimals: usize) -> String {
-    // A negative zero is 0.
+    // The sum with 0 removes the sign of a negative zero.
     let x = x + 0.0;
     let is_small = x.abs() > 0.0 && x.abs() < 1e-3;
     if is_small { format!("{x:.decimals$e}") } else { format!("{x:.decimals$}") }
 }
 
-/// Text of the eigenvalues, a line each with the states that take part, and of the stability.
+/// Returns the eigenvalues as text, a line each with the states that take part, and then the
+/// stability.
 pub fn modes_text(found: &About) -> String {
     let mut out = String::new();
     for mode in found.modes.iter().filter(|mode| mode.value[1] >= 0.0) {
@@ -224,6 +235,7 @@ pub fn modes_text(found: &About) -> String {
     out
 }
 
+/// Returns the linear system with its modes as text.
 fn text_of(model: &Mechanism, found: &About) -> String {
     let system = &found.system;
     let mut out = format!("{}: near {}\n", model.title, kind_of(found));

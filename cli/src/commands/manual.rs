@@ -1,4 +1,5 @@
-//! `tripos completions` and `tripos man`: descriptions of the command line for shells and for `man`.
+//! Commands `tripos completions` and `tripos man`: descriptions of the command line for shells and
+//! for `man`.
 
 use crate::arguments::Arguments;
 use crate::failure::{Failure, print};
@@ -9,7 +10,7 @@ use clap_mangen::Man;
 use std::path::Path;
 use tripos_derive::plain::path_in_line;
 
-/// Prints the completions of a shell to standard output.
+/// Prints the script with a shell's completions to standard output. Returns the exit status.
 ///
 /// # Errors
 /// [`Failure`] if the completions cannot be printed.
@@ -20,7 +21,8 @@ pub fn completions(shell: Shell) -> Result<u8, Failure> {
     Ok(0)
 }
 
-/// Prints the manual page of the command, or writes it and those of all subcommands into a folder.
+/// Prints the manual page of `tripos`. If `out` is given, writes this page and those of all
+/// subcommands into that folder. Returns the exit status.
 ///
 /// # Errors
 /// [`Failure`] if a page cannot be printed or written.
@@ -43,6 +45,8 @@ pub fn man(out: Option<&Path>) -> Result<u8, Failure> {
     Ok(0)
 }
 
+/// Returns the text of a manual page.
+/// `Err` if the page cannot be rendered.
 fn page(man: &Man) -> Result<String, Failure> {
     let mut written = Vec::new();
     man.render(&mut written).map_err(|error| Failure::Output("the manual page".to_owned(), error))?;

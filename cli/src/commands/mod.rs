@@ -1,4 +1,4 @@
-//! Commands of the program, a file for each.
+//! Subcommands of `tripos`, one file for each.
 
 pub mod chart;
 pub mod check;

@@ -1,4 +1,4 @@
-//! `tripos new`: a new folder with a commented model and a scene, to begin from.
+//! Command `tripos new`: makes a new folder with a commented model and a scene to start from.
 
 use crate::failure::{Failure, print};
 use crate::workspace::{model_file, workspace_around};
@@ -8,21 +8,25 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::model::is_model;
 use tripos_derive::plain::{one_line, path_in_line};
 
+/// Text of the commented model file for a new folder.
 const MODEL: &str = include_str!("new/model.toml");
+/// Text of the commented scene file for a new folder.
 const SCENE: &str = include_str!("new/scene.toml");
 
-/// Contents of a new folder.
+/// Contents of the new folder: a model and its scenes.
 struct Folder {
-    /// Text of the file `model.toml`.
+    /// Text of the new folder's file `model.toml`.
     model: String,
-    /// Scenes, each with the name of its file and its text.
+    /// Scenes, each with its file name and its text.
     scenes: Vec<(PathBuf, String)>,
 }
 
-/// Writes a model and its scenes into a new folder, and prints the next steps.
+/// Runs `tripos new`: writes a model and its scenes into a new folder, and prints the next
+/// commands. `like` names a model to copy. Returns the exit status.
 ///
 /// # Errors
-/// [`Failure`] if the folder is not empty, the model to begin from cannot be read, or a file cannot be written.
+/// [`Failure`] if the folder is not empty, the model to copy cannot be read, or a file cannot be
+/// written.
 pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
     let is_free = match std::fs::read_dir(folder) {
         Ok(mut entries) => entries.next().is_none(),
@@ -57,8 +61,11 @@ pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
     Ok(0)
 }
 
-/// Reads the model that an argument means, and its scenes. The argument is a file, a folder, or the name of a model in
-/// the library of the workspace.
+/// Reads the model to copy, and its scenes. `like` is a file, a folder, or the name of a model in
+/// `models/` of the workspace.
+///
+/// # Errors
+/// [`Failure`] if there is no such model, or a file cannot be read.
 fn copied(like: &Path) -> Result<Folder, Failure> {
     let named = || {
         let root = workspace_around(&std::env::current_dir().ok()?)?;

@@ -1,4 +1,5 @@
-//! `tripos page`: derives a model, runs every scene by every formulation, and writes one page.
+//! Command `tripos page`: derives a model, runs every scene by every formulation, and writes one
+//! HTML page.
 
 mod motion_figure;
 mod own;
@@ -41,17 +42,23 @@ use tripos_derive::scene::{FigureKind, Integrator, Scene, Solve, load, model_pat
 use tripos_derive::{Formulation, Model};
 use tripos_sim::Method;
 
-/// Number of steps after which a run of printed equations is given up: such equations may creep to a place that they
-/// never reach.
+/// Largest number of steps in a run of printed equations. Such equations can slow down towards a
+/// state that they never reach.
 const MOST_PRINTED_STEPS: u64 = 10_000;
 
-/// Runs `tripos page`: derives, runs and writes the page of a model. Returns the exit status.
+/// Runs `tripos page`: derives, proves and runs a model, and writes its page. Returns the exit
+/// status.
+///
+/// # Errors
+/// `Failure` if a file has errors, derived equations cannot run a scene, or a file cannot be
+/// written. An interruption and scenes with errors are also errors, after the page is written.
 pub fn page(request: &Request) -> Result<u8, Failure> {
     let out = request.out.as_path();
     let also = request.also.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
     let argument = request.model.as_deref().map_or_else(usual_model, |given| Ok(given.to_owned()))?;
     let mut model = read_model(&argument)?;
-    // The page names places and files of the model beside its formulas, so it has one set of names: those of the file.
+    // The page shows names of the model file next to formulas, so formulas use exactly these
+    // names.
     model.arena.print_plainly();
     if let Some(note) = edited(&model) {
         warn(&note);
@@ -113,7 +120,11 @@ pub fn page(request: &Request) -> Result<u8, Failure> {
     Ok(if done.stopped { status::STOPPED } else { 0 })
 }
 
-/// Model for the page if none is given: `models/disk` of the workspace around the current folder.
+/// Returns the model for the page if the command line names none: `models/disk` of the workspace
+/// around the current folder.
+///
+/// # Errors
+/// `Failure` if the current folder is in no workspace.
 fn usual_model() -> Result<PathBuf, Failure> {
     let here = current_folder()?;
     let root = workspace_around(&here).ok_or_else(|| {
@@ -125,7 +136,8 @@ fn usual_model() -> Result<PathBuf, Failure> {
     Ok(model.strip_prefix(&here).map_or_else(|_| model.clone(), Path::to_owned))
 }
 
-/// Reads the scenes of a model file; scenes with errors are returned apart.
+/// Reads the scenes of a model file. The second list holds the errors of scenes that cannot be
+/// read.
 fn scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagnostics>), Failure> {
     let (mut scenes, mut broken) = (Vec::new(), Vec::new());
     for file in scene_files(model_file) {
@@ -148,7 +160,8 @@ fn scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagn
     Ok((scenes, broken))
 }
 
-/// The scenes with the values of `--set`, which are told once.
+/// Changes the scenes by the values of the option `--set`, and prints the changed values once.
+/// `Err` for an unknown name or a value that a scene cannot have.
 fn varied(scenes: Vec<Scene>, model: &mut Mechanism, set: &[String]) -> Result<Vec<Scene>, Failure> {
     let mut list = Vec::new();
     for scene in scenes {
@@ -163,8 +176,11 @@ fn varied(scenes: Vec<Scene>, model: &mut Mechanism, set: &[String]) -> Result<V
     Ok(list)
 }
 
+/// Derivation of each formulation, or the reason why the model does not support it.
 type Derivations = Vec<(Formulation, Result<DerivationInSteps, String>)>;
 
+/// Derives the formulations of a model one after the other.
+/// `Err` if a derivation fails for another reason than an unsupported model.
 fn derivations(model: &Mechanism, formulations: &[Formulation], bar: &ProgressBar) -> Result<Derivations, Failure> {
     let mut list = Vec::new();
     for f in formulations.iter().copied() {
@@ -179,39 +195,48 @@ fn derivations(model: &Mechanism, formulations: &[Formulation], bar: &ProgressBa
     Ok(list)
 }
 
-/// Equations of a model that are ready to run, and the quantities that are watched along runs.
+/// Equations of a model prepared for runs, and the quantities that are watched along runs.
 struct Work<'a> {
+    /// Model of the mechanism on the page.
     model: &'a Mechanism,
+    /// Derivations, proofs and publication of the model.
     study: &'a Study,
+    /// Quantities watched along runs, such as first integrals and determinants.
     watch: Watch,
+    /// Code of each derived set of equations.
     derived: Vec<(EquationsOrigin, Code)>,
+    /// Code of each printed set of equations.
     printed: Vec<Printed>,
 }
 
-/// Runs of one scene by all equations.
+/// Runs of one scene by all sets of equations.
 struct Runs {
+    /// Runs by derived equations, each with its watched quantities.
     derived: Vec<(Run, Course)>,
-    /// Run by the scene's reduced equations, or the reason why there is none.
+    /// Run by the scene's reduced equations; `Err` is the reason why there is none.
     own: Result<Own, String>,
+    /// Runs by printed equations, each with its watched quantities.
     printed: Vec<(Run, Course)>,
-    /// Standing of each run: of derived, then reduced, then printed equations.
+    /// Trustworthiness of each run, in the order derived, reduced, printed.
     standings: Vec<Standing>,
-    /// Printed systems that could not be run, each with the reason.
+    /// Names of printed systems that could not be run, each with the reason.
     not_run: Vec<(String, String)>,
 }
 
-/// Results of the scenes that were finished.
+/// Results of the scenes that were finished, as sections of the page.
 #[derive(Default)]
 struct Done {
+    /// Section of the page for each finished scene.
     sections: Vec<SceneSection>,
-    /// Doubts about the runs of these scenes, a line each.
+    /// Doubts about the runs of the finished scenes, one per line.
     doubts: Vec<String>,
-    /// True if a run of derived or reduced equations could not go on.
+    /// True if a run of derived or reduced equations stopped before its end.
     stopped: bool,
 }
 
 impl<'a> Work<'a> {
-    /// Prepares the derived equations for runs, and collects the printed ones.
+    /// Prepares the derived equations of a model for runs, and collects the printed equations.
+    /// `Err` if derived equations cannot be prepared for runs.
     fn new(model: &'a Mechanism, study: &'a Study, derivations: &Derivations) -> Result<Self, Failure> {
         let mut derived = Vec::new();
         for (f, _) in derivations.iter().filter(|(_, result)| result.is_ok()) {
@@ -223,7 +248,9 @@ impl<'a> Work<'a> {
         Ok(Self { model, study, watch, derived, printed: study.printed(model) })
     }
 
-    /// Runs every scene and draws its figures, until an interruption: a scene that is not finished is left out.
+    /// Runs every scene and draws its figures. After an interruption, the unfinished scenes are
+    /// left out.
+    /// `Err` if a scene cannot be run by derived equations, or a file cannot be written.
     fn scenes(&self, scenes: &[Scene], out: &Path, bar: &ProgressBar) -> Result<Done, Failure> {
         let mut done = Done::default();
         for scene in scenes {
@@ -254,7 +281,9 @@ impl<'a> Work<'a> {
         Ok(done)
     }
 
-    /// Runs a scene by all equations. Printed equations may fail: the page shows that, and the command goes on.
+    /// Runs a scene by all sets of equations. A failure of printed equations is recorded for the
+    /// page and does not stop the command.
+    /// `Err` if derived equations cannot run the scene.
     fn runs(&self, scene: &Scene, bar: &ProgressBar) -> Result<Runs, Failure> {
         let message = |by: &EquationsOrigin| format!("running {} by {}", path_in_line(&scene.source.path), by.name());
         let own = Own::new(self.model, scene, &self.watch).map_err(|failure| failure.first_line());
@@ -303,7 +332,9 @@ impl<'a> Work<'a> {
         Ok(runs)
     }
 
-    /// Curves to draw, with a note about the printed ones: of systems that provably move alike only the first is drawn.
+    /// Returns the curves to draw, with a note on the printed equations. Of systems that provably
+    /// give the same motion only the first is drawn.
+    /// The note is `None` if every printed system has a curve.
     fn drawn<'r>(&self, runs: &'r Runs) -> (Vec<Curve<'r>>, Option<String>) {
         let mut curves = curves(runs, |own| own.course.is_some());
         let Some(published) = &self.study.published else { return (curves, None) };
@@ -336,7 +367,9 @@ impl<'a> Work<'a> {
         (curves, (!notes.is_empty()).then(|| notes.join(" ")))
     }
 
-    /// Panels of a figure of states: every state, or the outputs that the scene asks for.
+    /// Returns the panels of the figure of states: every state, or the outputs that the scene
+    /// lists.
+    /// `Err` if the outputs of the scene cannot be compared.
     fn states(&self, scene: &Scene, runs: &Runs) -> Result<Vec<Panel>, Failure> {
         let curves = figures::merged(curves(runs, |_| true));
         if !scene.states_outputs {
@@ -353,6 +386,9 @@ impl<'a> Work<'a> {
         Ok(figures::outputs(self.model, scene, &values))
     }
 
+    /// Writes the section of the page for a scene: draws all its figures and fills the table of
+    /// runs.
+    /// `Err` if a figure cannot be drawn or a file cannot be written.
     fn section(&self, scene: &Scene, runs: Runs, out: &Path, bar: &ProgressBar) -> Result<SceneSection, Failure> {
         let folder = folder_of(self.model, scene);
         let mut measured = Measured::new(self.model, scene, out, folder.clone());
@@ -418,7 +454,8 @@ impl<'a> Work<'a> {
     }
 }
 
-/// Curves of the runs by derived equations; the scene's reduced equations are among them if `shows` accepts them.
+/// Returns the curves of the runs by derived equations. The reduced equations are included if
+/// `shows` accepts them.
 fn curves(runs: &Runs, shows: impl Fn(&Own) -> bool) -> Vec<Curve<'_>> {
     let own = runs.own.iter().filter(|own| shows(own)).map(|own| (&own.run, own.course.as_ref().unwrap_or(&UNWATCHED)));
     let derived = runs.derived.iter().map(|(run, course)| (run, course));

@@ -1,4 +1,4 @@
-//! `tripos plot`: quantities of one or several runs in a figure, with its data beside it.
+//! Command `tripos plot`: draws quantities of runs as a figure, with its data in a CSV file.
 
 use crate::arguments::Plot;
 use crate::failure::{Failure, Output, print_either, say, status, warn};
@@ -16,43 +16,51 @@ use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{ENERGIES, Scene, load_output};
 use tripos_sim::Stop;
 
-/// Word of the option `--what` for all first integrals.
+/// Value of the option `--what` that means all first integrals.
 const INTEGRALS: &str = "integrals";
-/// Largest number of panels in one column; more panels are set in two columns.
+/// Largest number of panels that are set in one column. More panels are set in two columns.
 const ONE_COLUMN: usize = 3;
 
-/// Quantities to draw in a figure, and the quantity on the horizontal axis.
+/// Quantities that a figure shows, and the quantity on its horizontal axis.
 struct Wanted {
     /// Names of the quantities of each panel.
     panels: Vec<Vec<String>>,
-    /// True if the first integrals are shown, each in a panel of its own.
+    /// True if all first integrals are shown too, each in its own panel.
     integrals: bool,
-    /// Name of the quantity on the horizontal axis: the time, or another one.
+    /// Name of the quantity on the horizontal axis, such as the time.
     against: String,
 }
 
-/// A run whose quantities are drawn, with the label of its curves.
+/// Run of a scene whose quantities are drawn, with the label of its curves.
 struct Curve {
+    /// Label of the run's curves in the legend.
     label: String,
+    /// Run with the values of the wanted quantities.
     run: Run,
+    /// Model of the mechanism in the scene.
     model: Mechanism,
+    /// Scene that was run, with the wanted quantities as outputs.
     scene: Scene,
-    /// Changes of the first integrals along the run.
+    /// Changes of the first integrals along the run; empty if they are not shown.
     integrals: Vec<IntegralCourse>,
 }
 
-/// Change of a first integral along a run.
+/// Change of a first integral along a run, since the start.
 struct IntegralCourse {
+    /// Name of the first integral, such as the energy.
     name: String,
+    /// Unit of the first integral, as text.
     unit: String,
-    /// Size of the change since the start, sample by sample.
+    /// Absolute change since the start at each sample, in `unit`.
     changes: Vec<f64>,
 }
 
-/// Runs the scenes, draws the wanted quantities, and writes the figure and its data. Returns the exit status.
+/// Runs `tripos plot`: runs the scenes, draws the wanted quantities, and writes the figure and its
+/// data. Returns the exit status.
 ///
 /// # Errors
-/// [`Failure`] if a scene cannot be read or run, a quantity is unknown, or a file cannot be written.
+/// [`Failure`] if a scene cannot be read or run, a quantity is unknown, or a file cannot be
+/// written.
 pub fn plot(request: &Plot) -> Result<u8, Failure> {
     let wanted = Wanted::new(request);
     let (out, kind) = place(request)?;
@@ -105,7 +113,7 @@ impl Wanted {
         Self { panels: others, integrals: !all.is_empty(), against }
     }
 
-    /// Names of all quantities that runs must output, each once.
+    /// Returns the names of all quantities that the runs must output, without repetition.
     fn quantities(&self) -> Vec<String> {
         let mut list: Vec<String> = Vec::new();
         let against = Some(&self.against).filter(|against| *against != TIME);
@@ -118,7 +126,7 @@ impl Wanted {
     }
 }
 
-/// Splits a list at its commas, except at those inside parentheses or brackets.
+/// Splits a text at its commas, except at commas inside parentheses or brackets.
 fn parts(text: &str) -> Vec<&str> {
     let (mut list, mut depth, mut from) = (Vec::new(), 0_i32, 0);
     for (at, c) in text.char_indices() {
@@ -136,7 +144,11 @@ fn parts(text: &str) -> Vec<&str> {
     list
 }
 
-/// Path of the figure, and its kind of file; `None` if only the data are wanted.
+/// Returns the path of the figure and its file format. The format is `None` if only the data are
+/// wanted, by a name in `.csv`.
+///
+/// # Errors
+/// [`Failure`] if the extension names no format.
 fn place(request: &Plot) -> Result<(PathBuf, Option<Kind>), Failure> {
     let named = || request.scenes.first().and_then(|scene| scene.file_stem()).map(PathBuf::from).unwrap_or_default();
     let out = request.out.clone().unwrap_or_else(|| named().with_extension("svg"));
@@ -145,11 +157,16 @@ fn place(request: &Plot) -> Result<(PathBuf, Option<Kind>), Failure> {
     Ok((out, kind))
 }
 
+/// Returns the path of the CSV file with the figure's data.
 fn data_place(out: &Path) -> PathBuf {
     out.with_extension("csv")
 }
 
-/// Ways to run each scene, with words that name them: first as the options say, then as each `--also` says.
+/// Returns the ways to run each scene, each with its words: first the way of the options, then one
+/// for each `--also`.
+///
+/// # Errors
+/// [`Failure`] if an option is not understood.
 fn ways(request: &Plot) -> Result<Vec<(String, Overrides)>, Failure> {
     let base = request.how.overrides()?;
     let mut list = vec![(String::new(), base.clone())];
@@ -181,6 +198,10 @@ fn ways(request: &Plot) -> Result<Vec<(String, Overrides)>, Failure> {
 }
 
 impl Curve {
+    /// Reads a scene, runs it in one way, and keeps the wanted quantities. `words` name the way.
+    ///
+    /// # Errors
+    /// [`Failure`] if the scene cannot be read or run, or a quantity is unknown.
     fn new(path: &Path, way: &Overrides, words: &str, wanted: &Wanted, request: &Plot) -> Result<Self, Failure> {
         let VariedScene { mut model, mut scene, .. } = read_scene_with(path, &request.set.set)?;
         let quantities = wanted.quantities();
@@ -217,12 +238,15 @@ impl Curve {
         Ok(Self { label, run, model, scene, integrals })
     }
 
-    /// Values of a quantity along the run, sample by sample.
+    /// Returns the values of a quantity along the run, one per sample.
+    ///
+    /// # Errors
+    /// `Error` if the run has no such quantity.
     fn values(&self, name: &str) -> Result<Vec<f64>, Error> {
         if name == TIME { Ok(self.run.solution.t.clone()) } else { self.run.column(name) }
     }
 
-    /// Label of a quantity with its unit.
+    /// Returns the axis label of a quantity: its name and unit.
     fn label_of(&self, name: &str) -> String {
         let output = self.scene.outputs.iter().find(|output| output.name == name);
         let unit = output.and_then(|output| self.model.unit_label(&self.model.arena, output.value));
@@ -236,7 +260,8 @@ impl Curve {
     }
 }
 
-/// Changes of the first integrals along a run.
+/// Returns the changes of all first integrals of a model along a run.
+/// `Err` if the first integrals cannot be found.
 fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<IntegralCourse>, Failure> {
     let watch = Watch::of_model(model)?;
     // States of the run hold coordinates and speeds first, then outputs.
@@ -251,7 +276,9 @@ fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<Integral
     Ok(changes.collect())
 }
 
-/// Panels of a figure. Each panel has a curve for each run and each of its quantities.
+/// Returns the panels of the figure. Each panel has a curve for each run and each of its
+/// quantities.
+/// `Err` if a run lacks a quantity.
 fn panels(wanted: &Wanted, curves: &[Curve]) -> Result<Vec<Panel>, Failure> {
     let Some(first) = curves.first() else { return Ok(Vec::new()) };
     let shown: Vec<Vec<String>> = match (wanted.panels.is_empty(), wanted.integrals) {
@@ -298,6 +325,7 @@ fn panels(wanted: &Wanted, curves: &[Curve]) -> Result<Vec<Panel>, Failure> {
     Ok(panels)
 }
 
+/// Returns a panel whose horizontal axis is linear.
 fn panel(title: &str, x_label: &str, y_label: String, scale: Scale, series: Vec<Series>) -> Panel {
     Panel {
         title: title.to_owned(),
@@ -310,7 +338,9 @@ fn panel(title: &str, x_label: &str, y_label: String, scale: Scale, series: Vec<
     }
 }
 
-/// Writes every point of the figure to a CSV file: its panel, its curve, and both coordinates.
+/// Writes every point of the figure to a CSV file: panel, curve, horizontal quantity and both
+/// coordinates.
+/// `Err` if the file cannot be written.
 fn write_data(path: &Path, panels: &[Panel]) -> Result<(), Failure> {
     let rows = panels.iter().flat_map(|panel| {
         panel.series.iter().flat_map(move |series| {

@@ -1,4 +1,5 @@
-//! `tripos prove`: equivalence of the formulations, and conserved quantities of the motion.
+//! Command `tripos prove`: proves the equivalence of the formulations, and first integrals of the
+//! motion.
 
 use crate::failure::{Failure, Output, print, print_json, status};
 use crate::glossary::{names_json, names_text};
@@ -15,11 +16,15 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{LoadDivisor, derive_all};
 use tripos_derive::prove::{Proof, prove as prove_model};
 
-/// Length of the longest formula of a reaction that is shown, in characters.
+/// Length, in bytes, of the longest formula of a reaction that the text shows.
 const LONGEST: usize = 600;
 
-/// Proves equivalence and first integrals of a model; exit status 1 if a pair of formulations is not proved equivalent.
-/// The standard formulations are compared, and those of `also`.
+/// Runs `tripos prove`: proves the equivalence of the standard formulations and of those in `also`,
+/// and first integrals. Returns the exit status, 1 if a pair of formulations is not proved
+/// equivalent.
+///
+/// # Errors
+/// `Failure` if the model has errors, or a formulation in `also` is unknown or cannot be derived.
 pub fn prove(model: &Path, also: &[String], output: Output) -> Result<u8, Failure> {
     let also = also.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
     let model = read_model(model)?;
@@ -38,7 +43,7 @@ pub fn prove(model: &Path, also: &[String], output: Output) -> Result<u8, Failur
     Ok(if proof.is_equivalent() { 0 } else { status::NO })
 }
 
-/// Word for a verdict in tables and in JSON.
+/// Returns the word for a verdict in tables and in JSON: `equal`, `different` or `undecided`.
 pub fn word(verdict: &Verdict) -> &'static str {
     match verdict {
         Verdict::Equal(_) => "equal",
@@ -47,7 +52,7 @@ pub fn word(verdict: &Verdict) -> &'static str {
     }
 }
 
-/// Engine that decided equality, as JSON; null for another verdict.
+/// Returns the method of proof that decided equality as JSON; null if the verdict is not "equal".
 pub fn engine(verdict: &Verdict) -> Value {
     match verdict {
         Verdict::Equal(Engine::NormalForm) => json!("normal-form"),
@@ -56,13 +61,13 @@ pub fn engine(verdict: &Verdict) -> Value {
     }
 }
 
-/// Witness of a difference as JSON: a point and the values of both sides there.
+/// Returns the witness of a difference as JSON: a point, and the values of both sides there.
 pub fn witness(witness: &Witness) -> Value {
     let at: serde_json::Map<String, Value> = witness.at.iter().map(|(name, x)| (name.clone(), json!(x))).collect();
     json!({ "at": at, "left": witness.left, "right": witness.right, "difference": witness.difference })
 }
 
-/// Results of all proofs about a model, as JSON.
+/// Returns the results of all proofs about a model as JSON.
 pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
     let pairs: Vec<Value> = proof
         .pairs
@@ -117,6 +122,7 @@ pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
     })
 }
 
+/// Returns the results of all proofs about a model as text.
 fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
     let mut out = format!("{}\n{}\n\nEquivalence\n", model.title, model.count());
     for pair in &proof.pairs {
@@ -176,12 +182,12 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
     out + &names_text(arena, &shown)
 }
 
-/// True if a reaction's formula is short enough to be shown.
+/// True if a reaction's formula is short enough to be shown in the text.
 fn is_read(arena: &Arena, e: Expr) -> bool {
     text(arena, e).len() <= LONGEST
 }
 
-/// Formulas that are shown of a proof, except those of reactions.
+/// Returns the formulas that the report on a proof shows, except those of reactions.
 fn shown<'a>(arena: &'a Arena, proof: &'a Proof) -> impl Iterator<Item = Expr> + 'a {
     let integrals = proof.integrals.iter().flat_map(|integral| integral.shown(arena));
     integrals.chain(proof.search.power).chain(proof.singular_where.iter().copied())

@@ -1,4 +1,5 @@
-//! `tripos regenerate`: the only writer of `generated/` and of the references beside the models.
+//! Command `tripos regenerate`: the only writer of `generated/` and of the SymPy references in the
+//! models' folders.
 
 mod changes;
 mod python;
@@ -18,7 +19,11 @@ use tripos_derive::Formulation;
 use tripos_derive::diagnostic::nearest;
 use tripos_derive::plain::path_in_line;
 
-/// Runs `tripos regenerate --check`: prints the files that differ; exit status 1 if there are any.
+/// Runs `tripos regenerate --check`: prints generated files and references that differ. Returns the
+/// exit status, 1 if there are any.
+///
+/// # Errors
+/// `Failure` outside a workspace, for an unknown model, and for models with errors.
 pub fn check(models: &[PathBuf], output: Output) -> Result<u8, Failure> {
     let root = workspace_here()?;
     let (found, committed, asked) = look(&root, models)?;
@@ -33,8 +38,12 @@ pub fn check(models: &[PathBuf], output: Output) -> Result<u8, Failure> {
     Ok(if found.differences.is_empty() && references.is_empty() { 0 } else { status::NO })
 }
 
-/// Runs `tripos regenerate`: writes files that differ, prints the changes of the equations, and renews the references.
-/// Exit status 1 if a reference disagrees.
+/// Runs `tripos regenerate`: writes generated files that differ, prints the changes of the
+/// equations, and renews the SymPy references. Returns the exit status, 1 if a reference disagrees.
+///
+/// # Errors
+/// `Failure` outside a workspace, for an unknown model, for models with errors, and if a file
+/// cannot be written.
 pub fn regenerate(models: &[PathBuf], output: Output) -> Result<u8, Failure> {
     let root = workspace_here()?;
     let (found, committed, asked) = look(&root, models)?;
@@ -51,19 +60,24 @@ pub fn regenerate(models: &[PathBuf], output: Output) -> Result<u8, Failure> {
     Ok(answer)
 }
 
-/// Files that differ, the summary of the changes, and lines about the references, as JSON.
+/// Returns the files that differ, the summary of the changes, and the lines about the references as
+/// JSON.
 fn json_of(found: &Freshness, summary: &str, references: &[String]) -> Value {
     let files: Vec<String> = found.differences.iter().map(|difference| difference.file().to_owned()).collect();
     json!({ "differ": files, "summary": summary.lines().collect::<Vec<_>>(), "references": references })
 }
 
-/// Names of those models, among `asked`, that have no errors.
+/// Returns those of the names `asked` whose models have no errors.
 fn sound(found: &Freshness, mut asked: Vec<String>) -> Vec<String> {
     asked.retain(|name| !found.generated.broken.iter().any(|(broken, _)| broken == name));
     asked
 }
 
-/// Freshness of the wanted models, the folder of the committed files, and the names of the models' folders.
+/// Compares the models with the committed files. Returns the comparison, the folder of the
+/// committed files, and the folder names of the chosen models.
+///
+/// # Errors
+/// `Failure` if a folder cannot be read, or a chosen model does not exist.
 fn look(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<String>), Failure> {
     let (folder, committed) = (root.join("models"), root.join("generated/src"));
     let unreadable = |error| {
@@ -86,7 +100,7 @@ fn look(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<Stri
     Ok((found, committed, if models.is_empty() { all } else { asked }))
 }
 
-/// Reports models with errors, after the other models are done, as an error of the whole command.
+/// Reports models with errors as an error of the whole command.
 fn complain(found: &Freshness) -> Result<(), Failure> {
     if found.generated.broken.is_empty() {
         return Ok(());
@@ -94,6 +108,8 @@ fn complain(found: &Freshness) -> Result<(), Failure> {
     Err(Error::Inputs(found.generated.broken.iter().map(|(_, diagnostics)| diagnostics.clone()).collect()).into())
 }
 
+/// Returns the report on the differences: files, changes of equations, and the number of code
+/// files.
 fn summary(root: &Path, found: &Freshness, committed: &Path, asked: usize) -> String {
     if found.differences.is_empty() {
         let models = if asked == 1 { "1 model".to_owned() } else { format!("{asked} models") };
@@ -105,7 +121,8 @@ fn summary(root: &Path, found: &Freshness, committed: &Path, asked: usize) -> St
     let models: BTreeSet<&str> = found.differences.iter().filter_map(changed_model).collect();
     let known: BTreeMap<&str, Equations> =
         models.into_iter().map(|model| (model, equations_of(&root.join("models"), committed, model))).collect();
-    // Changed copies of edited models are not listed: whoever edited a model knows it.
+    // Changed copies of edited models are not listed: the person who edited a model knows of the
+    // edit.
     let is_model = |file: &str| file.ends_with(&format!("/{DERIVED_FROM}"));
     for difference in read.into_iter().filter(|d| !matches!(d, Difference::Changed(file) if is_model(file))) {
         match derived(difference).map(|model| &known[model]) {
@@ -132,15 +149,16 @@ fn summary(root: &Path, found: &Freshness, committed: &Path, asked: usize) -> St
     out
 }
 
-/// Name of the model whose equations, code or model file changed in this difference; `None` for other files. Equations
-/// of many terms exist only as code.
+/// Returns the name of the model whose equations, code or model file changed in this difference;
+/// `None` for other files. Equations with many terms exist only as code.
 fn changed_model(difference: &Difference) -> Option<&str> {
     let Difference::Changed(file) = difference else { return None };
     let (model, file) = file.split_once('/')?;
     (file == DERIVED_FROM || file.starts_with("code/") || derived(difference).is_some()).then_some(model)
 }
 
-/// Name of the model whose derived equations are in a changed file; `None` for files of scenes, reports and lists.
+/// Returns the name of the model whose formulation file for people changed in this difference.
+/// `None` for all other files.
 fn derived(difference: &Difference) -> Option<&str> {
     let Difference::Changed(file) = difference else { return None };
     let (model, file) = file.split_once('/')?;
@@ -148,7 +166,7 @@ fn derived(difference: &Difference) -> Option<&str> {
     Formulation::ALL.iter().any(is_formulation).then_some(model)
 }
 
-/// True if a file is code for machines, whose equations are in another file for people.
+/// True if a generated file is code for programs; its equations are in another file for people.
 fn is_code(file: &str) -> bool {
     Path::new(file).parent().is_some_and(|folder| folder.ends_with("code"))
 }

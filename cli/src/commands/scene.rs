@@ -1,4 +1,5 @@
-//! `tripos scene`: states and equations that a scene needs of its model, and the parts that it leaves out.
+//! Command `tripos scene`: shows the reduced equations of a scene and the parts of the model that
+//! it does not need.
 
 use crate::failure::{Failure, Output, print, print_json};
 use crate::scene_file::VariedScene;
@@ -11,7 +12,11 @@ use tripos_derive::algebra::text::print::text;
 use tripos_derive::reduce::Quantity;
 use tripos_derive::scene::Scene;
 
-/// Prints the reduced equations of a scene, with the omitted parts and their proofs. Returns the exit status.
+/// Runs `tripos scene`: prints the reduced equations of a scene, with the omitted parts and their
+/// proofs. Returns the exit status.
+///
+/// # Errors
+/// `Failure` if the scene has no reduced equations, or the output cannot be printed.
 pub fn scene(VariedScene { model, scene, .. }: &VariedScene, output: Output) -> Result<u8, Failure> {
     let reduced = Reduced::new(model, scene)?;
     let costs = costs(model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;
@@ -27,6 +32,7 @@ pub fn scene(VariedScene { model, scene, .. }: &VariedScene, output: Output) -> 
     Ok(0)
 }
 
+/// Returns the report on the reduced equations as JSON.
 fn as_json(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) -> Value {
     let reduction = &reduced.reduction;
     let arena = reduction.terms();
@@ -61,7 +67,7 @@ fn as_json(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) ->
     })
 }
 
-/// Definitions and equations of motion of the reduced system, a line each.
+/// Returns the definitions and equations of motion of the reduced system, one per line.
 fn equations(reduced: &Reduced) -> Vec<String> {
     let arena = reduced.reduction.terms();
     let e = &reduced.reduction.derivation.equations;
@@ -82,6 +88,7 @@ fn equations(reduced: &Reduced) -> Vec<String> {
     definitions.chain(rates).chain(solved).map(|(name, value)| format!("{name} = {value}")).collect()
 }
 
+/// Returns the report on the reduced equations as text.
 fn as_text(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) -> String {
     let reduction = &reduced.reduction;
     let arena = reduction.terms();

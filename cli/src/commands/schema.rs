@@ -1,9 +1,10 @@
-//! `tripos schema`: JSON Schemas of file formats, for editors.
+//! Command `tripos schema`: prints JSON Schemas of the file formats, for editors.
 
 use crate::failure::{Failure, print};
 use tripos_derive::schema::Format;
 
-/// Prints the JSON Schema of a file format. Returns the exit status.
+/// Prints the JSON Schema of a file format. Returns the exit status. An unknown format prints
+/// nothing.
 ///
 /// # Errors
 /// [`Failure`] if the schema cannot be printed.

@@ -1,4 +1,4 @@
-//! `tripos shelf`: verdicts on all publications of a folder, and a page about them.
+//! Command `tripos shelf`: judges all publications of a folder, and writes a page about them.
 
 mod motion;
 
@@ -15,29 +15,36 @@ use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::plain::path_in_line;
 
-/// A publication of the shelf with its verdict, or the reason why it has none.
+/// Publication of the shelf with its verdict, or with the reason why it has none.
 struct Volume {
+    /// Name of the publication's folder.
     name: String,
+    /// Verdict on the publication; `Err` is the reason why it could not be judged.
     verdict: Result<Verdict, String>,
 }
 
-/// Verdict on a publication, as lists show it.
+/// Verdict on a publication, as the list of publications shows it.
 struct Verdict {
+    /// Title of the publication, for its heading in the list.
     title: String,
+    /// Bibliographic reference of the publication.
     source: String,
-    /// Number of entries that were judged.
+    /// Number of the publication's entries that were judged.
     judged: usize,
-    /// Number of entries that are not decided.
+    /// Number of entries whose verdict is undecided.
     undecided: usize,
-    /// Root mistakes: the id of the entry, the mistake in words, and the number of entries that it spoils.
+    /// Root mistakes: the id of the wrong entry, the mistake in words, and the number of entries
+    /// that it makes wrong.
     mistakes: Vec<(String, String, usize)>,
-    /// First integrals of the true motion that printed systems break: the system, and the integral.
+    /// First integrals of the true motion that printed systems violate: the system, and the
+    /// integral.
     broken: Vec<(String, String)>,
-    /// Motions that wrong printed systems give.
+    /// Motions that wrong printed systems give, compared with the right motions.
     motions: Vec<Motion>,
 }
 
 impl Verdict {
+    /// Collects the verdict from the judged entries of a publication.
     fn new(judged: &Judged, motions: Vec<Motion>) -> Self {
         let Judged { model, publication, derivations, difference, .. } = judged;
         let mistake = |root: &tripos_derive::diff::Root| {
@@ -58,11 +65,13 @@ impl Verdict {
         }
     }
 
+    /// True if the publication has no mistake and every entry is decided.
     fn is_right(&self) -> bool {
         self.mistakes.is_empty() && self.undecided == 0
     }
 
-    /// Verdict in words, such as "right" or "2 differences". A difference may be an approximation of the author.
+    /// Returns the verdict in words, such as "right" or "2 differences". A difference may be an
+    /// approximation by the author.
     fn words(&self) -> String {
         match (self.mistakes.len(), self.undecided) {
             (0, 0) => "right".to_owned(),
@@ -73,8 +82,12 @@ impl Verdict {
     }
 }
 
-/// Judges every folder with a model and a publication. Exit status 1 if one cannot be judged; mistakes are what a shelf
-/// is for.
+/// Runs `tripos shelf`: judges every folder with a model and a publication, and writes a page to
+/// `out`. Returns the exit status, 1 if a publication cannot be judged or decided. Mistakes do not
+/// change the exit status.
+///
+/// # Errors
+/// `Failure` if there is no publication, a folder cannot be read, or a file cannot be written.
 pub fn shelf(folder: Option<&Path>, out: Option<&Path>, output: Output) -> Result<u8, Failure> {
     let folder = folder.map_or_else(own_shelf, |folder| Ok(folder.to_owned()))?;
     let volumes: Vec<Volume> = folders(&folder)?.iter().map(|folder| volume(folder)).collect();
@@ -86,7 +99,10 @@ pub fn shelf(folder: Option<&Path>, out: Option<&Path>, output: Output) -> Resul
     Ok(if volumes.iter().all(is_judged) { 0 } else { status::NO })
 }
 
-/// Folder `publications` of the workspace around the current folder.
+/// Returns the folder `publications` of the workspace around the current folder.
+///
+/// # Errors
+/// `Failure` if there is no such folder.
 fn own_shelf() -> Result<PathBuf, Failure> {
     let here = current_folder()?;
     let found = workspace_around(&here).map(|root| root.join("publications")).filter(|folder| folder.is_dir());
@@ -95,7 +111,10 @@ fn own_shelf() -> Result<PathBuf, Failure> {
     })
 }
 
-/// Folders within a folder that hold a model and a publication, by name.
+/// Lists the folders inside `shelf` that contain a model and a publication, in alphabetical order.
+///
+/// # Errors
+/// `Failure` if the folder cannot be read or contains no publication.
 fn folders(shelf: &Path) -> Result<Vec<PathBuf>, Failure> {
     let failed =
         |error| Failure::request(format!("{}: {error}", path_in_line(shelf)), "give a folder that can be read");
@@ -114,6 +133,7 @@ fn folders(shelf: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(list)
 }
 
+/// Judges the publication in a folder; a failure becomes the reason why it has no verdict.
 fn volume(folder: &Path) -> Volume {
     let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let judged = || -> Result<Verdict, Failure> {
@@ -124,6 +144,7 @@ fn volume(folder: &Path) -> Volume {
     Volume { name, verdict: judged().map_err(|failure| failure.to_string()) }
 }
 
+/// Returns the verdicts on all publications as text.
 fn text_of(volumes: &[Volume]) -> String {
     let mut out = String::new();
     for Volume { name, verdict } in volumes {
@@ -152,6 +173,7 @@ fn text_of(volumes: &[Volume]) -> String {
     out
 }
 
+/// Returns the verdicts on all publications as JSON.
 fn json_of(volumes: &[Volume]) -> Value {
     let one = |Volume { name, verdict }: &Volume| match verdict {
         Err(why) => json!({ "name": name, "error": why }),
@@ -172,7 +194,7 @@ fn json_of(volumes: &[Volume]) -> Value {
     json!({ "publications": volumes.iter().map(one).collect::<Vec<_>>() })
 }
 
-/// Page about a shelf: one row for each publication.
+/// Returns an HTML page with one article for each publication.
 fn page(volumes: &[Volume]) -> String {
     let mut out = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
                    <meta name=\"viewport\" content=\"width=device-width\">\n\

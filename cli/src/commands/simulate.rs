@@ -1,4 +1,4 @@
-//! `tripos simulate`: a single run of a scene.
+//! Command `tripos simulate`: runs a scene once.
 
 mod by_all;
 mod derivatives;
@@ -23,7 +23,8 @@ use tripos_derive::scene::Scene;
 use tripos_sim::projection::ProjectionReport;
 use tripos_sim::{EventRecord, ImpactRecord, Stop};
 
-/// Runs a scene and prints its end, errors and events. Returns the exit status.
+/// Runs `tripos simulate`: runs a scene and prints its end, errors and events. Returns the exit
+/// status.
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     let VariedScene { model, mut scene, set } = read_scene_with(&request.scene, &request.set.set)?;
     let how = request.how.overrides()?;
@@ -65,7 +66,8 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     Ok(status)
 }
 
-/// Prints notes, warnings and the reason why a run did not give all that was wanted. Returns the exit status.
+/// Prints notes and warnings of a run, and the reason why it did not give all wanted results.
+/// Returns the exit status.
 fn shown_failure(request: &Simulate, run: &Run, missing: Option<String>) -> u8 {
     run.notes.iter().for_each(|note| say(&format!("note: {note}")));
     run.warnings.iter().for_each(|warning| warn(warning));
@@ -80,6 +82,7 @@ fn shown_failure(request: &Simulate, run: &Run, missing: Option<String>) -> u8 {
     }
 }
 
+/// Returns the result of a run as JSON.
 fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
     let named_values = |list: &[f64]| -> Map<String, Value> {
         shown(run).map(|at| (run.names[at].clone(), json!(list[at]))).collect()
@@ -127,7 +130,7 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
     })
 }
 
-/// Impacts of a run as JSON: instants in s, impulses, losses in J.
+/// Returns the impacts of a run as JSON: times in s, impulses, and energy losses in J.
 fn impacts(scene: &Scene, run: &Run) -> Vec<Value> {
     let named = |at: &usize| scene.impacts[*at].name.clone();
     let one = |impact: &ImpactRecord| {
@@ -146,7 +149,8 @@ fn impacts(scene: &Scene, run: &Run) -> Vec<Value> {
     run.solution.impacts.iter().map(one).collect()
 }
 
-/// Line with the number of impacts and the energy lost in them; empty if there were none.
+/// Returns a line with the number of impacts and the energy lost in them, J. Empty if there were
+/// none.
 fn impacts_in_words(run: &Run) -> String {
     let list = &run.solution.impacts;
     // The sum with 0 removes the sign of a negative zero.
@@ -158,12 +162,14 @@ fn impacts_in_words(run: &Run) -> String {
     }
 }
 
-/// Indices of the values of a run that are shown: all except the time, which is shown apart.
+/// Returns the indices of the run's values that are shown: all except the time, which is shown
+/// separately.
 fn shown(run: &Run) -> impl Iterator<Item = usize> {
     (0..run.names.len()).filter(|at| run.names[*at] != TIME)
 }
 
-/// Smallest number of correct digits along a run as JSON, with the quantity and the instant; null if not assessed.
+/// Returns the smallest number of correct digits along a run as JSON, with the quantity and the
+/// time. Null if digits were not assessed.
 fn fewest(run: &Run) -> Value {
     let found = run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?)));
     found.map_or(
@@ -172,7 +178,8 @@ fn fewest(run: &Run) -> Value {
     )
 }
 
-/// Line with the numbers of correct digits at the end and along the run; empty if they were not assessed.
+/// Returns a line with the numbers of correct digits at the end and along the run. Empty if they
+/// were not assessed.
 fn digits_in_words(run: &Run) -> String {
     let Some((digits, fewest)) = run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?))) else {
         return String::new();
@@ -186,12 +193,13 @@ fn digits_in_words(run: &Run) -> String {
     )
 }
 
-/// Drifts of all first integrals except the energy, which is shown apart.
+/// Returns the drifts of all first integrals except the energy, whose drift is shown separately.
 fn momenta(run: &Run) -> impl Iterator<Item = &Drift> {
     run.drifts.iter().filter(|drift| !drift.integral.kind.is_energy())
 }
 
-/// Report on the projection of a run as JSON, so that it hides no drift; null without projection.
+/// Returns a report on the corrections by projection in a run as JSON, so that projection hides no
+/// drift. Null without projection.
 fn projection(run: &Run) -> Value {
     match &run.solution.projection {
         None => Value::Null,
@@ -210,7 +218,8 @@ fn projection(run: &Run) -> Value {
     }
 }
 
-/// Report on the projection of a run in words, with the largest residual of the constraints.
+/// Returns a report on the corrections by projection in a run as text, with the largest residual of
+/// the constraints.
 fn projection_in_words(run: &Run, report: &ProjectionReport) -> String {
     let left = report.singular + report.not_converged;
     let Some(worst) = run.residuals.iter().max_by(|a, b| a.largest.abs().total_cmp(&b.largest.abs())) else {
@@ -233,6 +242,7 @@ fn projection_in_words(run: &Run, report: &ProjectionReport) -> String {
     )
 }
 
+/// Returns the result of a run as text.
 fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
     let mut out = format!(
         "{}, {}, {} code, accelerations {}, {}\n",
@@ -282,6 +292,9 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
     out
 }
 
+/// Writes the samples of a run to a CSV file: time, shown values, energies, and derivatives if
+/// there are any.
+/// `Err` if the file cannot be written.
 fn write_csv(path: &Path, run: &Run, slopes: Option<&Sensitivities>) -> Result<(), Failure> {
     // A scene with outputs of its own has no columns for energies.
     let energies = ["kinetic_energy", "potential_energy"].into_iter().filter(|_| !run.energies.is_empty());
@@ -302,8 +315,9 @@ fn write_csv(path: &Path, run: &Run, slopes: Option<&Sensitivities>) -> Result<(
     table(path, &header, rows)
 }
 
-/// Refuses to write samples over an input file, over a file that looks like no table of samples, and into a folder that
-/// does not exist: after a long run that would be too late.
+/// Refuses a path for the samples before the run: an input file, an existing file that is no CSV
+/// file, or a folder that does not exist.
+/// `Err` is the refusal.
 fn check_csv(path: &Path, existing: Existing, model: &Mechanism, scene: &Scene) -> Result<(), Failure> {
     keep_inputs(model, Some(scene), [path])?;
     csv_name(path)?;

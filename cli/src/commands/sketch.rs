@@ -1,4 +1,4 @@
-//! `tripos sketch`: a mechanism as textbooks draw it, as SVG or LaTeX.
+//! Command `tripos sketch`: draws a mechanism as textbooks do, as a picture or in LaTeX.
 
 use crate::failure::{Failure, Output, print_either};
 use crate::output::{keep_inputs, text};
@@ -16,19 +16,21 @@ use tripos_derive::model::is_model;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, load_bound, load_state};
 
-/// Kind of a sketch, by the ending of its file name.
+/// File format of a sketch, chosen by the extension of its file name.
 #[derive(Clone, Copy)]
 enum Kind {
-    /// A figure, drawn as SVG.
+    /// Picture in a format such as SVG, PNG or PDF.
     Figure(picture::Kind),
     /// LaTeX with TikZ.
     Latex,
 }
 
-/// Sketches a model, or the start of a scene, and writes the picture. Returns the exit status.
+/// Runs `tripos sketch`: sketches a model, or the start of a scene, and writes the picture. `at` is
+/// a state file with another pose. Returns the exit status.
 ///
 /// # Errors
-/// [`Failure`] if a file cannot be read or written, `out` names no kind of picture, or no body has a place.
+/// [`Failure`] if a file cannot be read or written, the extension of `out` names no format, or no
+/// body has a place.
 pub fn sketch(what: &Path, at: Option<&Path>, out: &Path, output: Output) -> Result<u8, Failure> {
     let kind = kind(out)?;
     let (mut mechanism, scene) = read(what)?;
@@ -56,7 +58,10 @@ pub fn sketch(what: &Path, at: Option<&Path>, out: &Path, output: Output) -> Res
     Ok(0)
 }
 
-/// The kind of sketch that a file's name asks for by its ending.
+/// Returns the file format of a sketch, by the extension of its file name.
+///
+/// # Errors
+/// [`Failure`] for an unknown extension.
 fn kind(out: &Path) -> Result<Kind, Failure> {
     if out.extension().is_some_and(|end| end == "tex") {
         return Ok(Kind::Latex);
@@ -64,7 +69,9 @@ fn kind(out: &Path) -> Result<Kind, Failure> {
     picture::kind(out, ", or in .tex for LaTeX").map(Kind::Figure)
 }
 
-/// Reads the model, and the scene whose start is drawn: the given one, or else the first of the model, if it has one.
+/// Reads the model, and the scene whose start is drawn: the given scene, otherwise the first of the
+/// model. `None` if the model has no scene.
+/// `Err` if a file has errors.
 fn read(what: &Path) -> Result<(Mechanism, Option<Scene>), Failure> {
     let is_scene = !what.is_dir() && what.exists() && !is_model(&Source::read(what)?);
     if is_scene {

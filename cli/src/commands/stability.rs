@@ -1,4 +1,5 @@
-//! `tripos stability`: limits of runs of a scene, such as passages near singular places and growth of errors.
+//! Command `tripos stability`: studies the limits of a scene's runs, such as passages near singular
+//! places and growth of errors.
 
 use crate::commands::chart::progress;
 use crate::failure::{Failure, Output, print_either};
@@ -12,7 +13,11 @@ use std::path::{Path, PathBuf};
 use tripos::studies::stability::{Study, Topic, all};
 use tripos_derive::plain::path_in_line;
 
-/// Runs every study that applies to the scene, and writes its numbers and figures to `out`. Returns the exit status.
+/// Runs `tripos stability`: makes every study that applies to the scene, and writes numbers and
+/// figures to the folder `out`. Returns the exit status.
+///
+/// # Errors
+/// `Failure` if a study fails, a file cannot be written, or the user interrupts.
 pub fn stability(
     VariedScene { model, scene, .. }: &VariedScene,
     quick: bool,

@@ -1,4 +1,4 @@
-//! `tripos sweep`: runs of a scene from many starts or with many parameters.
+//! Command `tripos sweep`: runs a scene from many starts or with many parameter values.
 
 use crate::arguments::Sweep as Request;
 use crate::failure::{Failure, print_json, say, status, warn};
@@ -19,10 +19,15 @@ use tripos::studies::sweep::{Row, Shard, Sweep, in_order};
 use tripos_codegen::files::Existing;
 use tripos_derive::scene::Grid;
 
-/// Largest number of threads that is accepted: a larger one is a typing error.
+/// Largest number of threads that is accepted. A larger number is probably a typing error.
 const MOST_THREADS: usize = 4096;
 
-/// Runs the points of a shard, writes a row for each, and prints their outcomes. Returns the exit status.
+/// Runs `tripos sweep`: runs the points of the grid, or one part of them, and writes a row for
+/// each. Returns the exit status.
+///
+/// # Errors
+/// `Failure` if a file or an option has errors, the table cannot be written, or the user
+/// interrupts.
 pub fn sweep(request: &Request) -> Result<u8, Failure> {
     let (mut model, mut scene) = read_scene(&request.scene)?;
     keep_inputs(&model, Some(&scene), [request.out.as_path()])?;
@@ -89,14 +94,16 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     Ok(if tally.failed() > 0 { status::STOPPED } else { 0 })
 }
 
-/// Time that a sweep took, and the threads that ran it.
+/// Threads that ran a sweep, and the time that it took.
 struct Effort {
+    /// Number of threads that ran the sweep.
     threads: usize,
+    /// Elapsed time of the sweep.
     seconds: Duration,
 }
 
-/// Words for the extent of a sweep: the number of points, the part of the grid, and the time taken. `kept` is the
-/// number of rows that were there before.
+/// Returns words for the extent of a sweep: the number of points, the part of the grid, and the
+/// time taken. `kept` is the number of rows from an earlier, unfinished sweep.
 fn extent(shard: Shard, points: &Range<u64>, kept: u64, grid: &Grid, effort: &Effort) -> String {
     let Effort { threads, seconds } = effort;
     let count = points.end - points.start - kept;
@@ -114,7 +121,11 @@ fn extent(shard: Shard, points: &Range<u64>, kept: u64, grid: &Grid, effort: &Ef
     )
 }
 
-/// Opens the table with its header. If an unfinished sweep is resumed, the table keeps its rows.
+/// Opens the table of a sweep and writes its header. A resumed table keeps the rows of the
+/// unfinished sweep.
+///
+/// # Errors
+/// `Failure` if the file exists and must be kept, or if its rows are not of this sweep.
 fn table(request: &Request, sweep: &Sweep<'_>, points: &Range<u64>) -> Result<(Rows, KeptRows), Failure> {
     let existing = if request.overwrite { Existing::Replaced } else { Existing::Kept };
     let (columns, record) = (Columns::new(sweep), Record::new(sweep, &request.over, &request.shard));
@@ -133,7 +144,7 @@ fn table(request: &Request, sweep: &Sweep<'_>, points: &Range<u64>) -> Result<(R
         if request.resume {
             say("all points of this sweep are already run");
         }
-        // A device or a pipe keeps no rows, and needs no record.
+        // A device or a pipe keeps no rows for a resumed sweep, so no record is written.
         if table.place() != request.out {
             record.write(table.place())?;
         }
@@ -145,7 +156,9 @@ fn table(request: &Request, sweep: &Sweep<'_>, points: &Range<u64>) -> Result<(R
     Ok((table, kept))
 }
 
-/// Runs the points that have no row yet and adds their rows to the table. Returns the counts of outcomes.
+/// Runs the points that have no row yet and adds their rows to the table. Returns the number of
+/// points with each outcome.
+/// `Err` if the table cannot be written, or the user interrupts.
 fn run(
     sweep: &Sweep<'_>,
     points: Range<u64>,
@@ -189,7 +202,11 @@ fn run(
     outcome.map(|()| tally)
 }
 
-/// Number of threads: the given one, or the number of cores, at most `MOST_THREADS`.
+/// Returns the number of threads: the given number, otherwise the number of cores, at most
+/// `MOST_THREADS`.
+///
+/// # Errors
+/// `Failure` if the given number is 0 or too large.
 fn threads(asked: Option<usize>) -> Result<usize, Failure> {
     match asked {
         None => Ok(std::thread::available_parallelism().map_or(1, NonZero::get).min(MOST_THREADS)),
@@ -201,7 +218,7 @@ fn threads(asked: Option<usize>) -> Result<usize, Failure> {
     }
 }
 
-/// Makes a progress bar with a count of points and the time left.
+/// Returns a progress bar with a count of points and the time left.
 fn progress(points: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} points, {eta} left");
     ProgressBar::new(points).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))

@@ -1,4 +1,4 @@
-//! `tripos view`: a scene's motion as a moving picture, in one file.
+//! Command `tripos view`: writes a scene's motion as a moving picture in one HTML file.
 
 use crate::arguments::View as Request;
 use crate::failure::{Failure, Output, print_either, status, warn};
@@ -12,7 +12,12 @@ use tripos::pictures::view::{Motion, View};
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::Scene;
 
-/// Runs the scene and the motions for comparison, and writes the view. Returns the exit status.
+/// Runs `tripos view`: runs the scene and the motions to compare with, and writes the HTML file.
+/// Returns the exit status.
+///
+/// # Errors
+/// `Failure` if a scene has errors or cannot be run, the file cannot be written, or the user
+/// interrupts.
 pub fn view(request: &Request) -> Result<u8, Failure> {
     let VariedScene { model: mechanism, mut scene, .. } = read_scene_with(&request.scene, &request.set.set)?;
     let how = request.how.overrides()?;
@@ -47,7 +52,11 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
     Ok(if stopped { status::STOPPED } else { 0 })
 }
 
-/// Motion of a transparent ghost: the scene by other equations, or another scene of the same model.
+/// Returns a motion to compare with, shown as a transparent ghost. `against` names other equations
+/// for the scene, or another scene of the same model.
+///
+/// # Errors
+/// `Failure` if the scene is of another model, or cannot be read or run.
 fn compared(mechanism: &Mechanism, scene: &Scene, request: &Request, against: &str) -> Result<Motion, Failure> {
     let path = std::path::Path::new(against);
     if !path.is_file() {

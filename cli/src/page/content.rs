@@ -1,4 +1,4 @@
-//! Content of the page, as data.
+//! Content of the page about a model, as data without HTML.
 
 use tripos::Reduced;
 use tripos::studies::study::Study;
@@ -6,73 +6,74 @@ use tripos_codegen::plan::Costs;
 use tripos_derive::mechanics::DerivationInSteps;
 use tripos_derive::{Formulation, Model};
 
-/// Content of the page about a model.
+/// Content of the page about a model, before it is written as HTML.
 pub struct Page<'a> {
-    /// Mechanism that the page describes.
+    /// Model of the mechanism that the page describes.
     pub model: &'a Model,
-    /// Equations of motion by each formulation, or the reason why there are none.
+    /// Equations of motion by each formulation; `Err` is the reason why there are none.
     pub derivations: Vec<(Formulation, Result<DerivationInSteps, String>)>,
-    /// Proofs about the equations, and the verdict on the publication beside the model.
+    /// Proofs about the equations, and the verdict on the publication in the model's folder.
     pub study: &'a Study,
-    /// Sections about the simulated scenes.
+    /// Sections about the scenes that were run, in order.
     pub scenes: Vec<SceneSection>,
-    /// Sketch of the mechanism as textbooks draw it, or the reason why there is none.
+    /// Sketch of the mechanism; `Err` is the reason why there is none.
     pub sketch: Result<Drawing, String>,
     /// Motion of one of the scenes, shown as a moving figure; `None` if there is none.
     pub moving: Option<Moving>,
     /// Reason why the page is partial; `None` if it is complete.
     pub unfinished: Option<String>,
-    /// Path of the model, as a command accepts it.
+    /// Path of the model, as a `tripos` command accepts it.
     pub file: String,
 }
 
-/// A sketch of the mechanism, with its caption.
+/// Sketch of the mechanism as textbooks draw it, with its caption.
 pub struct Drawing {
     /// Picture as an `<svg>` element.
     pub svg: String,
-    /// Caption: the values at which the mechanism is drawn.
+    /// Caption that states the values of the coordinates in the sketch.
     pub caption: String,
 }
 
-/// Motion of a scene for the page's moving figure.
+/// Motion of one scene for the page's moving figure.
 pub struct Moving {
     /// Index of the scene whose motion the figure shows.
     pub scene: usize,
-    /// Moving figure, or the reason why there is none.
+    /// Moving figure; `Err` is the reason why there is none.
     pub viewer: Result<Viewer, String>,
 }
 
-/// A moving figure of the page, in its three parts.
+/// Moving figure of the page in three parts: HTML, style and script.
 pub struct Viewer {
-    /// HTML of the figure.
+    /// HTML of the moving figure.
     pub figure: String,
     /// CSS of the figure, which styles no other element.
     pub style: &'static str,
     /// Element `<script>` that moves the figure.
     pub script: String,
-    /// Doubt about the shown motion; `None` if it can be trusted.
+    /// Warning that the shown motion misleads; `None` if it does not.
     pub doubt: Option<String>,
 }
 
-/// Section of the page about a simulated scene.
+/// Section of the page about a scene that was run.
 pub struct SceneSection {
-    /// Path of the scene's file, as a command accepts it.
+    /// Path of the scene file, as a `tripos` command accepts it.
     pub file: String,
     /// Title of the scene.
     pub title: String,
     /// Description of the scene, from its file.
     pub about: String,
-    /// Given data of the scene: parameters, start, tolerances; each with its heading.
+    /// Given data of the scene with their headings: parameters, start, span, integration, domain.
     pub facts: Vec<(&'static str, Fact)>,
-    /// Reduced equations of the scene, or the reason why there are none.
+    /// Reduced equations of the scene; `Err` is the reason why there are none.
     pub needs: Result<Needs, String>,
-    /// Runs: one for each formulation, one by the scene's reduced equations, then one for each printed system.
+    /// Runs of the scene: one for each formulation, one by reduced equations, and one for each
+    /// printed system.
     pub runs: Vec<RunRow>,
-    /// Printed systems that could not be run: (title, reason).
+    /// Printed systems that could not be run, each as (name, reason).
     pub not_run: Vec<(String, String)>,
-    /// Figures of the scene.
+    /// Figures of the scene, in the order of its file.
     pub figures: Vec<Figure>,
-    /// Figures that the scene cannot have, each with the reason.
+    /// Reasons for figures that the scene cannot have, one sentence each.
     pub not_drawn: Vec<String>,
     /// Recommended equations, solve and method; `None` if they were not measured.
     pub advice: Option<Advice>,
@@ -82,19 +83,19 @@ pub struct SceneSection {
     pub nearness: Option<Figure>,
 }
 
-/// A given datum of a scene.
+/// Given datum of a scene: values or words.
 pub enum Fact {
-    /// Names with their values.
+    /// Names of numbers with their values, such as parameters.
     Values(Vec<(String, f64)>),
-    /// Plain words.
+    /// Given datum in words, such as the integration method.
     Words(String),
 }
 
-/// Reduced equations of a scene, and their cost.
+/// Reduced equations of a scene, and their cost compared with the whole model.
 pub struct Needs {
-    /// Reduced equations of the scene.
+    /// Reduced equations of the scene: those states and equations that its outputs need.
     pub reduced: Reduced,
-    /// Cost of a call of the reduced equations, beside that of the whole model's.
+    /// Numbers of operations in a call of the reduced equations and of the whole model's equations.
     pub costs: Costs,
 }
 
@@ -102,107 +103,118 @@ pub struct Needs {
 pub struct RunRow {
     /// Title of the equations that ran, for a heading.
     pub title: String,
-    /// Id of the printed system; `None` for derived equations.
+    /// Id of the printed system; `None` for derived and reduced equations.
     pub printed: Option<String>,
     /// Name of the integration method.
     pub method: &'static str,
-    /// Form of the code that ran: `compiled` or `interpreted`.
+    /// Form of the code that was run: `compiled` or `interpreted`.
     pub code: String,
-    /// Number of accepted steps.
+    /// Number of accepted integration steps of the run.
     pub steps: u64,
-    /// Number of rejected steps.
+    /// Number of rejected integration steps of the run.
     pub rejected: u64,
-    /// Number of calls of the right-hand side.
+    /// Number of evaluations of the right-hand side.
     pub evaluations: u64,
-    /// Instant at which the run ended, s.
+    /// Time of the motion at which the run ended, s.
     pub t_end: f64,
-    /// True if the run reached the last instant of its span.
+    /// True if the run reached the end of its span.
     pub arrived: bool,
     /// Reason why the run ended, as a sentence.
     pub stop: String,
-    /// Standing of the run: the verdict on its equations and on its numbers.
+    /// Standing of the run: the verdict on its equations and on its accuracy.
     pub standing: Standing,
-    /// Largest change of total energy that no work accounts for, J; `None` if the equations do not know the energy.
+    /// Largest change of the total energy that no work explains, J; `None` if the equations do not
+    /// state the energy.
     pub energy_drift: Option<f64>,
-    /// Number of correct digits of every value at the end of the run, estimated by its second run. `None` if not
-    /// assessed, or if the equations are not those of the motion.
+    /// Number of correct digits of the least accurate value at the end of the run, estimated by a
+    /// second run. `None` if not assessed, or if the equations are wrong.
     pub digits: Option<f64>,
-    /// Time from which on the run has fewer than three correct digits, s; `None` if it keeps them, or if not assessed.
+    /// Time from which the run has fewer than three correct digits, s; `None` if it keeps three, or
+    /// if not assessed.
     pub few_from: Option<f64>,
-    /// Further warnings about the run, for the reader.
+    /// Further warnings about the run, one sentence each.
     pub warnings: Vec<String>,
-    /// Largest change of each first integral; empty for a run that does not show every state.
+    /// Largest change of each first integral along the run; empty for a run that does not show
+    /// every state.
     pub changes: Vec<f64>,
     /// Least distances of the run from singular configurations.
     pub nearest: Nearest,
 }
 
-/// Verdict on the equations of a run, and on its numbers.
+/// Standing (trustworthiness) of a run: the verdict on its equations, and on its accuracy.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Standing {
-    /// Derived equations, or printed ones that provably move alike, integrated to the wanted tolerance.
+    /// Right: derived equations, or printed equations that provably give the same motion,
+    /// integrated to the wanted tolerance.
     Right,
-    /// Right equations at tolerances that leave few digits.
+    /// Loose: right equations, integrated at tolerances that leave few correct digits.
     Loose {
-        /// Method of integration and its tolerances, in words.
+        /// Integration method and its tolerances, in words.
         how: String,
-        /// Error at the end of the run, the largest |e| / (1 + |value|), or the reason why it is unknown.
+        /// Error at the end of the run, the largest |e|/(1 + |value|); `Err` is the reason why it
+        /// is unknown.
         error: Result<f64, String>,
     },
-    /// Right equations whose run could not go on.
+    /// Stopped: right equations whose run ended before its span.
     Stopped,
-    /// Printed equations that do not give the derived accelerations, for any end of their run.
+    /// Wrong: printed equations that do not give the derived accelerations, even if their run
+    /// reaches its end.
     Wrong,
-    /// Printed equations whose accelerations could not be compared with the derived ones, with the reason.
+    /// Undecided: printed equations that could not be compared with the derived accelerations.
+    /// Holds the reason.
     Undecided(String),
 }
 
-/// Extremes along a run: most are pairs (value, time in s), and `None` if no sample has a value.
+/// Smallest distances of a run from singular configurations. Most are pairs (value, time in s),
+/// `None` if no sample has a value.
 #[derive(Default)]
 pub struct Nearest {
-    /// Smallest and greatest determinant of A along the run, without times.
+    /// Smallest and largest determinant of the matrix A along the run, without times.
+    /// `None` if no sample has a determinant.
     pub determinant: Option<(f64, f64)>,
-    /// Smallest |det A / det A(t₀)| of the matrix A of the Newton–Euler equations, with its time; `None` without such a
-    /// matrix.
+    /// Smallest |det A/det A(t₀)| of the matrix A of the Newton–Euler equations, with its time in
+    /// s; `None` without such a matrix.
     pub relative: Option<(f64, f64)>,
-    /// Smallest reciprocal condition number of A, with its time.
+    /// Smallest reciprocal condition number of A, with its time in s.
+    /// `None` if no sample has a condition number.
     pub condition: Option<(f64, f64)>,
-    /// Smallest absolute value of each divisor of the kinematic equations, with its time.
+    /// Smallest absolute value of each divisor of the kinematic equations, with its time in s.
     pub divisors: Vec<Option<(f64, f64)>>,
 }
 
-/// A figure of the page, with its caption.
+/// Figure of the page, with its caption.
 pub struct Figure {
-    /// Caption of the figure.
+    /// Caption of the figure, below its picture.
     pub caption: String,
     /// Picture as an `<svg>` element.
     pub svg: String,
-    /// Lesson from the figure, printed below the caption; `None` if there is none.
+    /// Conclusion from the figure, printed below the caption; `None` if there is none.
     pub remark: Option<String>,
-    /// Links to the tables with every plotted point, relative to the page.
+    /// Links to the tables with every plotted point, relative to the page's folder.
     pub data: Vec<String>,
 }
 
-/// Recommended equations, solve and method, as measured.
+/// Recommendation of equations, solve and method for a scene, based on measurements.
 pub struct Advice {
-    /// Recommendation in words.
+    /// Recommendation of equations, solve and method in words.
     pub lead: String,
-    /// Rows of the table of advice: an accuracy, and the fastest run that reaches it, or `None`.
+    /// Rows of the table of advice: an accuracy, and the fastest run that reaches it; `None` if no
+    /// run does.
     pub rows: Vec<(f64, Option<Choice>)>,
 }
 
-/// A measured run that is recommended.
+/// Measured run that is recommended for an accuracy.
 pub struct Choice {
-    /// Name of the equations that ran.
+    /// Name of the equations that are recommended, such as `kane`.
     pub equations: String,
-    /// Solution for the accelerations: eliminated or numeric.
+    /// Way of solving for the accelerations: `eliminated` or `numeric`.
     pub solve: &'static str,
     /// Name of the integration method.
     pub method: &'static str,
-    /// Tolerance of the run; `None` if it takes no steps.
+    /// Tolerance of the run; `None` for a method without steps.
     pub tolerance: Option<f64>,
-    /// Computing time of the run, s.
+    /// Median computing time of the run, s.
     pub seconds: f64,
-    /// Error of the run at its end, the largest |e| / (1 + |reference|).
+    /// Error of the run at its end, the largest |e|/(1 + |reference|).
     pub error: f64,
 }

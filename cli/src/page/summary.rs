@@ -1,8 +1,9 @@
-//! Abstract of the page: the mechanism, the proofs, the mistakes in print, the outcome of the runs, and the recommended
-//! command to run a scene.
+//! Abstract of the page: mechanism, proofs, mistakes in print, outcome of the runs, and the
+//! recommended command to run a scene.
 //!
-//! Invariant: at most eight short sentences, read aloud in 40 seconds. Every sentence is made of values and links to
-//! its evidence on the page. Absent on purpose: sentences that only one model could need, and ids of printed entries.
+//! Invariant: at most eight short sentences, read aloud in 40 seconds. Every sentence is made of
+//! values, and links to its evidence on the page. No sentence fits only one model, and none
+//! contains ids of printed entries.
 
 use crate::chart::sentences::{TARGETS, seconds};
 use crate::page::content::{Choice, Page, SceneSection};
@@ -14,13 +15,13 @@ use tripos_derive::Formulation;
 use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::algebra::{Arena, Expr};
 
-/// Largest number of characters of a formula in a sentence.
+/// Largest number of characters of a formula in a sentence of the abstract.
 const SHORT: usize = 40;
 
-/// Pair of the id of a sentence's evidence on the page, and the sentence as HTML.
+/// Sentence of the abstract as HTML, after the id of its evidence on the page.
 type Sentence = (String, String);
 
-/// HTML of the abstract.
+/// Returns the HTML section with the abstract.
 pub fn section(page: &Page) -> String {
     let verdict = page.study.published.iter().flat_map(|published| {
         let title = escape(published.publication.heading());
@@ -43,7 +44,7 @@ pub fn section(page: &Page) -> String {
     format!("<section id=\"abstract\" aria-label=\"Abstract\">\n{}<dl>\n{rows}</dl>\n</section>\n", drawing(page))
 }
 
-/// HTML of the sketch of the mechanism, or of the reason why there is none.
+/// Returns the HTML of the sketch of the mechanism, or of the reason why there is none.
 fn drawing(page: &Page) -> String {
     match &page.sketch {
         Ok(drawing) => {
@@ -53,6 +54,7 @@ fn drawing(page: &Page) -> String {
     }
 }
 
+/// Returns the sentence on the mechanism: bodies, degrees of freedom and constraints.
 fn mechanism(page: &Page) -> Sentence {
     let model = page.model;
     let clock = usize::from(model.time().is_some());
@@ -77,16 +79,19 @@ fn mechanism(page: &Page) -> Sentence {
     ("mechanism".to_owned(), format!("{} with {freedom}{constraints}.", capital(&listed(&bodies))))
 }
 
+/// Returns a text with a capital first letter.
 fn capital(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
+/// Returns the titles of formulations, listed as in a sentence.
 fn titles(list: impl IntoIterator<Item = Formulation>) -> String {
     listed(&list.into_iter().map(|formulation| escape(formulation.title())).collect::<Vec<_>>())
 }
 
-/// Sentence on the equivalence of the formulations and on where they hold; `None` if no formulation could be derived.
+/// Returns the sentence on the equivalence of the formulations and on where they hold. `None` if no
+/// formulation could be derived.
 fn equality(page: &Page) -> Option<Sentence> {
     let proof = &page.study.proof;
     let all = proof.pairs.len();
@@ -110,6 +115,7 @@ fn equality(page: &Page) -> Option<Sentence> {
     Some(("equality".to_owned(), format!("{said}, {many} {}.", validity(page))))
 }
 
+/// Returns the sentence on the first integrals.
 fn integrals(page: &Page) -> Sentence {
     let list = &page.study.proof.integrals;
     let energies = list.iter().filter(|integral| integral.is_energy()).count();
@@ -130,7 +136,8 @@ fn integrals(page: &Page) -> Sentence {
     ("integrals".to_owned(), said)
 }
 
-/// HTML of words for the places where one of several terms is zero; long terms are only counted.
+/// Returns the HTML of words for the places where one of several terms is zero. Long terms are only
+/// counted.
 fn where_zero(arena: &Arena, terms: &[Expr]) -> String {
     let is_short = |e: &Expr| length(arena, *e).is_some_and(|characters| characters <= SHORT);
     let mut places: Vec<String> = terms.iter().filter(|e| is_short(e)).map(|e| vanishing(arena, *e)).collect();
@@ -142,7 +149,7 @@ fn where_zero(arena: &Arena, terms: &[Expr]) -> String {
     places.join(" or ")
 }
 
-/// HTML of words for the places where the equations hold.
+/// Returns the HTML of words for the configurations in which the equations hold.
 fn validity(page: &Page) -> String {
     let proof = &page.study.proof;
     let arena = &page.study.derivations.kinematics.arena;
@@ -153,7 +160,7 @@ fn validity(page: &Page) -> String {
     }
 }
 
-/// Sentence on the outcome of the scenes; `None` if the page has none.
+/// Returns the sentence on the outcome of the scenes; `None` if the page has none.
 fn simulated(page: &Page) -> Option<Sentence> {
     if let [scene] = page.scenes.as_slice() {
         return Some((anchor(0), format!("{}: {}", title(scene), outcome::derived(scene))));
@@ -173,8 +180,8 @@ fn simulated(page: &Page) -> Option<Sentence> {
     (all > 0).then(|| ("simulation".to_owned(), format!("Of {}, {}.", count(all, "scene"), listed(&kinds))))
 }
 
-/// Sentence on the equations, the method and the tolerance that were measured to be the fastest. Without a measurement:
-/// the saving by a scene's reduced equations.
+/// Returns the sentence on the fastest measured equations, method and tolerance. Without a
+/// measurement, it states the saving by a scene's reduced equations.
 fn recommended(page: &Page) -> Vec<Sentence> {
     let measured = page.scenes.iter().enumerate().find_map(|(at, scene)| Some((at, scene, scene.advice.as_ref()?)));
     if let Some((at, scene, advice)) = measured {
@@ -188,6 +195,7 @@ fn recommended(page: &Page) -> Vec<Sentence> {
     page.scenes.get(shown).map_or_else(Vec::new, |scene| vec![(format!("{}-needs", anchor(shown)), own(page, scene))])
 }
 
+/// Returns the HTML sentence with the command for the fastest run to an error of at most `target`.
 fn fastest(scene: &SceneSection, target: f64, choice: &Choice) -> String {
     let tolerance =
         choice.tolerance.map_or_else(String::new, |tolerance| format!(" --rtol {tolerance:e} --atol {tolerance:e}"));
@@ -201,7 +209,8 @@ fn fastest(scene: &SceneSection, target: f64, choice: &Choice) -> String {
     )
 }
 
-/// HTML of the command that runs a scene, with the number of states that its reduced equations keep.
+/// Returns the HTML of the command that runs a scene, with the number of states in its reduced
+/// equations.
 fn own(page: &Page, scene: &SceneSection) -> String {
     let command = format!("<code>tripos simulate {}</code>", escape(&scene.file));
     let Ok(needs) = &scene.needs else { return format!("{command}.") };

@@ -1,4 +1,4 @@
-//! Figures as PNG and PDF, made from the SVG that is drawn.
+//! PNG and PDF files of figures, made from their SVG.
 
 use super::{CSS, MOST_PIXELS};
 use crate::failure::Failure;
@@ -6,12 +6,13 @@ use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use tripos::Error;
 
-/// Fonts DejaVu Sans, regular and bold, reduced to the letters that labels need.
+/// Fonts DejaVu Sans, regular and bold, reduced to the characters that labels need.
 const FONTS: [&[u8]; 2] =
     [include_bytes!("../../fonts/DejaVuSans.ttf"), include_bytes!("../../fonts/DejaVuSans-Bold.ttf")];
+/// Name of the font family for all labels.
 const FAMILY: &str = "DejaVu Sans";
 
-/// Makes the bytes of a PNG of a figure, with `dpi` dots per inch.
+/// Returns the bytes of a PNG of a figure, with `dpi` dots per inch.
 ///
 /// # Errors
 /// [`Failure`] if the figure has too many pixels.
@@ -19,7 +20,7 @@ pub fn png(svg: &str, dpi: u32) -> Result<Vec<u8>, Failure> {
     png_of(&tree(svg)?, dpi)
 }
 
-/// Makes the bytes of a PDF of a figure: one page, with its fonts.
+/// Returns the bytes of a PDF of a figure: one page, with its fonts.
 ///
 /// # Errors
 /// [`Failure`] if the SVG cannot be read again, which no figure of this program causes.
@@ -27,7 +28,8 @@ pub fn pdf(svg: &str) -> Result<Vec<u8>, Failure> {
     pdf_of(&tree(svg)?)
 }
 
-/// Parses the SVG of a figure, with its letters laid out in the fonts of this crate.
+/// Parses the SVG of a figure, with its text laid out in the fonts of this program.
+/// `Err` if the SVG is invalid, which no figure of this program causes.
 fn tree(svg: &str) -> Result<Tree, Failure> {
     let mut options = Options { font_family: FAMILY.to_owned(), ..Options::default() };
     let fonts = options.fontdb_mut();
@@ -38,6 +40,8 @@ fn tree(svg: &str) -> Result<Tree, Failure> {
     Tree::from_str(svg, &options).map_err(|error| failed(&error))
 }
 
+/// Renders a parsed figure on white as a PNG.
+/// `Err` if the picture has too many pixels.
 fn png_of(tree: &Tree, dpi: u32) -> Result<Vec<u8>, Failure> {
     let scale = dpi as f32 / CSS;
     let size = tree.size();
@@ -73,12 +77,14 @@ fn png_of(tree: &Tree, dpi: u32) -> Result<Vec<u8>, Failure> {
     Ok(out)
 }
 
+/// Converts a parsed figure to a PDF.
+/// `Err` if the conversion fails, which no input causes.
 fn pdf_of(tree: &Tree) -> Result<Vec<u8>, Failure> {
     let page = svg2pdf::PageOptions { dpi: CSS };
     svg2pdf::to_pdf(tree, svg2pdf::ConversionOptions::default(), page).map_err(|error| failed(&error))
 }
 
-/// Failure of making a kind of file from a figure of this program, which no input causes.
+/// Returns the failure for a figure that could not be converted, which no input causes.
 fn failed(error: &dyn std::fmt::Display) -> Failure {
     Error::Stopped(format!("the figure cannot be written as this kind of file: {error}")).into()
 }

@@ -1,24 +1,30 @@
-//! Axes with readable ticks, and labels with units and powers of ten.
+//! Axes of a panel with readable ticks, and labels with units and powers of ten.
 //!
-//! Invariant: no tick shows a rounding error: a tick is a whole number times a power of ten, printed with the digits of
-//! that power.
+//! Invariant: no tick shows a rounding error. A tick is a whole number times a power of ten,
+//! printed with the digits of that power.
 
 use super::{Scale, pretty};
 
-/// Axis of a panel: values less `offset`, or their decimal logarithms, from `low` to `high`.
+/// Axis of a panel. It shows values less `offset`, or their decimal logarithms, from `low` to
+/// `high`.
 pub struct Axis {
+    /// Kind of the axis: linear or logarithmic.
     scale: Scale,
+    /// Number that is subtracted from the values on a linear axis; often 0.
     offset: f64,
+    /// Lower end of the axis: a value less `offset`, or a decimal logarithm.
     low: f64,
+    /// Upper end of the axis: a value less `offset`, or a decimal logarithm.
     high: f64,
-    /// Ticks of the axis: position from 0 to 1, and text.
+    /// Ticks of the axis: position from 0 (lower end) to 1 (upper end), and text.
     pub ticks: Vec<(f64, String)>,
-    /// Label of the axis, with the subtracted offset and the power of ten.
+    /// Label of the axis with its unit, including a subtracted offset and a power of ten.
     pub label: String,
 }
 
 impl Axis {
-    /// Makes a linear axis for `values` with a `margin`, a fraction of their range, and about `count` ticks.
+    /// Returns a linear axis for `values` with about `count` ticks. `margin` is the fraction of
+    /// their range added at both ends.
     pub fn new(values: impl Iterator<Item = f64>, label: &str, margin: f64, count: f64) -> Self {
         let (min, max) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
         let (min, max) = if min <= max { (min, max) } else { (0.0, 1.0) };
@@ -37,7 +43,8 @@ impl Axis {
         axis
     }
 
-    /// Makes a logarithmic axis over whole powers of ten around `values`, which are positive, with about `count` ticks.
+    /// Returns a logarithmic axis over whole powers of ten around the positive `values`, with about
+    /// `count` ticks.
     pub fn logarithmic(values: impl Iterator<Item = f64>, label: &str, count: f64) -> Self {
         let (min, max) = values.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
         let (min, max) = if min <= max { (min, max) } else { (1.0, 1.0) };
@@ -60,7 +67,8 @@ impl Axis {
         Self { scale: Scale::Logarithmic, offset: 0.0, low, high, ticks, label: scaled_label(label, 0.0, 0) }
     }
 
-    /// Sets ticks at multiples of 1, 2 or 5 times a power of ten; returns the power of ten that was taken out of them.
+    /// Sets the ticks of a linear axis at multiples of 1, 2 or 5 times a power of ten. Returns the
+    /// power of ten that the label states instead of the ticks.
     fn tick(&mut self, count: f64) -> i32 {
         let rough = (self.high - self.low) / count;
         let decade = whole(rough.log10().floor());
@@ -84,7 +92,7 @@ impl Axis {
         power
     }
 
-    /// Position of a value on the axis, from 0 at its low end to 1 at its high end.
+    /// Returns the position of a value on the axis, from 0 at its lower end to 1 at its upper end.
     pub fn place(&self, value: f64) -> f64 {
         let value = match self.scale {
             Scale::Linear => value - self.offset,
@@ -94,13 +102,15 @@ impl Axis {
     }
 }
 
-/// Number with the fewest digits within two ranges of the middle: short to read, and near enough to be subtracted.
+/// Returns the number with the fewest digits within two ranges of `middle`, short to read as an
+/// offset.
 fn round_near(middle: f64, range: f64) -> f64 {
     let rounded = (0..17).filter_map(|digits| format!("{middle:.digits$e}").parse::<f64>().ok());
     rounded.into_iter().find(|x| (x - middle).abs() <= 2.0 * range).unwrap_or(middle)
 }
 
-/// Writes a label such as `T + V [J]` with offset and power of ten, as `T + V − 24.525 J  [10⁻⁹ J]`.
+/// Returns a label such as `T + V [J]` with an offset and a power of ten: `T + V − 24.525 J [10⁻⁹
+/// J]`.
 fn scaled_label(label: &str, offset: f64, power: i32) -> String {
     let (stem, unit) = match label.trim_end().strip_suffix(']').and_then(|text| text.rsplit_once('[')) {
         Some((stem, unit)) => (pretty(stem), pretty(unit)),
@@ -118,6 +128,7 @@ fn scaled_label(label: &str, offset: f64, power: i32) -> String {
     }
 }
 
+/// Returns a whole number in superscript digits.
 fn raised(number: &str) -> String {
     let raise = |c| match c {
         '-' => '⁻',
@@ -130,7 +141,8 @@ fn raised(number: &str) -> String {
     number.chars().map(raise).collect()
 }
 
-/// Whole part of a number, rounded towards zero.
+/// Returns a number rounded towards zero, as a 32-bit integer. Numbers out of range give the
+/// nearest integer.
 #[expect(clippy::cast_possible_truncation, reason = "saturates, and every place in a figure is small")]
 pub fn whole(x: f64) -> i32 {
     x as i32

@@ -1,9 +1,9 @@
-//! Error of drawing a figure.
+//! Error that occurs while a figure is drawn.
 
 use plotters::drawing::DrawingAreaErrorKind;
 use std::fmt;
 
-/// Error of the library plotters: it could not draw a figure.
+/// Error of the library plotters while it drew a figure, with its message.
 #[derive(Debug)]
 pub struct PlotError(String);
 

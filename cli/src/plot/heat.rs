@@ -1,4 +1,4 @@
-//! Heat map of a table: rows and columns of coloured cells, each with its value in it.
+//! Heat map of a table: rows and columns of coloured cells, each with its value as text.
 
 use super::look::{Canvas, EDGE, dashes, extent, line, rectangle, write};
 use super::pen::Pen;
@@ -6,16 +6,19 @@ use super::{Cell, HeatMap, LINE, PlotError, WIDTH, finish, text_width, wrap};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
+/// Height of a row of the heat map, px.
 const HEIGHT: f64 = 22.0;
-/// Colours from light to dark, in equal steps of lightness, so that the map can be read without colour.
+/// Colours (red, green, blue) from the smallest to the largest value. Their lightness falls in
+/// equal steps, so that the map is readable without colour.
 const COLOURS: [(f64, f64, f64); 4] =
     [(247.0, 252.0, 245.0), (186.0, 228.0, 179.0), (253.0, 174.0, 97.0), (178.0, 60.0, 60.0)];
+/// Colour of cells without a value.
 const GREY: RGBColor = RGBColor(0xdd, 0xdd, 0xdd);
 
 /// Draws a heat map as one `<svg>` element.
 ///
 /// # Errors
-/// [`PlotError`] if plotters fails, which it does not when it writes to memory.
+/// [`PlotError`] if plotters fails, which does not happen in memory.
 pub fn draw_heat(map: &HeatMap) -> Result<String, PlotError> {
     let left = map.rows.iter().map(|(name, _)| text_width(name)).fold(40.0, f64::max) + 14.0;
     let width = (WIDTH - left - 4.0) / map.columns.len().max(1) as f64;
@@ -48,6 +51,8 @@ pub fn draw_heat(map: &HeatMap) -> Result<String, PlotError> {
     Ok(finish(&svg, &map.title, height))
 }
 
+/// Draws a cell with its upper left corner at `at`, px: its colour and its text.
+/// `Err` if plotters fails.
 fn draw_cell(canvas: &Canvas, map: &HeatMap, cell: &Cell, at: (f64, f64), width: f64) -> Result<(), PlotError> {
     let (colour, text) = match cell {
         Cell::Value(value) if value.is_finite() => {
@@ -61,7 +66,7 @@ fn draw_cell(canvas: &Canvas, map: &HeatMap, cell: &Cell, at: (f64, f64), width:
     write(canvas, &text, middle, HPos::Center, FontStyle::Normal)
 }
 
-/// Colour of a value on a logarithmic scale between the ends of the range.
+/// Returns the colour of a value, on a logarithmic scale between the ends of `range`.
 fn colour(value: f64, range: (f64, f64)) -> RGBColor {
     let (light, dark) = range;
     let part = (value.max(1e-300).log10() - light.log10()) / (dark.log10() - light.log10());

@@ -1,4 +1,4 @@
-//! Looks of curves, and the strokes of which figures consist.
+//! Looks of curves and markers, and functions that draw lines, areas and texts.
 
 use super::axis::whole;
 use super::error::PlotError;
@@ -7,26 +7,32 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
+/// Canvas on which a figure is drawn by the library plotters.
 pub type Canvas<'a> = DrawingArea<Pen<'a>, Shift>;
 
-/// Number of units of the canvas per pixel.
+/// Number of canvas units per pixel of a figure.
 const FINE: f64 = 4.0;
+/// Colour of all texts in a figure.
 const TEXT: RGBColor = RGBColor(0x22, 0x22, 0x22);
+/// Colour of the grid lines in a panel.
 pub const GRID: RGBColor = RGBColor(0xe3, 0xe3, 0xe3);
+/// Colour of the axes of a panel and of error bars.
 pub const EDGE: RGBColor = RGBColor(0x88, 0x88, 0x88);
-/// Opacity of a curve's band, from 0 to 1.
+/// Opacity of an error band, from 0 (invisible) to 1.
 const SHADE: f64 = 0.25;
-/// Width of a marker's outline, px; no curve has this width.
+/// Width of a marker's outline, px. No curve has this width, so that outlines are never dashed.
 const OUTLINE: f64 = 1.5;
 
-/// Look of a curve: line colour, width and dashes; marker colour, and outline in units of its radius. Without an
-/// outline the marker is a circle.
+/// Look of a curve: line colour, width (px) and dashes, then marker colour and outline in units of
+/// its radius. An empty outline means a circle.
 pub struct Look(RGBColor, f64, &'static str, RGBColor, &'static [&'static [(f64, f64)]]);
 
-/// Looks of curves by style: the three standard formulations and a scene's reduced equations; five printed systems;
-/// five wrong ones, the only red ones; the front of a chart, seven methods, the numeric solve, quadrature, and
-/// formulations on request. Each has a marker of its own. A thick light line lies under thin dashed ones, so that equal
-/// curves all show. No two looks have equal colour and width.
+/// Looks of curves, by style number.
+/// The order is: three standard formulations, reduced equations, five printed systems, five wrong
+/// systems, Pareto front, seven methods, numeric solve, quadrature, formulations on request. Only
+/// wrong systems are red.
+/// Each look has a different marker. The first is a thick light line that stays visible under thin
+/// dashed lines. No two looks have both the same colour and the same width.
 pub const LOOKS: [Look; 25] = [
     Look(RGBColor(0x56, 0xb4, 0xe9), 4.5, "", RGBColor(0x00, 0x72, 0xb2), &[]),
     Look(
@@ -198,28 +204,33 @@ impl Look {
     }
 }
 
-/// Look of a style; looks repeat after the last one.
+/// Returns the look of a style number. After the last look they begin again.
 pub fn look(style: usize) -> &'static Look {
     &LOOKS[style % LOOKS.len()]
 }
 
-/// Dashes of the curves of a colour and a width in units of the canvas; `None` for whole lines. No other strokes have
-/// these colours and widths.
+/// Returns the dashes of curves with this colour and this width in canvas units; `None` for solid
+/// lines. No other strokes have these colours and widths.
 pub fn dashes([r, g, b]: [u8; 3], width: u32) -> Option<&'static str> {
     let drawn = LOOKS.iter().find(|look| look.0 == RGBColor(r, g, b) && extent(look.1) == width);
     drawn.map(|look| look.2).filter(|dashes| !dashes.is_empty())
 }
 
+/// Draws a curve through points, px.
+/// `Err` if plotters fails.
 pub fn curve(canvas: &Canvas, points: &[(f64, f64)], look: &Look) -> Result<(), PlotError> {
     line(canvas, points, look.1, look.0)
 }
 
-/// Draws the area between two edges, in a pale shade of the curve's colour.
+/// Draws the area between the edges `low` and `high`, px, in a pale shade of the curve's colour.
+/// `Err` if plotters fails.
 pub fn band(canvas: &Canvas, low: &[(f64, f64)], high: &[(f64, f64)], look: &Look) -> Result<(), PlotError> {
     let corners = low.iter().chain(high.iter().rev()).map(|(x, y)| (fine(*x), fine(*y))).collect::<Vec<_>>();
     Ok(canvas.draw(&Polygon::new(corners, look.0.mix(SHADE)))?)
 }
 
+/// Draws the marker of a look around the point `middle`, px.
+/// `Err` if plotters fails.
 pub fn marker(canvas: &Canvas, middle: (f64, f64), look: &Look) -> Result<(), PlotError> {
     let (x, y) = middle;
     let radius = 3.6;
@@ -234,6 +245,8 @@ pub fn marker(canvas: &Canvas, middle: (f64, f64), look: &Look) -> Result<(), Pl
     Ok(())
 }
 
+/// Draws a line through points; points and width in px.
+/// `Err` if plotters fails.
 pub fn line(canvas: &Canvas, points: &[(f64, f64)], width: f64, color: RGBColor) -> Result<(), PlotError> {
     let mut points: Vec<_> = points.iter().map(|(x, y)| (fine(*x), fine(*y))).collect();
     points.dedup();
@@ -241,11 +254,15 @@ pub fn line(canvas: &Canvas, points: &[(f64, f64)], width: f64, color: RGBColor)
     Ok(canvas.draw(&PathElement::new(points, style))?)
 }
 
+/// Draws a filled rectangle with the opposite corners `a` and `b`, px.
+/// `Err` if plotters fails.
 pub fn rectangle(canvas: &Canvas, a: (f64, f64), b: (f64, f64), color: RGBColor) -> Result<(), PlotError> {
     let corners = [(fine(a.0), fine(a.1)), (fine(b.0), fine(b.1))];
     Ok(canvas.draw(&Rectangle::new(corners, ShapeStyle { color: color.into(), filled: true, stroke_width: 0 }))?)
 }
 
+/// Writes a text at the point `at`, px. `side` is the end of the text that lies there.
+/// `Err` if plotters fails.
 pub fn write(canvas: &Canvas, text: &str, at: (f64, f64), side: HPos, style: FontStyle) -> Result<(), PlotError> {
     // Plotters divides a font size by 1.24.
     let font = FontDesc::new(FontFamily::SansSerif, 12.5 * 1.24 * FINE, style);
@@ -253,12 +270,12 @@ pub fn write(canvas: &Canvas, text: &str, at: (f64, f64), side: HPos, style: Fon
     Ok(canvas.draw(&Text::new(text, (fine(at.0), fine(at.1)), style))?)
 }
 
-/// Converts pixels to units of the canvas, rounded.
+/// Converts a length in pixels to canvas units, rounded.
 fn fine(pixels: f64) -> i32 {
     whole((pixels * FINE).round())
 }
 
-/// Converts a size in pixels to units of the canvas, rounded.
+/// Converts a size in pixels to canvas units, rounded and not negative.
 pub fn extent(pixels: f64) -> u32 {
     fine(pixels).unsigned_abs()
 }

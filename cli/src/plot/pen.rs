@@ -1,8 +1,8 @@
-//! Pen with which figures are drawn: a backend of plotters that writes SVG in few bytes, for pages that hold many
-//! figures. Strokes become paths of relative steps, one path for all successive strokes of one look.
+//! Pen that draws figures: a backend of the library plotters that writes SVG in few bytes. Strokes
+//! become paths of relative steps, one path for all successive strokes of one look.
 //!
-//! Invariant: a removed point lies within [`SEEN`] of the drawn line, or between the extremes of a column of
-//! [`COLUMN`]; no point is moved. Nothing that was written is read again.
+//! Invariant: a removed point lies within [`SEEN`] of the drawn line, or between the extremes of a
+//! column of width [`COLUMN`]. No point is moved. Text that was written is never read again.
 
 use plotters::prelude::DrawingBackend;
 use plotters::style::text_anchor::{HPos, VPos};
@@ -10,50 +10,56 @@ use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyl
 use std::convert::Infallible;
 use std::fmt::Write;
 
-/// Largest distance of a removed point from the drawn line, in units of the canvas: it is not seen.
+/// Largest distance of a removed point from the drawn line, in canvas units. It is too small to be
+/// seen.
 const SEEN: f64 = 1.2;
-/// Width of a column of a long curve, in units of the canvas.
+/// Width of a column of a long curve, in canvas units. A column keeps only its lowest and highest
+/// point.
 const COLUMN: i32 = 6;
 /// Largest number of points of a curve that keeps all points of its columns.
 const SHORT: usize = 60;
 
-/// Backend of plotters that appends the elements of a figure to a text.
+/// Pen that appends the SVG elements of a figure to a text.
 pub struct Pen<'a> {
-    /// Elements written so far.
+    /// Text with the elements written so far.
     out: &'a mut String,
-    /// Width and height of the canvas.
+    /// Width and height of the canvas, in canvas units.
     size: (u32, u32),
-    /// Dashes of the strokes of a colour and a width in units of the canvas; `None` for whole strokes.
+    /// Function that gives the dashes of strokes, by their colour and width.
     dashes: Dashes,
-    /// Path of the last strokes; `None` after another element.
+    /// Path that collects the latest strokes; `None` after another kind of element.
     path: Option<Path>,
 }
 
-/// Function that gives the dashes of strokes by their red, green and blue and their width.
+/// Function from red, green, blue and width in canvas units to the dashes of a stroke; `None` for a
+/// solid line.
 type Dashes = fn([u8; 3], u32) -> Option<&'static str>;
 
-/// Path of successive strokes with one look.
+/// SVG path of successive strokes with the same look.
 struct Path {
-    /// Attributes of the element.
+    /// SVG attributes of the path element, which determine its look.
     look: String,
+    /// SVG commands of the path so far.
     data: String,
+    /// End point of the latest stroke, in canvas units.
     at: BackendCoord,
 }
 
 impl<'a> Pen<'a> {
-    /// Creates a pen for a canvas of a size, in units of the canvas.
+    /// Creates a pen for a canvas of the size (width, height) in canvas units. It appends to `out`.
     pub fn new(out: &'a mut String, size: (u32, u32), dashes: Dashes) -> Self {
         Self { out, size, dashes, path: None }
     }
 
-    /// Ends the path of the last strokes.
+    /// Writes the collected path as an element.
     fn lift(&mut self) {
         if let Some(Path { look, data, .. }) = self.path.take() {
             let _ = writeln!(self.out, "<path {look} d=\"{data}\"/>");
         }
     }
 
-    /// Path for strokes of a look: that of the last strokes if they have this look.
+    /// Returns the path for strokes of a look. It is the current path if that has the same look,
+    /// otherwise a new path.
     fn path(&mut self, look: String) -> &mut Path {
         if self.path.as_ref().is_some_and(|path| path.look != look) {
             self.lift();
@@ -62,18 +68,18 @@ impl<'a> Pen<'a> {
     }
 }
 
-/// Colour as six hexadecimal digits.
+/// Returns a colour as `#` and six hexadecimal digits.
 fn colour(colour: BackendColor) -> String {
     let (r, g, b) = colour.rgb;
     format!("#{r:02X}{g:02X}{b:02X}")
 }
 
-/// Attribute for the opacity, with a space after it; empty for an opaque colour.
+/// Returns the SVG attribute of the opacity, with a space after it. Empty for an opaque colour.
 fn opacity(colour: BackendColor) -> String {
     if colour.alpha < 1.0 { format!("opacity=\"{}\" ", colour.alpha) } else { String::new() }
 }
 
-/// Attributes of a stroke.
+/// Returns the SVG attributes of a stroke: colour, width, opacity and dashes.
 fn stroke<S: BackendStyle>(style: &S, dashes: Dashes) -> String {
     let (colour_of, width) = (style.color(), style.stroke_width());
     let (r, g, b) = colour_of.rgb;
@@ -81,7 +87,7 @@ fn stroke<S: BackendStyle>(style: &S, dashes: Dashes) -> String {
     format!("fill=\"none\" {}stroke=\"{}\" stroke-width=\"{width}\"{dashes}", opacity(colour_of), colour(colour_of))
 }
 
-/// Text with the characters replaced that have a meaning in SVG.
+/// Replaces the characters of a text that have a meaning in SVG.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -97,6 +103,7 @@ fn escaped(text: &str) -> String {
     out
 }
 
+/// Result of drawing an element, which cannot fail.
 type Drawn = Result<(), DrawingErrorKind<Infallible>>;
 
 impl DrawingBackend for Pen<'_> {
@@ -144,7 +151,8 @@ impl DrawingBackend for Pen<'_> {
     }
 
     fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, path: I, style: &S) -> Drawn {
-        // Areas that overlap would become one shade in one path.
+        // Overlapping areas in one path would be drawn with a single shade, so each area gets its
+        // own path.
         self.lift();
         let look = format!("{}fill=\"{}\"", opacity(style.color()), colour(style.color()));
         let area = self.path(look);
@@ -204,7 +212,7 @@ impl DrawingBackend for Pen<'_> {
 }
 
 impl Path {
-    /// Adds a circle to the path, as two arcs.
+    /// Adds a circle around (x, y) to the path, as two arcs; lengths in canvas units.
     fn ring(&mut self, (x, y): BackendCoord, radius: u32) {
         let radius = i32::try_from(radius).unwrap_or(i32::MAX / 2);
         self.line(&[(x - radius, y)]);
@@ -212,7 +220,8 @@ impl Path {
         let _ = write!(self.data, "a{radius} {radius} 0 1 0 {wide} 0 {radius} {radius} 0 1 0-{wide} 0");
     }
 
-    /// Adds a move to the first of `places` to the path, then a step to each further place.
+    /// Adds a line to the path: a move to the first of `places`, then a step to each further place,
+    /// in canvas units.
     fn line(&mut self, places: &[BackendCoord]) {
         self.data.push('m');
         for (count, place) in places.iter().enumerate() {
@@ -225,8 +234,8 @@ impl Path {
     }
 }
 
-/// Keeps the lowest and the highest place of each column, in their order, and the ends. A short curve, or one that
-/// turns back, keeps all places.
+/// Keeps the lowest and the highest place of each column, in their order, and the two ends. A short
+/// curve, or a curve that turns back, keeps all places.
 fn columns(places: Vec<BackendCoord>) -> Vec<BackendCoord> {
     if places.len() <= SHORT || !places.is_sorted_by(|a, b| a.0 <= b.0) {
         return places;
@@ -243,7 +252,8 @@ fn columns(places: Vec<BackendCoord>) -> Vec<BackendCoord> {
     kept
 }
 
-/// Keeps the places that are seen in the line (Ramer 1972; Douglas & Peucker 1973).
+/// Removes places that are too near the line through the remaining places to be seen (Ramer 1972;
+/// Douglas & Peucker 1973).
 fn simple(places: Vec<BackendCoord>) -> Vec<BackendCoord> {
     if places.len() < 3 {
         return places;
@@ -263,7 +273,7 @@ fn simple(places: Vec<BackendCoord>) -> Vec<BackendCoord> {
     places.into_iter().zip(is_kept).filter_map(|(place, kept)| kept.then_some(place)).collect()
 }
 
-/// Distance of a place from the line segment between two others.
+/// Returns the distance of a place from the line segment between `from` and `to`, in canvas units.
 fn distance(place: BackendCoord, from: BackendCoord, to: BackendCoord) -> f64 {
     let minus = |a: BackendCoord, b: BackendCoord| (f64::from(a.0) - f64::from(b.0), f64::from(a.1) - f64::from(b.1));
     let (along, off) = (minus(to, from), minus(place, from));

@@ -1,11 +1,13 @@
-//! Styles of curves by meaning, as indices into the table of looks, equal in every figure.
+//! Style numbers of curves by their meaning, the same in every figure. A number selects a look:
+//! colour, dashes and marker.
 
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_sim::Method;
 
-/// Style of a set of equations. The standard formulations and a scene's reduced equations have styles of their own, for
-/// any model; printed systems have later styles. Formulations on request share one style.
+/// Returns the style number of a set of equations. Each standard formulation has its own, and so
+/// have reduced equations. Formulations on request share one, and printed systems begin at
+/// `PRINTED`.
 pub fn style(by: &EquationsOrigin) -> usize {
     match by.formulation() {
         Some(formulation) => Formulation::STANDARD.iter().position(|f| *f == formulation).unwrap_or(ON_REQUEST),
@@ -14,21 +16,23 @@ pub fn style(by: &EquationsOrigin) -> usize {
     }
 }
 
-/// Largest number of curves of printed systems in a figure, of right and of wrong ones each; more would look alike.
+/// Largest number of curves of right printed systems in a figure, and also of wrong printed
+/// systems. More curves would look alike.
 pub const MOST_PRINTED: usize = 5;
-/// Largest number of curves in a figure, printed ones among them; more names could not be told apart.
+/// Largest number of curves in a figure, including printed systems. More names could not be told
+/// apart.
 pub const MOST_CURVES: usize = 8;
-/// Style of the first printed system that is not proved wrong.
+/// Style number of the first printed system that is not proved wrong.
 pub const PRINTED: usize = Formulation::STANDARD.len() + 1;
-/// Style of the first wrong printed system: these styles are red, and no other is.
+/// Style number of the first wrong printed system. Only wrong systems are red.
 pub const WRONG: usize = PRINTED + MOST_PRINTED;
-/// Style of a Pareto front.
+/// Style number of the Pareto front in a speed chart.
 pub const FRONT: usize = WRONG + MOST_PRINTED;
-/// Style of the first method of integration in a speed chart.
+/// Style number of the first integration method in a speed chart.
 pub const METHODS: usize = FRONT + 1;
-/// Style of the numeric solve for accelerations.
+/// Style number of the numeric solve for accelerations in a speed chart.
 pub const NUMERIC: usize = METHODS + Method::ALL.len();
-/// Style of runs by quadrature.
+/// Style number of runs by quadrature in a speed chart.
 pub const BY_QUADRATURE: usize = NUMERIC + 1;
-/// Style of a formulation that is derived on request.
+/// Style number of formulations that are derived only on request.
 pub const ON_REQUEST: usize = BY_QUADRATURE + 1;

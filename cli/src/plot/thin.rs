@@ -1,12 +1,13 @@
-//! Selection of the points of a curve that are drawn, and of those that carry a marker. Points are in pixels.
+//! Thinning of curves: selection of the points that are drawn, and of the places of markers. Points
+//! are in pixels.
 
 use super::axis::whole;
 
-/// Largest number of points of a curve that keeps all of them.
+/// Largest number of points of a curve that is not thinned.
 const PLENTY: usize = 2000;
 
-/// Selects the points of a curve that are seen: all of a short curve. A long one keeps the ends and extremes of each
-/// pixel column, or, if x turns back, points that are half a pixel apart.
+/// Selects the points of a curve that can be seen. A long curve keeps the ends and extremes of each
+/// pixel column. If x turns back, it keeps points that are half a pixel apart.
 pub fn thin(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     if points.len() <= PLENTY {
         return points.to_vec();
@@ -34,7 +35,8 @@ pub fn thin(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     kept
 }
 
-/// Selects about 25 points for markers; `share` shifts them, so that equal curves have markers at different places.
+/// Returns the places of about 25 markers on a curve in a panel of this width, px. `share`, from 0
+/// to 1, shifts them, so that equal curves have markers at different places.
 pub fn marked(points: &[(f64, f64)], width: f64, share: f64) -> Vec<(f64, f64)> {
     let spacing = (width / 25.0).max(34.0);
     let mut chosen = Vec::new();

@@ -1,4 +1,4 @@
-//! Sketch of a mechanism as a picture of `TikZ`, for another document to `\input`.
+//! Sketch of a mechanism in `TikZ`, for another LaTeX document to `\input`.
 
 use super::look::of;
 use super::rounded;
@@ -7,10 +7,12 @@ use std::fmt::Write;
 use tripos::pictures::sketch::{Label, Mark, Paint, Part, Path, Role, SheetPoint, Sketch, Word};
 use tripos_derive::algebra::text::print::latex_name;
 
-/// TeX points per px: letters of 10 points then have the size for which their places were found.
+/// Number of TeX points per pixel. With it, letters of 10 points have the size for which the places
+/// of labels were computed.
 const SCALE: f64 = 0.7;
 
-/// Writes the picture of a sketch in `TikZ`, with its description in a comment. It needs only the package `tikz`.
+/// Returns the sketch in `TikZ`, with its description as a comment. It needs only the package
+/// `tikz`.
 pub fn picture(sketch: &Sketch) -> String {
     let mut out = String::from("% Needs \\usepackage{tikz} in the preamble.\n");
     for line in [&sketch.title, &sketch.about, &sketch.drawn] {
@@ -42,11 +44,12 @@ pub fn picture(sketch: &Sketch) -> String {
     out + "\\end{tikzpicture}\n"
 }
 
-/// Colour as a mixture of red, green and blue, which `xcolor` accepts without a name.
+/// Returns a colour as a mixture of red, green and blue, which `xcolor` accepts without a name.
 fn colour([r, g, b]: [u8; 3]) -> String {
     format!("{{rgb,255:red,{r};green,{g};blue,{b}}}")
 }
 
+/// Returns the `TikZ` options that fill a mark; empty for a line.
 fn fill(mark: &Mark) -> String {
     let look = of(mark.role);
     match mark.paint {
@@ -56,11 +59,12 @@ fn fill(mark: &Mark) -> String {
     }
 }
 
+/// Returns a point of the sheet as coordinates in `TikZ`.
 fn spot(at: SheetPoint) -> String {
     format!("({},{})", rounded(at[0]), rounded(at[1]))
 }
 
-/// Path of a mark in the syntax of `TikZ`.
+/// Returns the path of a mark in the syntax of `TikZ`.
 fn data(path: &Path) -> String {
     let mut out = spot(path.from);
     for part in &path.parts {
@@ -72,6 +76,7 @@ fn data(path: &Path) -> String {
     out + if path.is_closed { " -- cycle" } else { "" }
 }
 
+/// Returns the words of a label in LaTeX.
 fn words(label: &Label) -> String {
     let word = |word: &Word| match word {
         Word::Name(name) => format!("${}$", latex_name(name)),

@@ -1,20 +1,20 @@
-//! Looks of the marks in a sketch: the class that a page styles, and the stroke.
+//! Looks of the marks and labels in a sketch, by their meaning: class name, stroke and colours.
 
 use tripos::pictures::sketch::Role;
 
-/// Look of the marks and labels with one meaning.
+/// Look of all marks and labels that have one meaning, such as a body or a spring.
 pub struct Look {
     /// Name of the look: a class in SVG, and a style in `TikZ`.
     pub name: &'static str,
-    /// Width of lines, px.
+    /// Width of the lines of marks, in pixels.
     pub wide: f64,
-    /// Lengths of dashes and gaps, px; `None` for a solid line.
+    /// Lengths of dashes and gaps, in pixels; `None` for a solid line.
     pub dashes: Option<(f64, f64)>,
-    /// Colour of lines and words, red, green and blue, on a white ground.
+    /// Colour (red, green, blue) of lines and words on a white background.
     pub ink: [u8; 3],
-    /// Colour inside outlines, red, green and blue, on a white ground.
+    /// Colour (red, green, blue) inside outlines on a white background.
     pub shade: [u8; 3],
-    /// Colours on a dark ground: of lines and words, then inside outlines.
+    /// Two colours on a dark background: of lines and words, and inside outlines.
     pub dark: [[u8; 3]; 2],
 }
 
@@ -25,11 +25,12 @@ const PALE: [u8; 3] = [0xe6, 0xe4, 0xdf];
 const PALE_GREY: [u8; 3] = [0x9a, 0x98, 0x95];
 const NIGHT: [u8; 3] = [0x17, 0x18, 0x1a];
 
+/// Returns a look with solid lines from its name, line width (px) and colours.
 const fn look(name: &'static str, wide: f64, ink: [u8; 3], shade: [u8; 3], dark: [[u8; 3]; 2]) -> Look {
     Look { name, wide, dashes: None, ink, shade, dark }
 }
 
-/// Look of the marks and labels with this meaning.
+/// Returns the look of the marks and labels with a certain meaning.
 pub fn of(role: Role) -> Look {
     match role {
         Role::Ground => look("ground", 0.8, GREY, [0xf4, 0xf3, 0xee], [PALE_GREY, [0x20, 0x22, 0x26]]),

@@ -1,4 +1,4 @@
-//! Sketch of a mechanism as SVG.
+//! Sketch of a mechanism as SVG, as a file or for a page.
 
 use super::look::{Look, of};
 use super::rounded;
@@ -7,7 +7,8 @@ use std::fmt::Write;
 use tripos::pictures::sketch::{Label, Mark, Paint, Part, Path, Role, SheetPoint, Sketch, Word};
 use tripos_derive::algebra::text::print::name_parts;
 
-/// Writes a sketch as an SVG file of its own, in light and in dark colours, as the system prefers.
+/// Returns a sketch as a complete SVG file. Its colours are light or dark, as the reader's system
+/// prefers.
 pub fn document(sketch: &Sketch) -> String {
     let colour = |[r, g, b]: [u8; 3]| format!("#{r:02x}{g:02x}{b:02x}");
     let mut style = String::from("text{font:15px \"STIX Two Text\",\"Times New Roman\",Times,serif;stroke:none}\n");
@@ -21,17 +22,19 @@ pub fn document(sketch: &Sketch) -> String {
     format!("{}\n", element(sketch, &format!("<style>{style}}}</style>\n")))
 }
 
-/// Writes a sketch as an `<svg>` element for a page that styles its classes.
+/// Returns a sketch as an `<svg>` element without colours, for a page that styles its classes.
 pub fn figure(sketch: &Sketch) -> String {
     element(sketch, "")
 }
 
-/// Style rules of a class: `ink` for lines, words and filled shapes, `shade` inside outlines.
+/// Returns the CSS rules of a class: `ink` colours lines, words and filled shapes; `shade` colours
+/// the inside of outlines.
 fn rules(look: &Look, ink: &str, shade: &str) -> String {
     let name = look.name;
     format!(".{name}{{stroke:{ink};fill:none}}.{name}.full,.{name}.word{{fill:{ink}}}.{name}.over{{fill:{shade}}}\n")
 }
 
+/// Returns the `<svg>` element of a sketch, with the text `style` in front of its marks.
 fn element(sketch: &Sketch, style: &str) -> String {
     let [width, height] = sketch.size.map(rounded);
     let title = escape(&format!("Sketch: {}", sketch.title));
@@ -54,6 +57,7 @@ fn element(sketch: &Sketch, style: &str) -> String {
     out + "</svg>"
 }
 
+/// Returns one path element for marks of the same look.
 fn path(marks: &[Mark]) -> String {
     let Some(first) = marks.first() else { return String::new() };
     let look = of(first.role);
@@ -68,7 +72,7 @@ fn path(marks: &[Mark]) -> String {
     format!("<path class=\"{}{paint}\" stroke-width=\"{wide}\"{dashes} d=\"{}\"/>\n", look.name, data.concat())
 }
 
-/// Path of a mark in the syntax of SVG.
+/// Returns the path of a mark in the syntax of SVG.
 fn data(path: &Path) -> String {
     let spot = |at: SheetPoint| format!("{} {}", rounded(at[0]), rounded(at[1]));
     let mut out = format!("M{}", spot(path.from));
@@ -84,13 +88,16 @@ fn data(path: &Path) -> String {
     out
 }
 
-/// Element of a label with centred words; the base line is a third of a letter below the middle.
+/// Returns the text element of a label, centred at its place. The base line lies a third of a
+/// letter below the middle.
 fn words(label: &Label) -> String {
     let inside: String = label.words.iter().map(word).collect();
     let (x, y) = (rounded(label.at[0]), rounded(label.at[1] + 4.5));
     format!("<text class=\"{} word\" x=\"{x}\" y=\"{y}\" text-anchor=\"middle\">{inside}</text>\n", of(label.role).name)
 }
 
+/// Returns a word of a label as SVG: a name with subscript, a unit vector, plain text or a minus
+/// sign.
 fn word(word: &Word) -> String {
     match word {
         Word::Name(name) => {
@@ -108,7 +115,8 @@ fn word(word: &Word) -> String {
     }
 }
 
-/// Elements of a subscript, and of the return to the line of the words.
+/// Returns the elements of a subscript, after which the text returns to the base line. Empty for an
+/// empty subscript.
 fn lowered(subscript: &str) -> String {
     if subscript.is_empty() {
         return String::new();

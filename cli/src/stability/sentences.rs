@@ -1,4 +1,5 @@
-//! Sentences on the studies of a singular surface. Every number in a sentence is a finding of these studies.
+//! Sentences on the stability studies of a scene near a singular place. Every number in a sentence
+//! is a finding of these studies.
 
 use crate::plot::pretty;
 use tripos::studies::stability::{Findings, Looked, Passed, Variable};
@@ -9,17 +10,19 @@ use tripos_derive::scene::Solve;
 use tripos_derive::{Formulation, Model};
 use tripos_sim::Method;
 
-/// Ratio of two errors above which the larger one is another loss of digits, not only another rounding.
+/// Ratio of two errors above which the larger counts as a further loss of digits, and not only as
+/// different rounding.
 const CLEARLY: f64 = 3.0;
-/// Largest least divisor of a passage that shows the effect of a singular surface on rounding.
+/// Largest value of a passage's least divisor for which the singular place affects rounding.
 const NEAR: f64 = 0.05;
 
+/// Returns the first divisor of the kinematic equations as text; empty without a divisor.
 fn first_divisor(model: &Model) -> String {
     let first = model.kinematic_equations.divisors.first();
     first.map(|d| pretty(&text(&model.arena, *d))).unwrap_or_default()
 }
 
-/// Lists names as a sentence does: `a, b and c`.
+/// Lists texts as a sentence does: `a, b and c`.
 fn joined(list: &[String]) -> String {
     match list {
         [] => String::new(),
@@ -28,11 +31,12 @@ fn joined(list: &[String]) -> String {
     }
 }
 
+/// Returns an error as text with one digit, or `no end` for a run that did not reach its end.
 fn size(error: Option<f64>) -> String {
     error.map_or_else(|| "no end".to_owned(), |e| format!("{e:.0e}"))
 }
 
-/// Caption of the heat map of passages.
+/// Returns the caption of the heat map of passages.
 pub fn passages(model: &Model, findings: &Findings) -> String {
     let seen = format!(
         "Each column is a start that brings |{}| down to the size above it, each row a way to run it; a cell has the largest \
@@ -43,15 +47,16 @@ pub fn passages(model: &Model, findings: &Findings) -> String {
     [Some(seen), solves(&findings.passages)].into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
-/// Passages of the runs of one kind by DOP853, from the farthest to the nearest.
+/// Returns the passages that `of` accepts among the runs by DOP853, from the farthest to the
+/// nearest.
 fn errors(list: &[Passed], of: impl Fn(&Passed) -> bool) -> Vec<&Passed> {
     let mut runs: Vec<&Passed> = list.iter().filter(|p| p.method == Method::Dop853.name() && of(p)).collect();
     runs.sort_by(|a, b| b.least.total_cmp(&a.least));
     runs
 }
 
-/// Sentence on the least divisor that each solve passes when it integrates the distance, with its error; `None` if
-/// there is none.
+/// Returns a sentence on the nearest passages that runs in the distance survive, for each solve and
+/// set of equations, with their errors. `None` if there is none.
 fn solves(list: &[Passed]) -> Option<String> {
     let mut parts = Vec::new();
     for solve in Solve::ALL {
@@ -72,8 +77,8 @@ fn solves(list: &[Passed]) -> Option<String> {
         .then(|| format!("The narrowest that dop853 passes in the distance, and its error then: {}.", joined(&parts)))
 }
 
-/// Sentence on the errors with which a scene's reduced equations pass the singularity, for each method; `None` if they
-/// were not run.
+/// Returns a sentence on the errors of a scene's reduced equations after passing the singular
+/// place, for each method. `None` if they were not run.
 pub fn own(list: &[Passed]) -> Option<String> {
     let own: Vec<&Passed> = list.iter().filter(|p| p.by.is_reduced()).collect();
     let mut methods: Vec<&str> = own.iter().map(|p| p.method).collect();
@@ -93,8 +98,9 @@ pub fn own(list: &[Passed]) -> Option<String> {
         .then(|| format!("The scene's reduced equations pass at {} {}.", joined(&places), parts.join("; ")))
 }
 
-/// Sentence for the case that Lagrange's equations, integrated in the coordinate itself, keep digits that formulations
-/// in other speeds lose. It states the errors of both, also in the distance; `None` if the findings do not show it.
+/// Returns a sentence for the case that Lagrange's equations, integrated in the coordinate, keep
+/// digits that formulations in generalized speeds lose. It states the errors of both. `None` if the
+/// findings do not show this.
 pub fn coordinate(model: &Model, list: &[Passed]) -> Option<String> {
     let of = |formulation: Formulation, variable: Variable| {
         let by = EquationsOrigin::from(formulation);
@@ -129,7 +135,8 @@ pub fn coordinate(model: &Model, list: &[Passed]) -> Option<String> {
     ))
 }
 
-/// Equation of the first rate of a coordinate that divides by the vanishing divisor; `None` if there is none.
+/// Returns the equation of the first coordinate rate that contains the vanishing divisor. `None` if
+/// there is none.
 fn rate(model: &Model) -> Option<String> {
     let equations = &model.kinematic_equations;
     let divisor = *equations.divisors.first()?;
@@ -138,7 +145,7 @@ fn rate(model: &Model) -> Option<String> {
     Some(pretty(&format!("{}' = {}", coordinate.name, text(&model.arena, *rate))))
 }
 
-/// Caption of the figure of errors and condition numbers along a passage.
+/// Returns the caption of the figure of errors and condition numbers along a passage.
 pub fn conditioning(model: &Model, findings: &Findings) -> String {
     let divisor = first_divisor(model);
     let mut list = vec![format!(
@@ -152,14 +159,15 @@ pub fn conditioning(model: &Model, findings: &Findings) -> String {
             places.push(looked.divisor);
         }
     }
-    // The places are half way in, and the nearest one.
+    // The sentences are about two places: halfway along the passage, and the nearest place.
     let middle = places.get(places.len() / 2).copied();
     let last = places.last().copied().filter(|_| places.len() / 2 + 1 < places.len());
     list.extend([middle, last].into_iter().flatten().filter_map(|place| at(&findings.looked, place, &divisor)));
     list.join(" ")
 }
 
-/// Sentence on the errors and condition numbers at one place of a passage; `None` without findings there.
+/// Returns a sentence on the errors and condition numbers at the value `place` of the divisor.
+/// `None` without findings there.
 fn at(list: &[Looked], place: f64, divisor: &str) -> Option<String> {
     let here = |solve: Solve| list.iter().filter(move |l| l.divisor.total_cmp(&place).is_eq() && l.solve == solve);
     let eliminated = here(Solve::Eliminated).map(|l| l.error).reduce(f64::max)?;

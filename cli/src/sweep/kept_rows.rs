@@ -1,34 +1,37 @@
 //! Rows of an unfinished table that are kept when its sweep is resumed.
 //!
-//! Invariant: the kept bytes are those that the sweep would write again: its header, then whole rows of its first
-//! points, in order. A last row that was cut off is dropped; any other content is refused.
+//! Invariant: the kept bytes are those that the sweep would write again. They are its header, then
+//! whole rows of its first points, in order. A last row that was cut off is dropped; any other
+//! content is refused.
 
 use super::summary::Tally;
 use super::table::Columns;
 use std::io::{self, BufRead, BufReader, Read};
 use std::ops::Range;
 
-/// Kept part of an unfinished table.
+/// Part of an unfinished table that a resumed sweep keeps.
 #[derive(Default)]
 pub struct KeptRows {
-    /// Number of whole rows that are kept.
+    /// Number of whole rows of the unfinished table that are kept.
     pub rows: u64,
-    /// Number of bytes of the table that are kept, with its header; 0 if not even the header was whole.
+    /// Number of bytes of the table that are kept, including its header; 0 if the header was cut
+    /// off.
     pub bytes: u64,
-    /// Counts of the outcomes of the kept rows.
+    /// Number of kept rows with each outcome.
     pub tally: Tally,
 }
 
-/// Reason why an unfinished table does not belong to this sweep.
+/// Reason why a sweep cannot continue an unfinished table.
 pub enum Alien {
-    /// The table has content that this sweep would not write; the reason in words.
+    /// The table has content that this sweep would not write. Holds the reason in words.
     Other(String),
-    /// The table cannot be read.
+    /// The table cannot be read. Holds the system's error.
     Unread(io::Error),
 }
 
 impl KeptRows {
-    /// Reads the part of an unfinished table that can be kept, for these points of the sweep.
+    /// Reads the part of an unfinished table that can be kept. `points` are the points of the
+    /// sweep.
     ///
     /// # Errors
     /// [`Alien`] if the table is not of this sweep, or cannot be read.
@@ -63,7 +66,9 @@ impl KeptRows {
     }
 }
 
-/// Reads the next line of CSV, which may have line ends between quotes; false if no whole line is left.
+/// Reads the next line of CSV, which may contain line ends between quotes. False if no whole line
+/// is left.
+/// `Err` if the table cannot be read.
 fn whole_line(lines: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
     line.clear();
     loop {
@@ -78,7 +83,7 @@ fn whole_line(lines: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> 
     }
 }
 
-/// Fields of a line of CSV; `None` if it is not a valid record.
+/// Returns the fields of a line of CSV; `None` if it is no valid record.
 fn fields(line: &[u8]) -> Option<csv::StringRecord> {
     let mut reader = csv::ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line);
     let mut record = csv::StringRecord::new();

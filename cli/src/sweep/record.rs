@@ -1,8 +1,9 @@
-//! Record of the request with which an unfinished table was begun. It lies beside the table as `FILE.part.json` until
-//! the table is whole.
+//! Record of the settings of an unfinished sweep, in the file `FILE.part.json` until the table is
+//! complete.
 //!
-//! Invariant: a sweep is resumed only with the request with which it was begun. Everything that a row depends on is in
-//! the record: the texts of the files, the values, the points, the equations, and the integration.
+//! Invariant: a sweep is resumed only with the settings with which it was started. Everything that
+//! a row depends on is in the record: texts of the files, values, points, equations, and
+//! integration.
 
 use crate::failure::Failure;
 use crate::output::text;
@@ -16,7 +17,8 @@ use tripos_derive::model::text_hash;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::publication::hash_beside;
 
-/// Hash of the formulas that a scene gives to inputs, those of its tables among them; empty without inputs.
+/// Returns a hash of the formulas that a scene gives to inputs, including those from its tables.
+/// Empty without such formulas.
 fn signals(model: &Model) -> String {
     if model.bindings.is_empty() {
         return String::new();
@@ -25,11 +27,12 @@ fn signals(model: &Model) -> String {
     text_hash(&lines.concat())
 }
 
-/// Record of all settings that determine the rows of a sweep, by name.
+/// Record of all settings that determine the rows of a sweep, as pairs (name, value).
 pub struct Record(Vec<(&'static str, String)>);
 
 impl Record {
-    /// Makes the record of a sweep; `over` has the varied values as they were written, `shard` the part of the points.
+    /// Collects the settings of a sweep. `over` holds the varied values as they were written,
+    /// `shard` the part of the points.
     pub fn new(sweep: &Sweep<'_>, over: &[String], shard: &str) -> Self {
         let Sweep { model, scene, by, solve, code, tells_digits, .. } = sweep;
         Self(vec![
@@ -49,7 +52,7 @@ impl Record {
         ])
     }
 
-    /// Writes the record to its file beside an unfinished table.
+    /// Writes the record to its file `PART.json`, where `part` is the unfinished table.
     ///
     /// # Errors
     /// [`Failure`] if the record cannot be written.
@@ -59,10 +62,10 @@ impl Record {
         text(&place(part), &format!("{:#}\n", Value::Object(entries)))
     }
 
-    /// Refuses an unfinished table that was begun with other settings.
+    /// Checks that an unfinished table was started with the same settings.
     ///
     /// # Errors
-    /// [`Failure::Refused`] with all settings that differ.
+    /// [`Failure::Refused`] with all settings that differ, or if the record is missing.
     pub fn check(&self, part: &Path) -> Result<(), Failure> {
         let beside = place(part);
         let read = std::fs::read_to_string(&beside).ok().and_then(|text| serde_json::from_str::<Value>(&text).ok());
@@ -86,20 +89,22 @@ impl Record {
     }
 }
 
-/// Removes the record of a table that is whole.
+/// Removes the record of a complete table. A failure is ignored, because the record is never read
+/// without its unfinished table.
 pub fn remove(part: &Path) {
     // Without its unfinished table the record is never read: a failure does not matter.
     let _ = std::fs::remove_file(place(part));
 }
 
-/// Failure for an unfinished table that does not belong to this sweep, with the reason.
+/// Returns the failure for an unfinished table that does not belong to this sweep, with the reason.
 pub fn refused(part: &Path, why: &str) -> Failure {
     Failure::request(format!("`{}` was begun by another sweep: {why}", path_in_line(part)), HELP)
 }
 
-/// Advice for an unfinished table that cannot be continued.
+/// Advice for an unfinished table that this sweep cannot continue.
 const HELP: &str = "give the options and files that it was begun with, or leave --resume out to start anew";
 
+/// Returns the path of the record: the path of the unfinished table with `.json` appended.
 fn place(part: &Path) -> PathBuf {
     let mut name = OsString::from(part);
     name.push(".json");

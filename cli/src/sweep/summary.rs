@@ -1,32 +1,33 @@
-//! Counts of the outcomes of a sweep's points.
+//! Summary of a sweep: the number of rows with each outcome.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use tripos::studies::sweep::Row;
 
-/// Counts of a sweep's rows by their outcomes.
+/// Numbers of a sweep's rows by their outcomes.
 #[derive(Default)]
 pub struct Tally {
-    /// Counts of rows, by the code of the stop.
+    /// Number of rows for each stop code, such as `end`.
     stops: BTreeMap<String, Count>,
 }
 
-/// Number of rows with one code of the stop.
+/// Number of rows with the same stop code.
 #[derive(Default)]
 struct Count {
+    /// Number of the sweep's rows with this stop code.
     rows: u64,
-    /// First point without an answer, and the reason why it has none; `None` if all have answers.
+    /// First point whose run has no result, with the reason; `None` if all rows have results.
     failure: Option<(u64, String)>,
 }
 
 impl Tally {
-    /// Counts a row of the sweep.
+    /// Counts a row of the sweep by its stop code.
     pub fn add(&mut self, row: &Row) {
         self.count(row.point, row.stop(), row.failure());
     }
 
-    /// Counts a row by its point and the code of its stop; `failure` is the reason why it has no answer, if it has
-    /// none.
+    /// Counts a row by its point and its stop code. `failure` is the reason why the row has no
+    /// result; `None` if it has.
     pub fn count(&mut self, point: u64, stop: &str, failure: Option<&str>) {
         let count = self.stops.entry(stop.to_owned()).or_default();
         count.rows += 1;
@@ -35,12 +36,12 @@ impl Tally {
         }
     }
 
-    /// Number of rows without an answer.
+    /// Returns the number of rows with a stop code for which a run has no result.
     pub fn failed(&self) -> u64 {
         self.stops.values().filter(|count| count.failure.is_some()).map(|count| count.rows).sum()
     }
 
-    /// Text of the counts, a line for each code of the stop.
+    /// Returns the counts as text, one line per stop code.
     pub fn text(&self) -> String {
         let mut out = String::new();
         for (stop, Count { rows, failure }) in &self.stops {
@@ -52,7 +53,8 @@ impl Tally {
         out
     }
 
-    /// JSON `{CODE: {rows, first, reason}}`; rows without an answer have `first` and `reason`.
+    /// Returns the counts as JSON `{CODE: {rows, first, reason}}`. Only codes of rows without
+    /// results have `first` and `reason`.
     pub fn json(&self) -> serde_json::Value {
         let entry = |Count { rows, failure }: &Count| match failure {
             None => serde_json::json!({ "rows": rows }),

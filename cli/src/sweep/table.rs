@@ -1,4 +1,4 @@
-//! Table of a sweep in CSV.
+//! Table of a sweep as CSV text.
 //!
 //! Invariant: a number is written as the shortest text that reads back to the same double.
 
@@ -6,22 +6,28 @@ use tripos::studies::sweep::{NO_START, Row, Sweep};
 
 /// Columns of the table of a sweep.
 pub struct Columns {
+    /// Names of the sweep table's columns, in order.
     names: Vec<String>,
+    /// Index of the column with the stop code.
     stop: usize,
+    /// Number of columns with values at the end of a run.
     states: usize,
+    /// Number of columns with changes of first integrals.
     changes: usize,
+    /// True if there is a column with the number of correct digits.
     tells_digits: bool,
 }
 
 impl Columns {
-    /// Makes the columns for a sweep: `index`, `over:NAME` for each varied name, `t_end`, `stop`, the state at the end,
-    /// `steps`, `rejected`, `evaluations`, the change of each first integral, `digits` if wanted, `reason`.
+    /// Returns the columns for a sweep: `index`, `over:NAME` for each varied number, `t_end`,
+    /// `stop`, and the values at the end. Then follow `steps`, `rejected`, `evaluations`, the
+    /// change of each first integral, `digits` if wanted, and `reason`.
     pub fn new(sweep: &Sweep<'_>) -> Self {
         let states = sweep.names.clone();
         let changes: Vec<String> = sweep.conserved().iter().map(|name| format!("change of {name}")).collect();
         let fixed = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
         let swept: Vec<String> = sweep.grid.names().into_iter().map(|name| format!("over:{name}")).collect();
-        // The columns before it are the index, the varied values and t_end.
+        // The columns before `stop` are the index, the varied values and `t_end`.
         let stop = swept.len() + 2;
         let counts = [states.len(), changes.len()];
         let names = [
@@ -37,32 +43,34 @@ impl Columns {
         Self { names: names.concat(), stop, states: counts[0], changes: counts[1], tells_digits: sweep.tells_digits }
     }
 
-    /// Name that two columns have, since a scene may choose any name for an output; `None` if all names differ.
+    /// Returns a name that two columns share, since a scene may choose any name for an output.
+    /// `None` if all names differ.
     pub fn twice(&self) -> Option<&str> {
         let is_twice = |(at, name): &(usize, &String)| self.names[..*at].contains(name);
         self.names.iter().enumerate().find(is_twice).map(|(_, name)| name.as_str())
     }
 
-    /// Number of columns.
+    /// Returns the number of columns of the sweep's table.
     pub fn count(&self) -> usize {
         self.names.len()
     }
 
-    /// Index of the column with the code of the stop.
+    /// Returns the index of the column with the stop code.
     pub fn place_of_stop(&self) -> usize {
         self.stop
     }
 
-    /// First line of the table, with the names of the columns.
+    /// Returns the first line of the table, with the names of the columns.
     pub fn header(&self) -> Vec<u8> {
         lines([self.names.clone()].into_iter())
     }
 
-    /// Lines of the table for these rows, as CSV.
+    /// Returns the lines of the table for these rows, as CSV.
     pub fn lines(&self, rows: &[Row]) -> Vec<u8> {
         lines(rows.iter().map(|row| self.fields(row)))
     }
 
+    /// Returns the fields of a row, as texts.
     fn fields(&self, row: &Row) -> Vec<String> {
         let numbers = |list: &[f64]| list.iter().map(|x| shortest(*x)).collect::<Vec<String>>();
         let nothing = |count: usize| vec![String::new(); count];
@@ -97,9 +105,9 @@ fn lines(records: impl Iterator<Item = Vec<String>>) -> Vec<u8> {
     writer.into_inner().expect("memory takes everything")
 }
 
-/// Shortest decimal text that reads back to this double: `0.01`, `1e-3`, `NaN`.
+/// Returns the shortest decimal text that reads back to the same double: `0.01`, `1e-3`, `NaN`.
 pub fn shortest(x: f64) -> String {
-    // For such numbers no text with an exponent is shorter.
+    // For numbers of this size with a fraction, text with an exponent is never shorter.
     if x.is_finite() && x.abs() >= 0.01 && x.fract().abs() > 0.0 {
         return x.to_string();
     }

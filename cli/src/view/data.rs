@@ -1,35 +1,40 @@
-//! Data of the viewer as JSON.
+//! Data of a view for its viewer, as JSON.
 //!
-//! Invariant: places and attitudes are whole multiples of a step that is too small to be seen. They are written as
-//! differences from one instant to the next, so that the sums are exact and the file is short.
+//! Invariant: places and attitudes are whole multiples of a step that is too small to be seen. They
+//! are written as differences from one instant to the next, so that the sums are exact and the file
+//! is short.
 
 use super::{Home, Live, Seen};
 use serde_json::{Map, Value, json};
 use tripos::pictures::view::{ArrowKind, Forces, Form, Motion, Place, Quaternion, Solid, Triple, quaternion};
 
-/// Steps of the data: of places, over the size of the mechanism, and of Euler parameters.
+/// Steps of the data: of places, relative to the size of the mechanism, and of Euler parameters.
 const STEPS: (f64, f64) = (5e-5, 1e-4);
-/// Step of the data of forces, over the usual force.
+/// Step of the data of forces, relative to the usual force of the motion.
 const FORCE: f64 = 1e-4;
-/// Step of the data of times, over the span.
+/// Step of the data of times, relative to the span.
 const TIME: f64 = 1e-6;
-/// Largest number of points of a mechanism with which all points are kept in the data, named and traced.
+/// Largest number of points of a mechanism for which all points are included in the data.
 const MOST_POINTS: usize = 60;
 /// Estimated number of bytes of a number in the data.
 const NUMBER: usize = 4;
 
-/// Writes JSON as the content of an element `script`, which it cannot end.
+/// Returns JSON as the content of a `<script>` element, which it cannot end.
 pub fn as_script(value: &Value) -> String {
     value.to_string().replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
 }
 
-/// Points and frames of the mechanism that are shown; their indices in these lists are those in the data.
+/// Points and frames of the mechanism that the viewer needs. The data refer to them by their index
+/// in these lists.
 struct ShownParts {
+    /// Indices of the points in the model, in ascending order.
     points: Vec<usize>,
+    /// Indices of the frames in the model, in ascending order.
     frames: Vec<usize>,
 }
 
 impl ShownParts {
+    /// Collects the points and frames that the solids, traces, axes and forces of a view use.
     fn of(seen: &Seen<'_>) -> Self {
         let view = &seen.view;
         let mut points: Vec<usize> = view.solids.iter().flat_map(|solid| solid.form.points()).collect();
@@ -50,15 +55,18 @@ impl ShownParts {
         Self { points, frames }
     }
 
+    /// Returns the index in the data of a point of the model.
     fn point(&self, point: usize) -> usize {
         self.points.binary_search(&point).unwrap_or_default()
     }
 
+    /// Returns the index in the data of a frame of the model.
     fn frame(&self, frame: usize) -> usize {
         self.frames.binary_search(&frame).unwrap_or_default()
     }
 }
 
+/// Returns the frame and position of a solid's form; `None` for a form between two points.
 fn place(form: &Form) -> Option<&Place> {
     match form {
         Form::Sphere { at, .. } | Form::Cylinder { at, .. } | Form::Box { at, .. } | Form::Ground { at } => Some(at),
@@ -66,20 +74,21 @@ fn place(form: &Form) -> Option<&Place> {
     }
 }
 
-/// Largest number of frames of each motion that fit into this number of bytes.
+/// Returns the largest number of frames of each motion whose data fit into this number of bytes.
 fn most(seen: &Seen<'_>, kept: &ShownParts, bytes: usize) -> usize {
     let forces = seen.motions.first().map_or(0, |motion| motion.forces.list.len());
     let each = (3 * kept.points.len() + 4 * kept.frames.len() + 1) * seen.motions.len() + 3 * forces;
     (bytes / (each * NUMBER)).max(2)
 }
 
-/// True if the frames that fit into the bytes are close enough in time to show how every body turns.
+/// True if the frames that fit into `bytes` bytes are close enough in time to show correctly how
+/// every body turns.
 pub fn turns_truly(seen: &Seen<'_>, bytes: usize) -> bool {
     let most = most(seen, &ShownParts::of(seen), bytes);
     seen.motions.iter().all(|m| m.turns_truly(&m.thinned(seen.view.size, most).0))
 }
 
-/// Writes all data of a view for the viewer, in about this number of bytes.
+/// Returns all data of a view for the viewer as JSON, with motions of about `bytes` bytes.
 pub fn figure_data(seen: &Seen<'_>, live: &Live, home: Home, bytes: usize) -> Value {
     let kept = ShownParts::of(seen);
     let live = match live {
@@ -113,7 +122,8 @@ pub fn figure_data(seen: &Seen<'_>, live: &Live, home: Home, bytes: usize) -> Va
     })
 }
 
-/// Forces of the first motion as JSON: kind, name and point of each, and its components in whole steps.
+/// Returns the forces of a motion as JSON: kind, name and point of each, and its components in
+/// whole steps.
 fn arrows(forces: &Forces, kept: &ShownParts) -> Value {
     let step = FORCE * forces.usual;
     let list = forces.list.iter().enumerate().map(|(at, arrow)| {
@@ -128,6 +138,7 @@ fn arrows(forces: &Forces, kept: &ShownParts) -> Value {
     json!({ "usual": forces.usual, "cut": Forces::CUT, "step": step, "list": list.collect::<Vec<_>>() })
 }
 
+/// Returns a solid as JSON: its form, dimensions, body and place.
 fn solid(solid: &Solid, kept: &ShownParts) -> Value {
     let mut out = Map::new();
     let mut put = |key: &str, value: Value| out.insert(key.to_owned(), value);
@@ -170,11 +181,13 @@ fn solid(solid: &Solid, kept: &ShownParts) -> Value {
     Value::Object(out)
 }
 
-/// Rounds a number to six significant digits.
+/// Rounds a number to six significant decimal digits, to shorten the data.
 fn short(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
+/// Returns a motion as JSON: times, places of points and attitudes of frames, in whole steps.
+/// `size` is that of the mechanism, m.
 fn motion(motion: &Motion, kept: &ShownParts, size: f64) -> Value {
     let (from, to) = (motion.t.first().copied().unwrap_or_default(), motion.t.last().copied().unwrap_or_default());
     let span = (to - from).abs();
@@ -208,7 +221,7 @@ fn motion(motion: &Motion, kept: &ShownParts, size: f64) -> Value {
     })
 }
 
-/// Differences in whole steps; a value that never changes is written only once.
+/// Returns values as differences in whole steps. Values that never change are written only once.
 fn differences<const N: usize>(values: &[[f64; N]], step: f64) -> Vec<i64> {
     let mut list = stepped(values, step);
     if list.iter().skip(N).all(|change| *change == 0) {
@@ -217,6 +230,7 @@ fn differences<const N: usize>(values: &[[f64; N]], step: f64) -> Vec<i64> {
     list
 }
 
+/// Returns values as differences in whole steps from one instant to the next.
 #[allow(clippy::cast_possible_truncation, reason = "some 1e5 steps, and a place beyond all of them stays at the edge")]
 fn stepped<const N: usize>(values: &[[f64; N]], step: f64) -> Vec<i64> {
     let mut before = [0; N];

@@ -1,7 +1,8 @@
-//! Equations of a view in the page itself: the values that sliders change, and the reason if there are none.
+//! Equations that a view runs in the browser, and the values that its sliders change.
 //!
-//! Invariant: all mechanics in the page is planned from the model here; texts reach the page as data. Absent on
-//! purpose: impacts, and drives that bend or jump in time, at which steps would have to end.
+//! Invariant: all mechanics in the page is planned from the model here, and texts reach the page as
+//! data. Excluded are impacts, and drives with kinks or jumps in time, at which steps would have to
+//! end.
 
 use super::{Home, Seen};
 use crate::failure::Failure;
@@ -16,31 +17,32 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_traits::{AbsoluteTolerance, Direction};
 
-/// Largest error of a step, relative and absolute, that a run in the page is allowed.
+/// Tolerance of a run in the page, relative and absolute.
 const TOLERANCE: f64 = 1e-10;
-/// Decision whether a view runs equations.
+/// Decision of whether a view runs equations in the browser.
 pub enum Live {
-    /// The view runs these equations.
+    /// The view runs the motion in the browser by these equations.
     Runs(Running),
-    /// The view runs no equations, for this reason, in words.
+    /// The view runs no equations. Holds the reason in words.
     Rests(String),
 }
 
-/// Equations and data with which a view runs.
+/// Equations and data with which a view runs a motion in the browser.
 pub struct Running {
-    /// Equations as an expression of JavaScript.
+    /// Equations as a JavaScript expression for an object of functions.
     pub equations: String,
-    /// Start of the run, its settings, and its sliders, as JSON.
+    /// Data of the run as JSON: start, settings and sliders.
     pub data: Value,
-    /// Title of the equations, for a heading.
+    /// Title of the equations, such as the name of a formulation.
     pub title: String,
 }
 
 impl Running {
-    /// Data for a viewer that shows these points and frames of the mechanism.
+    /// Returns the data for a viewer that shows these points and frames, given by their indices in
+    /// the model.
     pub fn shown(&self, points: &[usize], frames: &[usize]) -> Value {
         let mut data = self.data.clone();
-        // Index of the equations in the list of the page: the first.
+        // Index of the equations in the page's list; there is only one set, the first.
         data["equations"] = json!(0);
         data["points"] = json!(points);
         data["frames"] = json!(frames);
@@ -48,7 +50,7 @@ impl Running {
     }
 }
 
-/// Reason, in words, why the page cannot run the scene; `None` if it can.
+/// Returns the reason, in words, why the page cannot run the scene; `None` if it can.
 fn missing(seen: &Seen<'_>) -> Option<&'static str> {
     let (mechanism, scene) = (seen.mechanism, seen.scene);
     if mechanism.speeds.is_empty() {
@@ -63,10 +65,11 @@ fn missing(seen: &Seen<'_>) -> Option<&'static str> {
 }
 
 impl Live {
-    /// Plans the equations by which the first motion of a view was run, if their code is short enough.
+    /// Plans the equations of a view's first motion for the browser. If their code is too long, the
+    /// view runs none.
     ///
     /// # Errors
-    /// [`Failure`] if there are no such equations.
+    /// [`Failure`] if the equations named by `by` cannot be derived.
     pub fn of(seen: &Seen<'_>, by: Option<&EquationsName>, home: Home) -> Result<Self, Failure> {
         if let Some(why) = missing(seen) {
             return Ok(Self::Rests(why.to_owned()));
@@ -94,7 +97,8 @@ impl Live {
         }
         let title = by.title();
         let mut data = data(seen, &plan, &stops, &title);
-        // If the independent speeds fail on the way, the equations in all rates may go on.
+        // If the independent speeds become singular during a run, the equations in all rates can
+        // continue.
         if !mechanism.loops.is_empty() && written.solved.is_some() {
             let lagrange = EquationsOrigin::from(Formulation::Lagrange);
             let general = Written::unsolved(derivation(mechanism, &lagrange)?);
@@ -110,16 +114,19 @@ impl Live {
     }
 }
 
-/// Conditions that end a run in the page: the domain, and terminal events.
+/// Conditions that end a run in the page: the domain of the model, and terminal events.
 struct Stops {
+    /// Watched quantities, one for each condition.
     watched: Vec<Watched>,
-    /// Direction in which each condition ends a run, as `run` of the page expects it: −1 falling, 1 rising, 0 either.
+    /// Direction of the sign change that ends a run, for each condition: −1 falling, 1 rising, 0
+    /// either.
     directions: Vec<i8>,
-    /// True for a condition that must hold at the start.
+    /// True for each condition that must hold at the start, such as those of the domain.
     holds: Vec<bool>,
 }
 
 impl Stops {
+    /// Collects the conditions of the mechanism's domain and of the scene's terminal events.
     fn of(seen: &Seen<'_>) -> Self {
         let (mut watched, mut directions, mut holds) = (Vec::new(), Vec::new(), Vec::new());
         let mut put = |name: String, value: Expr, direction: Direction, must_hold: bool| {
@@ -143,23 +150,27 @@ impl Stops {
     }
 }
 
-/// Function `places` of the page: turns and places of links, from which poses follow.
+/// Plans the JavaScript function `places`: rotations and positions of the links, from which poses
+/// are assembled.
 fn places(planner: &Planner<'_>) -> Function {
     let values = named("place", Links::of(planner.model).values);
     planner.function("places", "The turns and places of links.", Arguments::Configuration, Returns::Vector, &values)
 }
 
-/// Function `sizes` of the page: dimensions of the shapes in the model file, one solid after the other.
+/// Plans the JavaScript function `sizes`: dimensions of the shapes in the model file, solid by
+/// solid, m.
 fn sizes(planner: &Planner<'_>, seen: &Seen<'_>) -> Function {
     let values = named("size", lengths(seen.mechanism).into_iter().flatten().map(|(_, e)| e).collect());
     planner.function("sizes", "The sizes of shapes.", Arguments::Configuration, Returns::Vector, &values)
 }
 
+/// Returns values to be computed whose variables are `stem` with the numbers 0, 1 and so on.
 fn named(stem: &str, values: Vec<Expr>) -> Vec<(String, String, Expr)> {
     values.into_iter().enumerate().map(|(at, e)| (format!("{stem}_{at}"), format!("{stem} {at}"), e)).collect()
 }
 
-/// Data of the run in the page, and of the values that can be changed, as JSON.
+/// Returns the data of the run in the page as JSON: start, tolerances, conditions, links and
+/// sliders.
 fn data(seen: &Seen<'_>, plan: &MotionPlan, stops: &Stops, title: &str) -> Value {
     let (mechanism, scene) = (seen.mechanism, seen.scene);
     let links = Links::of(mechanism);
@@ -192,13 +203,15 @@ fn data(seen: &Seen<'_>, plan: &MotionPlan, stops: &Stops, title: &str) -> Value
     })
 }
 
-/// JSON of a slider from one value to another; `at` is the index of the value that it changes.
+/// Returns the JSON of a slider. `at` is the index of the value that it changes, `range` its
+/// smallest and largest value.
 fn slider(name: &str, about: &str, unit: &str, at: usize, value: f64, range: (f64, f64)) -> Value {
     let (from, to) = range;
     json!({ "name": name, "about": about, "unit": unit, "at": at, "value": value, "from": from, "to": to })
 }
 
-/// Sliders of the parameters. A positive parameter stays positive; other numbers may become zero.
+/// Returns the sliders of the parameters. A positive parameter remains positive; other parameters
+/// can become zero.
 fn parameters(seen: &Seen<'_>) -> Vec<Value> {
     let values = seen.mechanism.parameters.iter().zip(&seen.scene.parameters).enumerate();
     let of = |(at, (p, value)): (usize, (&tripos_derive::model::Parameter, &f64))| {
@@ -214,15 +227,15 @@ fn parameters(seen: &Seen<'_>) -> Vec<Value> {
     values.map(of).collect()
 }
 
-/// Indices of the coordinates that a scene's loops determine.
+/// Returns the indices of the coordinates that the closed loops of the scene determine.
 fn closing(seen: &Seen<'_>) -> Vec<usize> {
     let is_closed = |name: &str| seen.scene.closed.iter().any(|closed| closed.name == name);
     let coordinates = seen.mechanism.coordinates.iter().enumerate();
     coordinates.filter(|(_, c)| is_closed(&c.name)).map(|(at, _)| at).collect()
 }
 
-/// Sliders of the start: coordinates except time and dependent ones, then generalized speeds. An angle may change by
-/// half a turn, other values by their range in the motion.
+/// Returns the sliders of the start: coordinates except time and dependent coordinates, then
+/// generalized speeds. An angle can change by π rad, other values by their range in the motion.
 fn start(seen: &Seen<'_>) -> Vec<Value> {
     let (mechanism, scene) = (seen.mechanism, seen.scene);
     let ranges = seen.motions.first().map_or(&[][..], |motion| &motion.ranges);
@@ -245,12 +258,13 @@ fn start(seen: &Seen<'_>) -> Vec<Value> {
     coordinates.chain(speeds).collect()
 }
 
-/// Unit of a coordinate or a speed as text behind a number, such as rad/s.
+/// Returns the unit of a coordinate or generalized speed as text, such as rad/s. Empty if it is not
+/// known.
 fn unit_of_motion(seen: &Seen<'_>, symbol: Expr) -> String {
     seen.mechanism.unit_label(&seen.mechanism.arena, symbol).unwrap_or_default()
 }
 
-/// Unit of a parameter as text behind a number; empty for plain numbers.
+/// Returns the unit of a parameter as text; empty for a plain number.
 fn unit(unit: &tripos_derive::model::Unit) -> String {
     if unit.is_plain() { String::new() } else { unit.to_string() }
 }

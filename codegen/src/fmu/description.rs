@@ -1,4 +1,5 @@
-//! Text of `modelDescription.xml` by FMI 3.0, and the parts that FMI 2.0 has as well.
+//! Text of the file `modelDescription.xml` of a functional mock-up unit by FMI 3.0, and the parts
+//! that FMI 2.0 shares.
 
 use super::functions::FmuFunctions;
 use super::token;
@@ -10,10 +11,12 @@ use tripos_derive::model::Unit;
 use tripos_derive::plain::{one_line, visible};
 use tripos_derive::scene::Scene;
 
-/// Element of an unknown at the start. At the start it depends on all variables that have a value there.
+/// Name of the XML element for an unknown at the start time. No dependencies are written there: a
+/// missing list means all variables.
 const INITIAL: &str = "InitialUnknown";
 
-/// Text of the description of a scene's unit.
+/// Returns the text of `modelDescription.xml` by FMI 3.0 for a scene. `identifier` is the name of
+/// the unit's binary.
 pub fn text(
     identifier: &str,
     module: &Module<'_>,
@@ -53,13 +56,14 @@ pub fn text(
     out
 }
 
-/// Title of the model and the scene.
+/// Returns the title of the model, followed by the title of the scene if it has one.
 pub fn title(module: &Module<'_>, scene: &Scene) -> String {
     let title = &module.model().title;
     if scene.title.is_empty() { title.clone() } else { format!("{title}: {}", scene.title) }
 }
 
-/// Span and tolerance of the scene.
+/// Writes the XML element `DefaultExperiment`: the scene's start and stop time in s, its relative
+/// tolerance, and 1/500 of the span as step.
 pub fn experiment(out: &mut String, scene: &Scene) {
     let (start, stop) = scene.span;
     let _ = writeln!(
@@ -70,7 +74,8 @@ pub fn experiment(out: &mut String, scene: &Scene) {
     );
 }
 
-/// Definitions of all units in SI.
+/// Writes the XML definitions of all units of the variables, by their exponents of m, kg and s. A
+/// unit with fractional exponents gets only its name.
 pub fn units(out: &mut String, list: &[Variable]) {
     let units: BTreeMap<String, &Unit> =
         list.iter().filter_map(|v| Some((v.unit.as_ref()?.to_string(), v.unit.as_ref()?))).collect();
@@ -90,7 +95,8 @@ pub fn units(out: &mut String, list: &[Variable]) {
     out.push_str("  </UnitDefinitions>\n");
 }
 
-/// Element of one variable.
+/// Writes the XML element of one variable: name, value reference, role, unit, description and start
+/// value.
 fn element(out: &mut String, variable: &Variable) {
     let role = match variable.role {
         Role::Time => "causality=\"independent\" variability=\"continuous\"".to_owned(),
@@ -120,7 +126,8 @@ fn element(out: &mut String, variable: &Variable) {
     out.push_str("/>\n");
 }
 
-/// Outputs, derivatives and event indicators with what they depend on.
+/// Writes the XML list of outputs, state derivatives and event indicators, each with the variables
+/// on which it depends.
 fn structure(out: &mut String, list: &[Variable]) {
     let mut unknown = |element: &str, variable: &Variable| {
         let _ = write!(out, "    <{element} valueReference=\"{}\"", variable.reference);
@@ -145,7 +152,7 @@ fn structure(out: &mut String, list: &[Variable]) {
     }
 }
 
-/// Number as XML schemas write doubles.
+/// Returns a number in the notation of XML schemas: `NaN`, `INF`, `-INF` or a decimal.
 pub fn number(value: f64) -> String {
     if value.is_nan() {
         "NaN".to_owned()
@@ -156,7 +163,8 @@ pub fn number(value: f64) -> String {
     }
 }
 
-/// Text as the value of an attribute.
+/// Returns a text as the value of an XML attribute: on one line, with `&`, `<`, `>` and quotes
+/// escaped.
 pub fn escaped(text: &str) -> String {
     let mut out = String::new();
     for c in visible(&one_line(text)).trim().chars() {

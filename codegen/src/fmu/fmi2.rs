@@ -1,4 +1,4 @@
-//! Text of `modelDescription.xml` by FMI 2.0.
+//! Text of the file `modelDescription.xml` of a functional mock-up unit by FMI 2.0.
 
 use super::description::{escaped, experiment, number, title, units};
 use super::functions::FmuFunctions;
@@ -8,7 +8,8 @@ use crate::languages::Module;
 use std::fmt::Write;
 use tripos_derive::scene::Scene;
 
-/// Text of the description of a scene's unit. Places in lists count from 1.
+/// Returns the text of `modelDescription.xml` by FMI 2.0 for a scene. Indices of variables count
+/// from 1.
 pub fn text(
     identifier: &str,
     module: &Module<'_>,
@@ -58,7 +59,8 @@ pub fn text(
     out
 }
 
-/// Element of one variable.
+/// Writes the XML element of one variable: name, value reference, role, unit, description and start
+/// value.
 fn element(out: &mut String, variable: &Variable) {
     let (causality, variability, initial) = match variable.role {
         Role::Time => ("independent", "continuous", ""),
@@ -93,14 +95,16 @@ fn element(out: &mut String, variable: &Variable) {
     out.push_str("/></ScalarVariable>\n");
 }
 
-/// Variables on which an unknown depends, in a list of unknowns.
+/// Choice between stating and leaving out the variables on which each unknown depends.
 #[derive(Clone, Copy, PartialEq)]
 enum Dependencies {
+    /// The dependencies are written if they are known.
     Stated,
+    /// No dependencies are written, which means that an unknown may depend on all variables.
     LeftOut,
 }
 
-/// List of unknowns.
+/// Writes an XML list of unknowns with the element name `name`, or nothing if the list is empty.
 fn unknowns(out: &mut String, name: &str, list: &[&Variable], dependencies: Dependencies) {
     if list.is_empty() {
         return;

@@ -1,4 +1,5 @@
-//! Functions of a mock-up unit: those of the equations, with the outputs and events of a scene.
+//! Planned functions of a functional mock-up unit: those of Kane's equations, with the outputs and
+//! events of a scene.
 
 use crate::plan::{Arguments, ModulePlan, Planner, Returns, Shown, Solution, numbered};
 use tripos_derive::algebra::form::simplify::Simplifier;
@@ -7,24 +8,28 @@ use tripos_derive::mechanics::{Jacobian, Solved, Unsolved, parameter_jacobian, s
 use tripos_derive::scene::{Scene, SceneEvent, SceneOutput};
 use tripos_derive::{Equations, Model};
 
-/// Functions of the equations that a unit calls.
+/// Names of the functions of the equations that the C sources of a functional mock-up unit call.
 const CALLED: [&str; 7] =
     ["derivative", "jacobian", "parameter_jacobian", "divisors", "conditions", "constraints", "constraint_slopes"];
 
-/// Solved equations with the outputs and events of a scene.
+/// Equations solved for the accelerations, with the outputs and events of a scene, for a functional
+/// mock-up unit.
 pub struct FmuFunctions {
+    /// Accelerations in closed form, with their derivatives by the state and by the parameters.
     solution: Solution,
-    /// Outputs that are not states, and event functions.
+    /// Outputs that are not states, and event functions, as terms.
     shown: Shown,
-    /// Slopes of the outputs along the state, then the parameters; `None` if they would be too long.
+    /// Derivatives of the outputs by the coordinates, the generalized speeds and the parameters:
+    /// one row per output. `None` if they would be too long.
     output_slopes: Option<Jacobian>,
 }
 
 impl FmuFunctions {
-    /// Solves the equations, and differentiates them and the outputs.
+    /// Solves the equations for the accelerations, and differentiates these and the outputs.
     ///
     /// # Errors
-    /// [`Unsolved`] if the accelerations are not determined in closed form, or if a result is not proved.
+    /// [`Unsolved`] if the accelerations are not determined in closed form, or if a result is not
+    /// proved.
     pub fn new(model: &Model, scene: &Scene, arena: &mut Arena, equations: &Equations) -> Result<Self, Unsolved> {
         let by_state = Solved::new(arena, equations)?;
         let mut simplifier = Simplifier::default();
@@ -40,28 +45,29 @@ impl FmuFunctions {
         Ok(Self { solution, shown, output_slopes })
     }
 
-    /// Outputs that are no states.
+    /// Returns the scene's outputs that are not coordinates or generalized speeds.
     pub fn outputs(&self) -> &[SceneOutput] {
         &self.shown.outputs
     }
 
-    /// Events of the scene that need no reactions.
+    /// Returns the scene's events whose functions contain no reactions.
     pub fn events(&self) -> &[SceneEvent] {
         &self.shown.events
     }
 
-    /// Names of outputs and events that were left out, because they need reactions.
+    /// Returns the names of the scene's outputs and events that the unit lacks, because they need
+    /// reactions.
     pub fn left_out(&self) -> Vec<String> {
         self.shown.left_out.iter().map(|(name, _)| name.clone()).collect()
     }
 
-    /// True if the plan computes the slopes of the derivative, and the slopes of all outputs, and of the derivative
-    /// along the parameters, are known.
+    /// True if all directional derivatives are available: those of the state derivative by the
+    /// state (in `plan`) and by the parameters, and those of the outputs.
     pub fn has_slopes(&self, plan: &ModulePlan) -> bool {
         self.output_slopes.is_some() && self.solution.by_parameters.is_some() && plan.has("jacobian")
     }
 
-    /// Plans the functions that a unit calls.
+    /// Plans the functions that the C sources of a functional mock-up unit call.
     pub fn plan(&self, planner: &Planner<'_>) -> ModulePlan {
         let mut plan = ModulePlan::new(planner, Some(&self.solution));
         plan.functions.retain(|function| CALLED.contains(&function.name));

@@ -1,4 +1,5 @@
-//! Functional Mock-up Units: a scene as C sources and a model description, by FMI 2.0 or 3.0.
+//! Functional mock-up units (FMUs): a scene as C sources and a model description, by FMI 2.0 or
+//! 3.0.
 //!
 //! The flow: a scene → Kane's equations, solved → the functions of the C target, with outputs and events → sources and
 //! `modelDescription.xml`. The files `fmi2.c` and `fmi3.c` implement the interfaces for every model, with `fmu_core.h`;
@@ -23,23 +24,23 @@ use tripos_derive::{Formulation, Model, derive};
 use tripos_traits::Direction;
 use variables::Variables;
 
-/// Command of `tripos` that writes the sources, as their headers state it.
+/// Subcommand of `tripos` that writes the C sources, as their headers state it.
 const COMMAND: &str = "fmu";
 
-/// Text of the work that both interfaces have in common.
+/// Text of the C header with the code that FMI 2.0 and FMI 3.0 share.
 const CORE: &str = include_str!("fmu_core.h");
 
-/// Version of the interface.
+/// Version of the Functional Mock-up Interface (FMI).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Version {
-    /// Version 2.0 of the interface, of 2014.
+    /// Version 2.0 of the Functional Mock-up Interface, of 2014.
     Two,
-    /// Version 3.0 of the interface, of 2022.
+    /// Version 3.0 of the Functional Mock-up Interface, of 2022.
     Three,
 }
 
 impl Version {
-    /// Number of the version, as descriptions state it.
+    /// Returns the version number as model descriptions state it: `2.0` or `3.0`.
     #[must_use]
     pub const fn number(self) -> &'static str {
         match self {
@@ -48,7 +49,8 @@ impl Version {
         }
     }
 
-    /// Name and text of the source that implements the interface.
+    /// Returns the name and text of the C source that implements this version of FMI for every
+    /// model.
     const fn interface(self) -> (&'static str, &'static str) {
         match self {
             Self::Two => ("fmi2.c", include_str!("fmi2.c")),
@@ -57,30 +59,33 @@ impl Version {
     }
 }
 
-/// Largest residual of a constraint, in its own unit, that model exchange lets drift before the state is projected.
+/// Largest residual of a constraint, in the constraint's own unit, that model exchange tolerates.
+/// Above it the state is projected onto the constraints.
 const DRIFT: &str = "1e-9";
 
-/// Functional Mock-up Unit before it is compiled.
+/// Functional mock-up unit as C sources and a model description, before it is compiled.
 #[derive(Debug)]
 pub struct Fmu {
-    /// Identifier of the unit: letters, digits and underscores.
+    /// Name of the unit and of its binary: letters, digits and underscores.
     pub identifier: String,
-    /// Text of `modelDescription.xml`.
+    /// Text of the unit's file `modelDescription.xml`.
     pub description: String,
-    /// Texts of the sources, by name.
+    /// Texts of the C sources and headers, by file name.
     pub sources: Vec<(String, String)>,
-    /// Names of outputs that were left out, because they need reactions.
+    /// Names of outputs, events and watched conditions that the unit lacks, because they need
+    /// reactions.
     pub left_out: Vec<String>,
-    /// True if the unit provides directional derivatives.
+    /// True if importing tools can ask the unit for directional derivatives.
     pub has_slopes: bool,
 }
 
 impl Fmu {
-    /// Sources of a scene of this model. The model contains the formulas that the scene gives to inputs.
+    /// Writes the unit of a scene. The model must already contain the formulas that the scene gives
+    /// to inputs.
     ///
     /// # Errors
-    /// [`Diagnostics`] if the scene has impacts, if Kane's equations cannot be derived, or if they are not solved in
-    /// closed form.
+    /// [`Diagnostics`] if the scene has impacts, if Kane's equations cannot be derived, or if they
+    /// are not solved in closed form.
     pub fn new(model: &Model, scene: &Scene, version: Version) -> Result<Self, Diagnostics> {
         if !scene.impacts.is_empty() {
             let message = "a mock-up unit has no impacts".to_owned();
@@ -121,20 +126,23 @@ impl Fmu {
     }
 }
 
-/// Identifier of a unit: words for its model and its scene.
+/// Returns the name of the unit: words for its model and its scene, in lower case, joined by an
+/// underscore.
 fn identifier(scene: &Scene, model: &Model) -> String {
     let origin = Origin::emitted(&model.source.path, COMMAND);
     let of_scene = scene.source.path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     crate::languages::word(&format!("{}_{of_scene}", crate::languages::stem_of(&origin))).to_ascii_lowercase()
 }
 
-/// Token that ties a description to its binary: a hash of everything that the binary depends on.
+/// Returns the token that ties a model description to its binary: a hash of the texts of the model
+/// and the scene, in braces.
 fn token(module: &Module<'_>, scene: &Scene) -> String {
     let text = format!("{}\n{}", module.model().source.text, scene.source.text);
     format!("{{{}}}", tripos_derive::model::text_hash(&text))
 }
 
-/// Text of the header that describes a model to the interface.
+/// Returns the text of `fmu_model.h`, the C header that describes one model: numbers of variables,
+/// start values and events.
 fn configuration(module: &Module<'_>, scene: &Scene, functions: &FmuFunctions, variables: &Variables) -> String {
     let (plan, e) = (module.plan, module.equations());
     let stem = format!("{}_{}", module.model_word, module.equations_word);

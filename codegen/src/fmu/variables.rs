@@ -1,4 +1,4 @@
-//! Variables of a mock-up unit, with their value references.
+//! Variables of a functional mock-up unit, with their value references.
 
 use super::functions::FmuFunctions;
 use crate::plan::{Entry, ModulePlan};
@@ -7,51 +7,53 @@ use tripos_derive::Model;
 use tripos_derive::model::Unit;
 use tripos_derive::scene::Scene;
 
-/// Role of a variable.
+/// Role of a variable in a functional mock-up unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// The time.
+    /// Time, the independent variable, s.
     Time,
-    /// Parameter that may change between steps.
+    /// Parameter of the model, which importing tools can change between steps.
     Parameter,
-    /// Input, which importing tools set at any time.
+    /// Input of the model, which importing tools can set at any time.
     Input,
-    /// State; true if the scene shows it.
+    /// Coordinate or generalized speed. True if the scene lists it as an output.
     State(bool),
-    /// Derivative of the state with this value reference.
+    /// Derivative in time of the state that has this value reference.
     Derivative(usize),
-    /// Output of the scene.
+    /// Output of the scene that is not a state.
     Output,
-    /// Function whose change of sign is an event.
+    /// Event indicator: a function whose change of sign is an event.
     Indicator,
 }
 
-/// Variable of a mock-up unit.
+/// Variable of a functional mock-up unit, as the model description lists it.
 pub struct Variable {
     /// Name of the variable, different from all others.
     pub name: String,
-    /// Value reference of the variable.
+    /// Number by which importing tools address the variable: its place in the list, from 0.
     pub reference: usize,
-    /// Role of the variable.
+    /// Kind of the variable: time, parameter, input, state, derivative, output or event indicator.
     pub role: Role,
-    /// Value at the start; `None` for a variable that is computed.
+    /// Value at the start, in `unit`; `None` for a variable that is computed.
     pub start: Option<f64>,
-    /// Unit of the variable; `None` if it is unknown.
+    /// Physical unit of the variable; `None` if it is unknown.
     pub unit: Option<Unit>,
-    /// Description in words.
+    /// Description of the variable in words; may be empty.
     pub about: String,
-    /// References of the states and inputs on which the variable depends; `None` if they are unknown.
+    /// Value references of the states and inputs on which the variable depends; `None` if they are
+    /// unknown.
     pub depends_on: Option<Vec<usize>>,
 }
 
-/// Variables of a mock-up unit, in the order of their value references.
+/// Variables of a functional mock-up unit, in the order of their value references.
 pub struct Variables {
-    /// Variables in the order of their value references.
+    /// Variables of the unit; the place in the list is the value reference.
     pub list: Vec<Variable>,
 }
 
 impl Variables {
-    /// Variables of a scene.
+    /// Lists the variables of a scene: time, parameters and inputs, states, their derivatives,
+    /// outputs, event indicators.
     pub fn new(model: &Model, scene: &Scene, functions: &FmuFunctions, plan: &ModulePlan) -> Self {
         let mut names = Names::default();
         let mut list = Vec::new();
@@ -109,14 +111,16 @@ impl Variables {
         Self { list }
     }
 
-    /// Values of the states at the start.
+    /// Returns the start values of the coordinates and generalized speeds, in the order of their
+    /// value references.
     pub fn start(&self) -> Vec<f64> {
         let states = self.list.iter().filter(|variable| matches!(variable.role, Role::State(_)));
         states.filter_map(|variable| variable.start).collect()
     }
 }
 
-/// References of the variables whose entry is not zero; `None` if an entry is not known.
+/// Returns the value references whose derivative is not identically zero. `None` if a derivative is
+/// missing from the plan.
 fn nonzero<'e>(mut slopes: impl Iterator<Item = Option<(usize, &'e Entry)>>) -> Option<Vec<usize>> {
     slopes.try_fold(Vec::new(), |mut list, slope| {
         let (reference, entry) = slope?;
@@ -127,11 +131,13 @@ fn nonzero<'e>(mut slopes: impl Iterator<Item = Option<(usize, &'e Entry)>>) -> 
     })
 }
 
-/// Names that were given out.
+/// Set of variable names already used.
 #[derive(Default)]
 struct Names(FxHashSet<String>);
 
 impl Names {
+    /// Returns the wanted name, or the name with the first free number from 2 appended, such as `q
+    /// (2)`.
     fn unique(&mut self, wanted: &str) -> String {
         let numbered = (2..).map(|n| format!("{wanted} ({n})"));
         let mut candidates = std::iter::once(wanted.to_owned()).chain(numbered);

@@ -1,4 +1,4 @@
-//! JavaScript modules of any model file, with the modules that run them.
+//! JavaScript modules for any model file, with the modules that integrate them.
 
 use super::{Module, RUNNERS, Written};
 use crate::emit::Emission;
@@ -11,11 +11,12 @@ use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::mechanics::Derivation;
 use tripos_derive::{Equations, Formulation, Model};
 
-/// Extension of JavaScript modules, for Node and for browsers.
+/// File extension of JavaScript modules, without a dot, for Node and for browsers.
 pub const EXTENSION: &str = "mjs";
 
-/// Emits the JavaScript modules of a model. They contain the given formulations, or, if none are given, all that the
-/// model supports and the printed equations of the publication beside it.
+/// Generates the JavaScript modules of a model.
+/// They contain the given formulations. If none are given, they contain all that the model supports
+/// and the printed equations of its publication.
 ///
 /// # Errors
 /// [`Diagnostics`] of the model file or the publication, or of a given formulation that the model does not support.
@@ -25,11 +26,14 @@ pub fn emit_model(model: &Model, formulations: &[Formulation]) -> Result<Emissio
     Ok(Emission { files: modules.files, left_out, command: EMIT, extensions: &[EXTENSION] })
 }
 
-/// JavaScript modules of a model while they are written.
+/// JavaScript modules of a model while they are written, as a target.
 struct Modules {
+    /// Source file and command, as the header of each module states them.
     origin: Origin,
+    /// Texts of the modules, by file name.
     files: BTreeMap<String, String>,
-    /// Equations that give reactions; `None` if the domain contains no reaction or the reactions cannot be derived.
+    /// Equations that give the reactions; `None` if no condition of the domain contains a reaction,
+    /// or if the reactions cannot be derived.
     balance: Option<Written>,
 }
 
@@ -55,6 +59,9 @@ impl Target for Modules {
 }
 
 impl Modules {
+    /// Starts the files of a model with the runner modules, and derives the equations for reactions
+    /// if conditions need them.
+    /// `Err` if the model cannot be derived.
     fn new(model: &Model) -> Result<Self, Diagnostics> {
         let origin = Origin::emitted(&model.source.path, EMIT);
         let header = format!("// {}\n//\n", origin.of_shared_files());
@@ -63,12 +70,15 @@ impl Modules {
         Ok(Self { origin, files: runners.into(), balance })
     }
 
+    /// Writes the module of one set of equations. `origin` is the header sentence.
     fn add(&mut self, model: &Model, written: &Written, origin: &str) {
         let file = self.file_of(&written.equations.name(model));
         let text = self.module(model, written, origin);
         self.files.insert(file, text);
     }
 
+    /// Returns the text of the module of one set of equations, with the conditions of the model's
+    /// domain watched.
     fn module(&self, model: &Model, written: &Written, origin: &str) -> String {
         let (own, balance) = (written.planner(model), self.balance.as_ref().map(|balance| balance.planner(model)));
         let names: Vec<String> = model.domain.iter().map(|c| format!("{} ({})", c.name, c.text)).collect();

@@ -1,23 +1,24 @@
-//! JavaScript function for a planned function.
+//! Text of a JavaScript function for a planned function.
 
 use super::syntax::JavaScript;
 use crate::plan::{Argument, Entry, Function, Parts, Returns};
 use crate::syntax::{Comments, Writer};
 
-/// Writer of JavaScript functions.
+/// Writer of planned functions as JavaScript text.
 pub struct Functions {
-    /// Writer of their lines.
+    /// Writer of the lines of the functions, with the text so far.
     pub lines: Writer<'static>,
 }
 
 impl Functions {
-    /// Writer with no text written.
+    /// Returns a writer of JavaScript functions, without any text yet. `comments` says if comments
+    /// are written.
     #[must_use]
     pub fn new(comments: Comments) -> Self {
         Self { lines: Writer::new(&JavaScript, comments) }
     }
 
-    /// Writes a planned function, after the functions of its parts.
+    /// Writes a planned function. If it is long, the functions of its parts come first.
     pub fn function(&mut self, planned: &Function) {
         if let Some(parts) = &planned.parts {
             self.parts(planned, parts);
@@ -48,7 +49,8 @@ impl Functions {
         self.lines.line("}");
     }
 
-    /// Writes a long program as one function for each part. A part passes values to later parts in an array.
+    /// Writes a long program as one function for each part. Each part passes values to later parts
+    /// in the array `values`.
     fn parts(&mut self, planned: &Function, parts: &Parts) {
         for (at, part) in parts.list.iter().enumerate() {
             self.lines.gap();
@@ -66,17 +68,20 @@ impl Functions {
     }
 }
 
-/// Name of the function of a part. No name of a model contains a `$`.
+/// Returns the name of the function of part `at`, counted from 1. It contains a `$`, which no name
+/// of a model contains.
 fn part_name(planned: &Function, at: usize) -> String {
     format!("{}$part{at}", planned.name)
 }
 
-/// Arguments of the parts of a long function, before the array `values`, each followed by a comma.
+/// Returns the arguments of a long function, each followed by a comma. The functions of its parts
+/// take the same arguments.
 fn given(planned: &Function) -> String {
     planned.arguments.iter().flat_map(|argument| [argument.name(), ", "]).collect()
 }
 
-/// The `return` value of a function, as an expression: a number, an array, a pair of arrays, or an array of rows.
+/// Returns the expression after `return`: a number, an array, a pair of arrays, or an array of
+/// rows.
 fn result(returns: Returns, entries: &[Entry]) -> String {
     let names: Vec<&str> = entries.iter().map(|e| if let Entry::Variable(name) = e { name } else { "0" }).collect();
     let array = |list: &[&str]| format!("[{}]", list.join(", "));

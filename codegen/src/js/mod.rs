@@ -16,7 +16,8 @@ pub use names::{LANGUAGE, is_name};
 pub use text::{in_page, string};
 pub use written_equations::Written;
 
-/// Sources of the runners, each with its name: the integrator, the projection onto constraints, and runs that use both.
+/// JavaScript sources that run the modules, each with its name: the integrator, the projection onto
+/// constraints, and runs that use both.
 pub const RUNNERS: [(&str, &str); 3] = [
     ("dop853", include_str!("dop853.js")),
     ("constraints", include_str!("constraints.js")),

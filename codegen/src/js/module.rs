@@ -1,4 +1,5 @@
-//! JavaScript module of one set of equations: its names, its functions, and the data that runs need.
+//! Text of a JavaScript module for one set of equations: its names, its functions, and the data
+//! that runs need.
 
 use super::function::Functions;
 use super::syntax::JavaScript;
@@ -7,10 +8,11 @@ use crate::plan::{Function, MotionPlan, Planner};
 use crate::syntax::{Comments, Writer, constant};
 use tripos_derive::Model;
 
-/// Source of a solver for linear systems, for equations whose accelerations are not eliminated, and for reactions.
+/// JavaScript source of a solver for linear systems. Modules contain it if accelerations are not
+/// eliminated, or for reactions.
 const SOLVE: &str = include_str!("solve.js");
 
-/// Names that every module exports, besides those of planned functions.
+/// Names of the constants that every module exports.
 const NAMES: [&str; 10] = [
     "TITLE",
     "PARAMETERS",
@@ -24,29 +26,31 @@ const NAMES: [&str; 10] = [
     "LOOPS",
 ];
 
-/// Names of functions that every module exports. Those that are not planned are written as calls of others.
+/// Names of functions that every module exports. A function without a plan is written as a call of
+/// planned functions.
 const FUNCTIONS: [&str; 6] =
     ["accelerations", "coordinate_rates", "derivative", "generalized_speeds", "motion_variables", "reactions"];
 
-/// Names of functions that no run calls.
+/// Names of planned functions that no run in a page calls.
 const NOT_RUN: [&str; 1] = ["power"];
 
 /// Contents of a JavaScript module: a plan, the watched quantities and further functions.
 pub struct Module<'a> {
     /// Planner of the module's functions.
     pub planner: &'a Planner<'a>,
-    /// Planned functions of the module.
+    /// Plan with the functions for motion, and names of divisors, conditions and constraints.
     pub plan: &'a MotionPlan,
-    /// Names of the watched quantities, in the order in which they were given to the plan.
+    /// Names of the watched quantities, such as normal forces, in the order in which they were
+    /// given to the plan.
     pub watched: &'a [String],
-    /// Further functions, besides those of the plan.
+    /// Further planned functions that the module exports, besides those of the plan.
     pub beside: &'a [Function],
     /// Sentence of the header that names the origin of the module.
     pub origin: &'a str,
 }
 
 impl Module<'_> {
-    /// Text of the module, for people and programs.
+    /// Returns the text of the module with its header and comments.
     #[must_use]
     pub fn text(&self) -> String {
         let mut functions = Functions::new(Comments::Written);
@@ -56,7 +60,8 @@ impl Module<'_> {
         functions.lines.out
     }
 
-    /// JavaScript expression whose value is an object with all exports of the module, without comments, for a page.
+    /// Returns a JavaScript expression for a page. Its value is an object with all exports of the
+    /// module; it has no comments.
     #[must_use]
     pub fn object(&self) -> String {
         let mut functions = Functions::new(Comments::LeftOut);
@@ -73,6 +78,8 @@ impl Module<'_> {
         self.planner.model
     }
 
+    /// Writes the header: title, origin, facts about the equations, quantities that cannot be
+    /// watched, and usage.
     fn header(&self, writer: &mut Writer<'_>) {
         let (model, e) = (self.model(), self.planner.equations);
         writer.comment(&format!("{}: {}, {}.", model.title, e.title(model), e.formulation.equation(model)));
@@ -92,6 +99,8 @@ impl Module<'_> {
         writer.gap();
     }
 
+    /// Writes the exported constants: names and default values of parameters, and names of
+    /// coordinates, speeds, divisors, conditions and constraints.
     fn names(&self, writer: &mut Writer<'_>) {
         let (model, e) = (self.model(), self.planner.equations);
         writer.raw(&format!("export const TITLE = {};", string(&format!("{}, {}", model.title, e.title(model)))));
@@ -131,16 +140,20 @@ impl Module<'_> {
         writer.raw(&format!("export const LOOPS = {};", model.loops.len()));
     }
 
-    /// True if a browser does not need the function, since another function computes its values or no run calls it.
+    /// True if a page does not need the function `name`: another function computes its values, or
+    /// no run calls it. Always false for modules with comments.
     fn is_left_out(&self, name: &str, comments: Comments) -> bool {
         let together = ["accelerations", "coordinate_rates"];
         comments == Comments::LeftOut && (together.contains(&name) && self.has("derivative") || NOT_RUN.contains(&name))
     }
 
+    /// True if the plan contains a function with this name.
     fn has(&self, name: &str) -> bool {
         self.plan.functions.iter().any(|planned| planned.name == name)
     }
 
+    /// Writes the planned functions, then the required functions that are not planned, as calls of
+    /// planned functions.
     fn functions(&self, functions: &mut Functions) {
         let comments = functions.lines.comments();
         if !self.plan.is_solved || !self.plan.balance.is_empty() {

@@ -1,16 +1,17 @@
-//! Names that no JavaScript variable of generated code can have.
+//! Names of JavaScript variables: reserved words and names that generated code cannot use.
 
 use crate::plan::Language;
 
-/// Language of JavaScript modules, with the names that generated functions use for other purposes.
+/// Rules for names of JavaScript variables: reserved words, and names that generated functions use
+/// for other purposes.
 pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE, longest: usize::MAX };
 
-/// Names in the scope of generated function bodies. Other functions that they call have a `$` in their names, which no
-/// model's name contains.
+/// Names in the scope of generated function bodies, which no variable may have. Called functions
+/// have a `$` in their names, which no name of a model contains.
 const IN_SCOPE: [&str; 14] =
     ["p", "q", "u", "q_dot", "v_dot", "r", "t", "out", "values", "Math", "NaN", "Infinity", "undefined", "globalThis"];
 
-/// Reserved words of the language in modules, whose code is strict.
+/// Reserved words of JavaScript in modules, which cannot name variables.
 const WORDS: [&str; 49] = [
     "arguments",
     "async",

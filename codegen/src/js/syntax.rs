@@ -1,9 +1,9 @@
-//! Spelling of JavaScript, in double precision.
+//! Syntax of JavaScript expressions and statements, in double precision.
 
 use crate::syntax::{Syntax, assigned};
 use tripos_derive::plain::{one_line, visible};
 
-/// JavaScript. A product and a sum are never fused into one operation.
+/// JavaScript as a language for formulas. A product and a sum are never fused into one operation.
 pub struct JavaScript;
 
 impl Syntax for JavaScript {
@@ -27,7 +27,7 @@ impl Syntax for JavaScript {
         format!("Math.{name}({argument})")
     }
 
-    /// Power by `Math.pow`, because `-x ** 2` is no expression.
+    /// Writes a power as `Math.pow`, because `-x ** 2` is a syntax error in JavaScript.
     fn power(&self, argument: &str, _operand: &str, exponent: i32) -> String {
         format!("Math.pow({argument}, {exponent})")
     }

@@ -1,11 +1,12 @@
-//! Text in JavaScript files: as string literals, and in a page.
+//! Texts in JavaScript files, as string literals or inside a page.
 //!
 //! Invariant: no text can end a comment, a string or the `script` element that contains the module.
 
 use crate::syntax::WIDTH;
 use std::fmt::Write;
 
-/// JavaScript string literal for a text.
+/// Returns the JavaScript string literal for a text. Characters that could end the string or the
+/// `script` element are escaped.
 #[must_use]
 pub fn string(text: &str) -> String {
     let mut out = String::from("\"");
@@ -26,7 +27,7 @@ pub fn string(text: &str) -> String {
     out
 }
 
-/// JavaScript array of string literals, on as many lines as it needs.
+/// Returns a JavaScript array of string literals, on as many lines as it needs.
 #[must_use]
 pub fn strings<'t>(list: impl IntoIterator<Item = &'t str>) -> String {
     let mut lines = vec![String::new()];
@@ -45,7 +46,8 @@ pub fn strings<'t>(list: impl IntoIterator<Item = &'t str>) -> String {
     }
 }
 
-/// Text of a module for a script of a page, without its imports and the word `export`.
+/// Returns the text of a module for a `script` element of a page, without its imports and the word
+/// `export`.
 #[must_use]
 pub fn in_page(text: &str) -> String {
     let lines = text.lines().filter(|line| !line.starts_with("import "));

@@ -1,4 +1,5 @@
-//! Equations in the form in which they are planned: written down, with their store of terms and their solution.
+//! Equations in written form, with their arena and their solution, from which JavaScript functions
+//! are planned.
 
 use super::LANGUAGE;
 use crate::plan::{Planner, Sharing};
@@ -9,18 +10,20 @@ use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::mechanics::{Derivation, DeriveError, Unsolved, accelerations};
 use tripos_derive::{Equations, Formulation, Model, derive};
 
-/// Equations with all data from which their functions are planned.
+/// Equations of a model with all data from which their functions are planned.
 pub struct Written {
-    /// Store of the terms of the equations and the elimination.
+    /// Arena with the terms of the equations and of the elimination.
     pub arena: Arena,
-    /// Equations in written form.
+    /// Equations with their terms in the form in which they are printed.
     pub equations: Equations,
-    /// Elimination that gives the accelerations; `None` if the linear system is solved in numbers.
+    /// Elimination that gives the accelerations in closed form; `None` if the linear system is
+    /// solved in numbers.
     pub solved: Option<Elimination>,
 }
 
 impl Written {
-    /// Derived equations, solved for their accelerations if these are determined.
+    /// Takes derived equations and solves them for the accelerations. If the accelerations are not
+    /// determined, the linear system is left for a numeric solve.
     ///
     /// # Errors
     /// [`DeriveError::Unsolved`] if the accelerations were found but are not proved.
@@ -35,18 +38,18 @@ impl Written {
         Ok(written)
     }
 
-    /// Equations whose linear system is solved in numbers.
+    /// Takes derived equations whose linear system is left for a numeric solve.
     #[must_use]
     pub fn unsolved(Derivation { mut arena, equations }: Derivation) -> Self {
         let equations = equations.written(&mut arena);
         Self { arena, equations, solved: None }
     }
 
-    /// Equations that give the reactions of a model. `None` if no term contains a reaction, or if the model does not
-    /// support Newton–Euler.
+    /// Derives the Newton–Euler equations, which give a model's reactions.
+    /// `None` if no given term contains a reaction, or if the model does not support Newton–Euler.
     ///
     /// # Errors
-    /// [`Diagnostics`] if the model cannot be derived.
+    /// [`Diagnostics`] if the derivation fails for another reason.
     pub fn balance(model: &Model, mut terms: impl Iterator<Item = Expr>) -> Result<Option<Self>, Diagnostics> {
         let asks = |e| model.reactions.iter().any(|reaction| model.arena.mentions(e, reaction.symbol));
         if !terms.any(asks) {
@@ -59,8 +62,8 @@ impl Written {
         }
     }
 
-    /// Planner of the functions in JavaScript. Solved equations share operations; printed equations keep their own
-    /// cancellations.
+    /// Returns a planner of JavaScript functions for these equations. Derived equations share
+    /// common subexpressions; printed equations are computed as they stand.
     #[must_use]
     pub fn planner<'a>(&'a self, model: &'a Model) -> Planner<'a> {
         let is_printed = self.equations.by.printed_id().is_some();

@@ -1,5 +1,5 @@
-//! CasADi: one Python module for each set of equations, whose functions are symbolic expressions, and one module of
-//! helpers.
+//! CasADi as a target: one Python module of symbolic functions for each set of equations, and one
+//! module of helpers.
 
 use super::module::table;
 use super::python::names::LANGUAGE;
@@ -8,13 +8,13 @@ use super::{Composite, Dialect, Module};
 use crate::plan::{Argument, Entry, Function, Language, Returns};
 use crate::syntax::{Comments, Syntax, Writer};
 
-/// Text of the module of helpers.
+/// Text of the Python module of helpers, `tripos_casadi.py`.
 const SHARED: &str = include_str!("casadi/tripos_casadi.py");
 
-/// Name of the module of helpers.
+/// Name of the Python module of helpers, without extension.
 const HELPERS: &str = "tripos_casadi";
 
-/// Python with expressions of CasADi.
+/// CasADi as a target: Python functions that return symbolic expressions.
 pub struct CasADi;
 
 impl Syntax for CasADi {
@@ -87,6 +87,8 @@ impl Dialect for CasADi {
     }
 }
 
+/// Returns the text of the Python module for one set of equations: names, functions, and tables of
+/// arguments and lengths.
 fn module_text(module: &Module<'_>) -> String {
     let mut writer = Writer::new(&CasADi, Comments::Written);
     let usage = "Functions take parameters p, coordinates q and motion variables, in the order of PARAMETERS, COORDINATES and \
@@ -132,6 +134,7 @@ fn module_text(module: &Module<'_>) -> String {
     writer.out
 }
 
+/// Writes the Python definition of a planned function, with CasADi vectors and matrices as results.
 fn function(writer: &mut Writer<'_>, planned: &Function) {
     let arguments: Vec<&str> = planned.arguments.iter().map(Argument::name).collect();
     writer.raw("\n");
@@ -166,7 +169,7 @@ fn function(writer: &mut Writer<'_>, planned: &Function) {
     writer.indent("");
 }
 
-/// Writes a function that calls planned ones.
+/// Writes a Python function that calls planned functions: a linear solve, `ode` or `dae`.
 fn composed(writer: &mut Writer<'_>, module: &Module<'_>, composite: Composite) {
     let v = module.variables_argument();
     writer.raw("\n");

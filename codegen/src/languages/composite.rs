@@ -1,30 +1,34 @@
-//! Functions of a module that call planned ones.
+//! Composite functions of a generated module, which call its planned functions.
 
 use tripos_derive::Equations;
 
-/// Function that a dialect writes beside the planned ones, and that calls them.
+/// Function that a language writes in addition to the planned functions, and that calls them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Composite {
-    /// Solution of the linear system in numbers: the accelerations, then the reactions or multipliers.
+    /// Solves the linear system in numbers for all unknowns: the accelerations, then the reactions
+    /// or multipliers.
     Unknowns,
-    /// Reactions in numbers: the unknowns without the accelerations.
+    /// Solves the linear system in numbers and returns only the reactions.
     Reactions,
-    /// Projection of a state, or of a guess of a pose, onto the constraints.
+    /// Projects a state, or a guess of a pose, onto the constraints.
     Project,
-    /// Derivative of the state (q, v) as a function of time, state and parameters.
+    /// Computes the derivative in time of the state (q, v), as a function of time, state and
+    /// parameters.
     StateDerivative,
-    /// Matrix of the linear system of the state's derivative.
+    /// Computes the matrix M of the state's linear system M x' = f, with the identity for the
+    /// coordinates.
     StateMass,
-    /// Right-hand side of the linear system of the state's derivative.
+    /// Computes the right-hand side f of the state's linear system M x' = f.
     StateForcing,
-    /// Ordinary differential equation of the state.
+    /// States the ordinary differential equation x' = f(x, p) of the state as symbolic expressions.
     Ode,
-    /// Semi-explicit differential-algebraic equation of the state and the unknowns.
+    /// States the semi-explicit differential-algebraic equation of the state and the unknowns as
+    /// symbolic expressions.
     Dae,
 }
 
 impl Composite {
-    /// Name of the function.
+    /// Returns the name of the function in the generated module.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -39,7 +43,7 @@ impl Composite {
         }
     }
 
-    /// Names of the planned functions that the function calls.
+    /// Returns the names of the planned functions that this function calls.
     #[must_use]
     pub const fn needs(self) -> &'static [&'static str] {
         match self {
@@ -52,8 +56,9 @@ impl Composite {
         }
     }
 
-    /// True if the function makes sense for these equations. A mass matrix of the state has no place for reactions or
-    /// multipliers, and only some formulations have reactions.
+    /// True if the function exists for these equations. `StateMass` and `StateForcing` need
+    /// equations whose only unknowns are accelerations, and `Reactions` needs reactions among the
+    /// unknowns.
     #[must_use]
     pub fn suits(self, equations: &Equations) -> bool {
         let has_more = equations.unknowns.len() > equations.variables.len();

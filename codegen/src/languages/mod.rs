@@ -1,7 +1,8 @@
-//! Modules of equations in C, Python, MATLAB and CasADi.
+//! Generated modules of equations in C, Python, MATLAB and CasADi.
 //!
-//! The flow: derived equations → a [`ModulePlan`](crate::plan::ModulePlan) → a [`Module`] → the files of a [`Dialect`].
-//! All dialects write the same functions, with the same names, arguments and orders of entries.
+//! The flow: derived equations → a [`ModulePlan`](crate::plan::ModulePlan) → a [`Module`] → the
+//! files of a [`Dialect`]. All dialects write functions with the same names, arguments and orders
+//! of entries.
 
 pub mod c;
 pub mod casadi;
@@ -21,32 +22,37 @@ pub use target::{Emitted, Selection, emit_model};
 
 use crate::plan::Language;
 
-/// Language in which modules of equations are written.
+/// Language in which modules of equations are written: C, Python, MATLAB or CasADi.
 pub trait Dialect {
-    /// Rules for the names of variables.
+    /// Returns the rules for names of variables in this language.
     fn language(&self) -> &'static Language;
 
-    /// Command of `tripos` that writes the files, as their headers state it. No two dialects have the same, so that
-    /// modules of one model in several languages share a folder.
+    /// Returns the subcommand of `tripos` that writes the files, as their headers state it. Each
+    /// dialect has a different command, so that modules of a model in several languages can share a
+    /// folder.
     fn command(&self) -> &'static str;
 
-    /// Extensions of the names of the files.
+    /// Returns the file name extensions that this language uses, without dots.
     fn extensions(&self) -> &'static [&'static str];
 
-    /// Name of the file by which a program uses the equations of a module. `model` and `equations` are words.
+    /// Returns the name of the file that a program imports or includes to use a module. `model` and
+    /// `equations` are words.
     fn main_file(&self, model: &str, equations: &str) -> String;
 
-    /// Files of one module, by name.
+    /// Writes the files of one module. Returns their names and texts.
     fn files(&self, module: &Module<'_>) -> Vec<(String, String)>;
 
-    /// Files that are the same for every model, by name. `origin` is a sentence of their headers.
+    /// Writes the files that are the same for every model, such as helpers. Returns their names and
+    /// texts. `origin` is a sentence for their headers.
     fn shared_files(&self, origin: &str) -> Vec<(String, String)>;
 
-    /// Script that runs a scene by the functions of a module, with its name; `None` if the dialect has none.
+    /// Writes a script that runs a scene by the functions of a module. Returns its name and text;
+    /// `None` if this language has no script.
     fn script(&self, _module: &Module<'_>, _run: &SceneRun) -> Option<(String, String)> {
         None
     }
 
-    /// Functions that modules contain beside the planned ones.
+    /// Lists the functions that modules can contain in addition to the planned functions, and that
+    /// call these.
     fn composites(&self) -> &'static [Composite];
 }

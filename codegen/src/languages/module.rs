@@ -1,4 +1,4 @@
-//! Module of one set of equations, before a dialect writes it.
+//! Module of one set of equations: its plan and names, before it is written in a language.
 
 use super::Composite;
 use crate::plan::{Argument, Function, ModulePlan, Planner, Returns, spelled};
@@ -6,49 +6,53 @@ use crate::syntax::Writer;
 use rustc_hash::FxHashSet;
 use tripos_derive::{Equations, Model};
 
-/// Contents of a module: a plan, its names and its origin.
+/// Contents of a generated module for one set of equations: planned functions, names and origin.
 pub struct Module<'a> {
-    /// Word for the model: letters, digits and underscores.
+    /// Word for the model in names of files and functions: letters, digits and underscores.
     pub model_word: &'a str,
-    /// Word for the equations: letters, digits and underscores.
+    /// Word for the set of equations in names of files and functions: letters, digits and
+    /// underscores.
     pub equations_word: &'a str,
-    /// Planner of the functions.
+    /// Planner of the functions. It holds the model, the arena and the equations.
     pub planner: &'a Planner<'a>,
-    /// Planned functions that are written.
+    /// Plan with the functions that the module contains.
     pub plan: &'a ModulePlan,
-    /// Further functions that are written, which call planned ones.
+    /// Functions written in addition to the planned functions, which they call.
     pub composites: &'a [Composite],
     /// Sentence of the header that names the origin of the module.
     pub origin: &'a str,
 }
 
 impl Module<'_> {
-    /// Model of the equations.
+    /// Returns the model to which the module's equations belong.
     #[must_use]
     pub fn model(&self) -> &Model {
         self.planner.model
     }
 
-    /// Equations of the module.
+    /// Returns the set of equations of motion that the module contains.
     #[must_use]
     pub fn equations(&self) -> &Equations {
         self.planner.equations
     }
 
-    /// Name of the argument for the motion variables: `q_dot` or `u`.
+    /// Returns the argument name for the motion variables: `q_dot` for equations in rates of the
+    /// coordinates, `u` for generalized speeds.
     #[must_use]
     pub fn variables_argument(&self) -> &'static str {
         if self.equations().formulation.is_in_rates() { "q_dot" } else { "u" }
     }
 
-    /// Title of the model and the equations.
+    /// Returns the title of the model, the name of the equations and the matrix equation they
+    /// solve, as one sentence.
     #[must_use]
     pub fn title(&self) -> String {
         let (model, e) = (self.model(), self.equations());
         format!("{}: {}, {}.", model.title, e.title(model), e.formulation.equation(model))
     }
 
-    /// Writes the comments at the beginning of a file: title, origin, facts, orders of arguments and names.
+    /// Writes the comments at the beginning of a file: title, origin, facts on the equations, and
+    /// orders of arguments and results.
     pub fn header(&self, writer: &mut Writer<'_>, title: &str, usage: &str) {
         let (model, e) = (self.model(), self.equations());
         writer.comment(title);
@@ -79,7 +83,8 @@ impl Module<'_> {
         writer.comment(usage);
     }
 
-    /// Words for the parameters, all different: letters, digits and underscores, without a digit at the front.
+    /// Returns a word for each parameter, all different: letters, digits and underscores, with a
+    /// letter at the front.
     #[must_use]
     pub fn parameter_words(&self) -> Vec<String> {
         let mut taken = FxHashSet::default();
@@ -93,7 +98,7 @@ impl Module<'_> {
         self.model().parameters.iter().map(unique).collect()
     }
 
-    /// Meaning of each parameter with its unit, as a comment states it.
+    /// Returns a comment text for each parameter: name, description, input or not, unit.
     #[must_use]
     pub fn parameter_meanings(&self) -> Vec<String> {
         let meaning = |p: &tripos_derive::model::Parameter| {
@@ -104,7 +109,8 @@ impl Module<'_> {
         self.model().parameters.iter().map(meaning).collect()
     }
 
-    /// Lengths of the arguments of a function, in the order of its signature, with their names; `None` for a number.
+    /// Returns the name and length of each argument of a function, in the order of its signature.
+    /// The length is `None` for a number.
     #[must_use]
     pub fn argument_lengths<'f>(&self, function: &'f Function) -> Vec<(&'f str, Option<usize>)> {
         let length = |argument: &Argument| match argument {
@@ -116,8 +122,8 @@ impl Module<'_> {
     }
 }
 
-/// Number of rows and columns of the array that a function returns, or of the first of two; `None` for a number and for
-/// vectors.
+/// Returns the numbers of rows and columns of the matrix that a function returns, or of the first
+/// of two results. `None` for a function that returns a number or vectors.
 #[must_use]
 pub fn table(function: &Function) -> Option<[usize; 2]> {
     let count = function.entries.len();
@@ -129,7 +135,8 @@ pub fn table(function: &Function) -> Option<[usize; 2]> {
     }
 }
 
-/// Word of letters, digits and underscores for a text, with a letter at the front.
+/// Replaces all characters except letters and digits by underscores. Puts `m_` at the front unless
+/// the text begins with a letter.
 #[must_use]
 pub fn word(text: &str) -> String {
     let spelled: String = text.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();

@@ -1,30 +1,32 @@
-//! Run of a scene, for the scripts that dialects write beside the equations.
+//! Start values and settings of a scene's run, for the simulation scripts written with the
+//! equations.
 
 use crate::scene_files::scene_files;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::{Scene, load_bound};
 
-/// Run of the first scene of a model.
+/// Start values and settings of a scene's run, for a simulation script.
 #[derive(Clone, Debug)]
 pub struct SceneRun {
-    /// Name of the scene's file without its ending.
+    /// Name of the scene's file without its extension.
     pub name: String,
-    /// Values of the parameters, in the order of the model.
+    /// Values of the parameters, in the order of the model and in their units.
     pub parameters: Vec<f64>,
-    /// Values of the coordinates at the start.
+    /// Generalized coordinates at the start, in the order of the model and in their units.
     pub q: Vec<f64>,
-    /// Values of the generalized speeds at the start.
+    /// Generalized speeds at the start, in the order of the model and in their units.
     pub u: Vec<f64>,
-    /// First and last instant, s.
+    /// First and last time of the run, s.
     pub span: (f64, f64),
-    /// Relative tolerance of a step.
+    /// Relative tolerance of an integration step.
     pub rtol: f64,
 }
 
 impl SceneRun {
-    /// Run of the first scene beside a model file. `None` if there is no scene, if the scene has impacts or gives
-    /// formulas to inputs, which no script can follow, or if it has errors, which every command on the scene reports.
+    /// Reads the run of the first scene of a model file.
+    /// `None` if there is no scene or it has errors. `None` also for a scene with impacts, with
+    /// terminal events or with formulas for inputs, which no script can follow.
     #[must_use]
     pub fn first(model: &Model) -> Option<Self> {
         let place = scene_files(&model.source.path).into_iter().next()?;
@@ -33,7 +35,9 @@ impl SceneRun {
         Self::of(&scene, &bound)
     }
 
-    /// Run of a scene with the model that it was read with; `None` as for [`Self::first`].
+    /// Returns the run of a scene; `bound` is the model with which the scene was read. `None` for a
+    /// scene with impacts, with terminal events or with formulas for inputs, which no script can
+    /// follow.
     #[must_use]
     pub fn of(scene: &Scene, bound: &Model) -> Option<Self> {
         let ends_early = scene.events.iter().any(|event| event.terminal);

@@ -1,4 +1,5 @@
-//! Emission of a model in a dialect: the modules of its formulations and printed equations.
+//! Target for C, Python, MATLAB and CasADi: writes the modules of a model's formulations and
+//! printed equations.
 
 use super::module::word;
 use super::{Composite, Dialect, Module, SceneRun};
@@ -14,34 +15,37 @@ use tripos_derive::mechanics::{Derivation, DeriveError, Solved, Unsolved, parame
 use tripos_derive::scene::Scene;
 use tripos_derive::{Equations, Formulation, Model};
 
-/// Choice of the equations and functions that are written.
+/// Choice of the equations and functions that are written into modules.
 #[derive(Clone, Copy, Default)]
 pub struct Selection<'a> {
-    /// Formulations; if empty, all that the model supports, and the printed equations of the publication beside it.
+    /// Formulations to write. If empty, all that the model supports are written, and the printed
+    /// equations of its publication.
     pub formulations: &'a [Formulation],
-    /// Names of the functions; all if empty.
+    /// Names of the functions to write; if empty, all functions are written.
     pub functions: &'a [String],
-    /// Scene with which the model was read. Its outputs and events become functions, and scripts run it.
+    /// Scene with which the model was read; `None` if only the model is given. The scene's outputs
+    /// and events become functions, and scripts run it.
     pub scene: Option<&'a Scene>,
 }
 
-/// Files of a model in a dialect, with the names of the functions that they contain.
+/// Files of a model in one language, with the names of the functions that they contain.
 pub struct Emitted {
-    /// Files, and the formulations that were left out.
+    /// Texts of the files, and the formulations that were left out.
     pub emission: Emission,
-    /// Name of the file by which a program uses the first module.
+    /// Name of the file that a program imports or includes to use the first module.
     pub main_file: String,
-    /// Names of the functions that at least one module contains.
+    /// Names of the functions that at least one module contains, without repetition.
     pub functions: Vec<&'static str>,
-    /// Outputs and events of the scene that no function gives: name, title of the equations, reason.
+    /// Outputs, events and conditions that no function gives. Each has its name, the title of the
+    /// equations and the reason.
     pub hidden: Vec<(String, String, Hidden)>,
 }
 
-/// Emits the modules of a model in a dialect.
+/// Writes the modules of a model in one language.
 ///
 /// # Errors
-/// [`Diagnostics`] of the publication, of a given formulation that the model does not support, or of a function that no
-/// module has.
+/// [`Diagnostics`] of the publication, of a given formulation that the model does not support, or
+/// of a requested function that no module has.
 pub fn emit_model(model: &Model, dialect: &dyn Dialect, selection: Selection<'_>) -> Result<Emitted, Diagnostics> {
     let origin = Origin::emitted(&model.source.path, dialect.command());
     let run = || selection.scene.map_or_else(|| SceneRun::first(model), |scene| SceneRun::of(scene, model));
@@ -68,7 +72,9 @@ pub fn emit_model(model: &Model, dialect: &dyn Dialect, selection: Selection<'_>
     Ok(Emitted { emission, main_file, functions: modules.written, hidden: modules.hidden })
 }
 
-/// Way out for a function that the modules of a model do not have.
+/// Returns the help text for a requested function that no module of the model has: a way to get it,
+/// and the names of all functions.
+/// `Err` if the model has errors.
 fn help(name: &str, model: &Model, dialect: &dyn Dialect, selection: Selection<'_>) -> Result<String, Diagnostics> {
     let functions = emit_model(model, dialect, Selection { functions: &[], ..selection })?.functions;
     let why = match name {
@@ -85,25 +91,33 @@ fn help(name: &str, model: &Model, dialect: &dyn Dialect, selection: Selection<'
     Ok(format!("{why}its functions are {}", functions.join(", ")))
 }
 
-/// Name of a model's folder or file.
+/// Returns the name of the model's folder, or the name of its file without extension if the origin
+/// states no folder.
 pub(crate) fn stem_of(origin: &Origin) -> &str {
     let stem = origin.folder.trim_end_matches('/');
     if stem.is_empty() { origin.model.trim_end_matches(".toml") } else { stem }
 }
 
-/// Modules of a model while they are written.
+/// Modules of a model in one language while they are written, as a target.
 struct Modules<'a> {
+    /// Language in which the modules are written.
     dialect: &'a dyn Dialect,
+    /// Source file and command, as the headers state them.
     origin: Origin,
+    /// Word for the model in names of files and functions.
     model_word: String,
+    /// Choice of the equations and functions that are written.
     selection: Selection<'a>,
+    /// Texts of the files written so far, by file name.
     files: BTreeMap<String, String>,
-    /// Scene that scripts run; `None` if there is none, or if only some functions are written.
+    /// Scene that the simulation scripts run; `None` if there is none, or if only chosen functions
+    /// are written.
     run: Option<SceneRun>,
-    /// Names of the functions that were written.
+    /// Names of the functions that were written so far.
     written: Vec<&'static str>,
-    /// Outputs and events of the scene that were left out.
+    /// Outputs, events and conditions without a function: name, title of the equations, reason.
     hidden: Vec<(String, String, Hidden)>,
+    /// Name of the file of the first module; `None` until it is written.
     main_file: Option<String>,
 }
 
@@ -129,7 +143,8 @@ impl Target for Modules<'_> {
             .with_inverse_dynamics(&mut arena)
             .map_err(|why| model.diagnose(&DeriveError::Unsolved(why.into())))?;
         let wants_regressor = Regression::FUNCTIONS.iter().any(|name| self.names(name));
-        // The forces are those along the generalized speeds, with no reaction beside them: those of inverse dynamics.
+        // The forces act along the generalized speeds and there is no reaction among the unknowns,
+        // as in inverse dynamics.
         let is_in_speeds = !equations.required.is_empty()
             && equations.variables == model.u()
             && equations.unknowns.iter().copied().eq(model.speeds.iter().map(|speed| speed.rate));
@@ -165,16 +180,19 @@ impl Target for Modules<'_> {
 }
 
 impl Modules<'_> {
-    /// True if a function is to be written.
+    /// True if a function of this name is to be written: all functions are, or this name is
+    /// requested.
     fn wants(&self, name: &str) -> bool {
         self.selection.functions.is_empty() || self.names(name)
     }
 
-    /// True if a function is asked for by its name.
+    /// True if the function is requested by its name.
     fn names(&self, name: &str) -> bool {
         self.selection.functions.iter().any(|wanted| wanted == name)
     }
 
+    /// Writes the module of one set of equations: the wanted planned functions, the composite
+    /// functions that can be built from them, and a script.
     fn add(&mut self, planner: &Planner<'_>, mut plan: ModulePlan, origin: &str) {
         let name = planner.equations.name(planner.model);
         let can_write = |composite: &Composite| {
@@ -205,8 +223,10 @@ impl Modules<'_> {
     }
 }
 
-/// Accelerations in closed form with their slopes, also along the parameters if these are given; `None` if the model
-/// does not determine them in closed form.
+/// Solves the equations for the accelerations in closed form and differentiates these by the state.
+/// Differentiates also by the given parameters.
+/// `None` if the equations do not determine the accelerations in closed form.
+/// `Err` if a result is not proved.
 fn solution(
     arena: &mut Arena,
     equations: &Equations,

@@ -1,26 +1,26 @@
 //! Arguments and return values of a planned function, entry by entry.
 
-/// Argument of a planned function, with variables for the entries that the body reads.
+/// Argument of a planned function, with variables for the entries that the function's body reads.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Argument {
-    /// Array of all parameters.
+    /// Array with all parameters, in the order of the model.
     Parameters {
         /// Parameters that the body reads, each with its index in the model and its variable.
         read: Vec<(usize, String)>,
     },
-    /// Array with a variable for each entry that the body reads.
+    /// Array such as q or u, with a variable for each entry that the body reads.
     Array {
-        /// Name of the array.
+        /// Name of the array in the signature of the function.
         name: &'static str,
-        /// Variable of each entry; `None` for an entry that is not read.
+        /// Variable of each entry; `None` for an entry that the body does not read.
         entries: Vec<Option<String>>,
     },
-    /// Number with its variable; `None` if it is not read.
+    /// Single number, the time t, with its variable; `None` if the body does not read it.
     Number(Option<String>),
 }
 
 impl Argument {
-    /// Name of the argument in the function's signature.
+    /// Returns the name of the argument in the function's signature, such as `p`, `q` or `t`.
     #[must_use]
     pub fn name(&self) -> &str {
         match self {
@@ -30,7 +30,7 @@ impl Argument {
         }
     }
 
-    /// True if the body reads an entry of the argument.
+    /// True if the body of the function reads at least one entry of the argument.
     #[must_use]
     pub fn is_read(&self) -> bool {
         match self {
@@ -41,11 +41,11 @@ impl Argument {
     }
 }
 
-/// Entry of the values that a function returns.
+/// Entry of the array or number that a planned function returns.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Entry {
-    /// The entry is 0 for all arguments.
+    /// The entry is always 0, so it is not computed.
     Zero,
-    /// The entry is the value of this variable.
+    /// The entry is the value of the variable with this name.
     Variable(String),
 }

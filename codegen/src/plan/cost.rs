@@ -1,31 +1,32 @@
-//! Cost of generated code, counted over its plan.
+//! Cost of a planned function: its number of operations, counted over its program.
 
 use super::form::{constant_and_factors, led};
 use super::program::{Line, Program};
 use std::fmt;
 use tripos_derive::algebra::text::view::View;
 
-/// Number of operations in one call of a function. A fused product and sum counts as two.
+/// Number of operations in one call of a function. A fused multiply-add counts as two.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
-    /// Additions, subtractions, multiplications, divisions and sign changes.
+    /// Number of additions, subtractions, multiplications, divisions and sign changes.
     pub operations: usize,
-    /// Divisions, which `operations` includes.
+    /// Number of divisions; they are also counted in `operations`.
     pub divisions: usize,
-    /// Pairs of the sine and the cosine of an angle.
+    /// Number of sine–cosine pairs, each of one angle.
     pub sincos: usize,
-    /// Values of other functions.
+    /// Number of calls of other mathematical functions, square roots included.
     pub functions: usize,
 }
 
 impl Cost {
-    /// Cost of one division, in additions, roughly: on current processors a division occupies its unit about four times
-    /// as long.
+    /// Approximate cost of a division in additions. On current processors a division occupies its
+    /// unit about four times as long.
     const DIVISION: usize = 4;
-    /// Cost of a sine with its cosine, or of another function, in additions, roughly.
+    /// Approximate cost of a sine with its cosine, or of another mathematical function, in
+    /// additions.
     const FUNCTION: usize = 30;
 
-    /// Counts the operations of one call of a program.
+    /// Counts the operations in one call of a planned program.
     #[must_use]
     pub fn of(program: &Program) -> Self {
         let mut cost = Self::default();
@@ -37,12 +38,14 @@ impl Cost {
         cost
     }
 
-    /// Weight of one call, in additions, by which programs for the same values are compared.
+    /// Returns the cost of one call as a number of additions. It compares programs that compute the
+    /// same values.
     #[must_use]
     pub fn weight(&self) -> usize {
         self.operations + (Self::DIVISION - 1) * self.divisions + Self::FUNCTION * (self.sincos + self.functions)
     }
 
+    /// Adds the operations of a formula to the count.
     fn count(&mut self, view: &View) {
         match view {
             View::Number(_) | View::Name(_) | View::Word(_) | View::Shared(_) | View::Pi | View::Cut => {}
@@ -71,7 +74,8 @@ impl Cost {
         }
     }
 
-    /// Counts a fraction, whose whole numbers above and below are one constant.
+    /// Adds the operations of a fraction. The whole numbers in its numerator and denominator
+    /// together are one constant.
     fn count_fraction(&mut self, above: &View, below: &View) {
         let (n, above) = constant_and_factors(above);
         let (d, below) = constant_and_factors(below);
@@ -82,7 +86,8 @@ impl Cost {
     }
 }
 
-/// Number of multiplications in a power: n − 1 if its base is a name and n is 2 or 3, else those of repeated squares.
+/// Returns the number of multiplications in the power `base`^n. It is n − 1 if the base is a name
+/// and n is 2 or 3, otherwise that of repeated squaring.
 fn multiplications(base: &View, n: i32) -> usize {
     let n = n.unsigned_abs();
     match base {

@@ -1,9 +1,10 @@
-//! Form of a formula as a computation: the term that is written first, and the products and sums that can be fused.
+//! Form of a formula for computation: the order of a sum's terms, and products and sums that can be
+//! fused.
 
 use tripos_derive::algebra::text::view::View;
 
-/// Terms of a sum in the order of computation. A plain product at the front is moved to the second place, where it can
-/// be fused with the term before it.
+/// Returns the terms of a sum in the order of computation. A leading product of names and numbers
+/// is moved to the second place, where it can be fused with the term before it.
 #[must_use]
 pub fn led(terms: &[(bool, View)]) -> Vec<&(bool, View)> {
     let mut order: Vec<&(bool, View)> = terms.iter().collect();
@@ -16,7 +17,7 @@ pub fn led(terms: &[(bool, View)]) -> Vec<&(bool, View)> {
     order
 }
 
-/// True if a formula is a product of only names and numbers, or a square of one of these.
+/// True if a formula is a product of only names and numbers, or the square of a name or number.
 #[must_use]
 pub fn is_plain_product(view: &View) -> bool {
     match view {
@@ -26,6 +27,7 @@ pub fn is_plain_product(view: &View) -> bool {
     }
 }
 
+/// True if a formula is a single name or number.
 fn is_plain(view: &View) -> bool {
     matches!(view, View::Name(_) | View::Shared(_) | View::Number(_))
 }
@@ -42,7 +44,7 @@ pub fn is_flat(view: &View) -> bool {
     }
 }
 
-/// Leading whole number of a product, `1` if there is none, and the other factors.
+/// Splits a product into its leading whole number, `1` if there is none, and its remaining factors.
 #[must_use]
 pub fn constant_and_factors(view: &View) -> (String, Vec<View>) {
     match view {

@@ -1,4 +1,4 @@
-//! Plan of the functions of one formulation, and of the statements about them.
+//! Plan of the functions of one formulation, and of the statements about them in its header.
 
 use super::function::{Arguments, Explanation, Function, Planner, Returns, Value};
 use super::names::spelled;
@@ -12,50 +12,56 @@ use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{Constrained, Divisors, EquationsOrigin, Solved, bare};
 
-/// Most steps of accelerations for which q̇ and v̇ are also computed together, with shared terms.
+/// Largest number of elimination steps for which the function `derivative` is planned. It computes
+/// q̇ and v̇ together, with shared terms.
 const MOST_REPEATED: usize = 100;
 
-/// Operations of a mass matrix and its forcing for which a function that computes both is written. Shorter systems cost
-/// little when computed separately; longer ones would double long compile times.
+/// Range of the number of operations of mass matrix and forcing for which a function that computes
+/// both is written. Shorter systems cost little when computed separately; longer systems would
+/// double long compile times.
 const WORTH_SHARING: RangeInclusive<usize> = 200..=4000;
 
-/// Most divisors that the header lists by their formulas.
+/// Largest number of divisors that the header lists by their formulas. If there are more, only
+/// their number is stated.
 const MOST_LISTED: usize = 12;
 
-/// Plan of the code of one formulation of one model.
+/// Plan of the generated Rust code for one formulation of one model.
 pub struct FormulationPlan<'a> {
-    /// Planner, with the names and the store of the terms.
+    /// Planner, with the model, the arena and the names of variables.
     pub planner: &'a Planner<'a>,
-    /// Functions of the equations, in the order in which they are read.
+    /// Functions of the equations that people read, such as mass matrix and forcing, in order.
     pub equations: Vec<Function>,
-    /// Further functions for runs: `derivative` and `jacobian`, if the accelerations are solved for and not too long,
-    /// and `inverse_dynamics`.
+    /// Functions that only runs need: `derivative` and `jacobian`, if the accelerations are solved
+    /// for and not too long, and `linear_system`, `divisors`, `constraints` and `inverse_dynamics`.
     pub machine: Vec<Function>,
-    /// Names, for people, of the divisors that the function `divisors` returns; empty if no divisor can be zero.
+    /// Names of the divisors that the function `divisors` returns, as formulas; empty if no divisor
+    /// can be zero.
     pub divisors: Vec<String>,
     /// Names of the constraints whose residuals the function `constraints` returns; empty if no run can violate a
     /// constraint.
     pub constraints: Vec<String>,
-    /// Recurrences of the Taylor coefficients; `None` if they are not requested.
+    /// Recurrences of the Taylor coefficients of the motion; `None` if they are not requested.
     pub taylor: Option<TaylorPlan<'a>>,
-    /// Number of operations of the accelerations; `None` if these are not solved for.
+    /// Number of operations of the function `accelerations`; `None` if the accelerations are not
+    /// solved for.
     pub solved_cost: Option<usize>,
-    /// Statements about the formulation for the header, line by line.
+    /// Statements about the formulation for the header of the generated file, each as one line.
     pub facts: Vec<String>,
 }
 
-/// Plan of the function for the entries of the Jacobian.
+/// Choice of whether the function `jacobian`, with the entries of the Jacobian of the state
+/// derivative, is planned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Jacobian {
-    /// The function is planned, if the accelerations are solved for.
+    /// The function is planned, provided that the accelerations are solved for.
     Planned,
-    /// The function is left out.
+    /// The function `jacobian` is not planned.
     LeftOut,
 }
 
 impl<'a> FormulationPlan<'a> {
-    /// Plans the equations and the accelerations solved from them. Plans also the entries of the Jacobian and the
-    /// recurrences if they are requested.
+    /// Plans the functions of the equations and, if `solved` is given, of the accelerations. Plans
+    /// the entries of the Jacobian and the Taylor recurrences only if they are requested.
     #[must_use]
     pub fn new(
         planner: &'a Planner<'a>,
@@ -99,8 +105,8 @@ impl<'a> FormulationPlan<'a> {
     }
 }
 
-/// Functions `mass_matrix` and `forcing`; and `linear_system`, which computes both, if it saves a tenth of the
-/// operations.
+/// Plans the functions `mass_matrix` and `forcing`. The second result, `linear_system`, computes
+/// both; `None` unless that saves a tenth of the operations.
 pub(super) fn linear_system(planner: &Planner<'_>) -> (Vec<Function>, Option<Function>) {
     let e = planner.equations;
     let n = e.unknowns.len();
@@ -139,7 +145,7 @@ pub(super) fn linear_system(planner: &Planner<'_>) -> (Vec<Function>, Option<Fun
     (apart, together)
 }
 
-/// Function `accelerations`, which returns v̇.
+/// Plans the function `accelerations`, which returns the solved accelerations v̇ as a vector.
 pub(super) fn accelerations(planner: &Planner<'_>, steps: &[Definition]) -> Function {
     let unknowns = rates(planner);
     let about =
@@ -148,8 +154,8 @@ pub(super) fn accelerations(planner: &Planner<'_>, steps: &[Definition]) -> Func
     planner.stepwise("accelerations", &about, Arguments::State, Returns::Vector, steps, &values)
 }
 
-/// Function `jacobian`, which returns ∂(q̇, v̇)/∂(q, v). `None` for large systems, whose code is differentiated as it
-/// runs.
+/// Plans the function `jacobian`, which returns the square matrix ∂(q̇, v̇)/∂(q, v). `None` for
+/// large systems, whose code is differentiated as it runs.
 pub(super) fn jacobian(planner: &Planner<'_>, solved: &Solved) -> Option<Function> {
     let e = planner.equations;
     if !solved.jacobian.direction.is_empty() {
@@ -167,7 +173,8 @@ pub(super) fn jacobian(planner: &Planner<'_>, solved: &Solved) -> Option<Functio
     Some(planner.stepwise("jacobian", &about, Arguments::State, returns, &solved.jacobian.steps, &slopes))
 }
 
-/// Function `parameter_jacobian`, which returns ∂(q̇, v̇)/∂p, with a column for each parameter.
+/// Plans the function `parameter_jacobian`, which returns ∂(q̇, v̇)/∂p: a row for each rate, a
+/// column for each parameter.
 pub(super) fn parameter_jacobian(planner: &Planner<'_>, slopes: &tripos_derive::mechanics::Jacobian) -> Function {
     let parameters: Vec<String> = planner.model.parameters.iter().map(|p| p.name.clone()).collect();
     let q_dot = planner.model.coordinates.iter().map(|c| format!("{}'", c.name));
@@ -178,7 +185,8 @@ pub(super) fn parameter_jacobian(planner: &Planner<'_>, slopes: &tripos_derive::
     planner.stepwise("parameter_jacobian", &about, Arguments::State, returns, &slopes.steps, &values)
 }
 
-/// Outputs for the slopes of one rate along named quantities.
+/// Returns values to be computed for the derivatives of one rate by the quantities `along`, with
+/// their names.
 fn slopes_of(rate: &str, along: &[String], row: &[Expr]) -> Vec<Value> {
     let entry = |(by, value): (&String, &Expr)| {
         (format!("{}_by_{}_value", spelled(rate), spelled(by)), format!("d({rate})/d({by})"), *value)
@@ -186,7 +194,8 @@ fn slopes_of(rate: &str, along: &[String], row: &[Expr]) -> Vec<Value> {
     along.iter().zip(row).map(entry).collect()
 }
 
-/// Function `residual`, which returns M x − f for any unknowns x. It is zero where x solves the linear system.
+/// Plans the function `residual`, which returns M x − f for any unknowns x. The residual is zero if
+/// x solves the linear system.
 pub(super) fn residual(planner: &Planner<'_>) -> Function {
     let e = planner.equations;
     let mut arena = planner.arena.clone();
@@ -205,8 +214,8 @@ pub(super) fn residual(planner: &Planner<'_>) -> Function {
     planner.stepwise("residual", &about, Arguments::StateAndUnknowns, Returns::Vector, &e.definitions, &values)
 }
 
-/// Function `divisors`, which returns the divisors of q̇ and v̇ that may be zero, and their names. `None` if there are
-/// none.
+/// Plans the function `divisors`, which returns the divisors of q̇ and v̇ that may be zero. The
+/// second result is their names. `None` without such divisors.
 pub(super) fn divisors(planner: &Planner<'_>, solved: Option<&Elimination>) -> (Option<Function>, Vec<String>) {
     let divisors = Divisors::of(planner.arena, planner.equations, solved);
     let names = divisors.names(planner.arena);
@@ -219,8 +228,8 @@ pub(super) fn divisors(planner: &Planner<'_>, solved: Option<&Elimination>) -> (
     (planned, names)
 }
 
-/// Functions `constraints` and `constraint_slopes`, for the constraints on which runs are kept. Empty without
-/// constraints.
+/// Plans the functions `constraints` (residuals) and `constraint_slopes` (their derivatives by the
+/// state), for the constraints that runs maintain. The list is empty without constraints.
 pub(super) fn constraints(planner: &Planner<'_>) -> Vec<Function> {
     let e = planner.equations;
     if e.constraints.is_empty() {
@@ -245,8 +254,9 @@ pub(super) fn constraints(planner: &Planner<'_>) -> Vec<Function> {
     vec![planned("constraints", about, &values), planned("constraint_slopes", &about_slopes, &slopes)]
 }
 
-/// Function `redundant_constraints`, which returns the residuals of redundant constraints. They are zero where the
-/// loops are closed, as long as the mechanism has the freedoms with which it was derived.
+/// Plans the function `redundant_constraints`, which returns the residuals of redundant
+/// constraints. They are zero in closed loops if the mechanism has the freedoms with which it was
+/// derived. `None` without such constraints.
 pub(super) fn redundant_constraints(planner: &Planner<'_>) -> Option<Function> {
     let closed = planner.model.closed.iter().enumerate();
     let values: Vec<Value> =
@@ -256,16 +266,17 @@ pub(super) fn redundant_constraints(planner: &Planner<'_>) -> Option<Function> {
         .then(|| planner.function("redundant_constraints", about, Arguments::Configuration, Returns::Vector, &values))
 }
 
-/// Symbols of the accelerations v̇.
+/// Returns the symbols of the accelerations v̇, one for each motion variable.
 fn rates<'a>(planner: &'a Planner<'_>) -> &'a [Expr] {
     &planner.equations.unknowns[..planner.equations.variables.len()]
 }
 
+/// Returns the names of symbols of the arena.
 fn names(arena: &Arena, symbols: &[Expr]) -> Vec<String> {
     symbols.iter().map(|s| arena.symbol_name(*s).unwrap_or_default().to_owned()).collect()
 }
 
-/// Function `derivative`, which returns q̇ and v̇ together.
+/// Plans the function `derivative`, which returns the state derivative as two vectors, q̇ and v̇.
 #[must_use]
 pub fn derivative(planner: &Planner<'_>, steps: &[Definition]) -> Function {
     let e = planner.equations;
@@ -282,8 +293,8 @@ pub fn derivative(planner: &Planner<'_>, steps: &[Definition]) -> Function {
     )
 }
 
-/// Functions `coordinate_rates`, `kinetic_energy` and `potential_energy`; and `power`, if forces without a potential
-/// work.
+/// Plans the functions `coordinate_rates`, `kinetic_energy` and `potential_energy`. Plans also
+/// `power` if loads without a potential do work.
 pub(super) fn kinematics_and_energies(planner: &Planner<'_>) -> Vec<Function> {
     let e = planner.equations;
     let rates = named(planner.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
@@ -314,7 +325,8 @@ pub(super) fn kinematics_and_energies(planner: &Planner<'_>) -> Vec<Function> {
     energies.into_iter().chain(power).collect()
 }
 
-/// Function `inverse_dynamics`, which returns the generalized forces that given accelerations require.
+/// Plans the function `inverse_dynamics`, which returns the generalized forces that given
+/// accelerations require. `None` if the equations do not state them.
 pub(super) fn inverse_dynamics(planner: &Planner<'_>) -> Option<Function> {
     let e = planner.equations;
     let n = e.required.len();
@@ -329,7 +341,8 @@ pub(super) fn inverse_dynamics(planner: &Planner<'_>) -> Option<Function> {
     (n > 0).then(|| planner.stepwise("inverse_dynamics", &about, arguments, Returns::Vector, &e.definitions, &values))
 }
 
-/// Functions that convert between q' and the generalized speeds, for formulations that integrate q'.
+/// Plans the functions that convert between the rates q' and the generalized speeds u, for
+/// formulations whose motion variables are q'.
 pub(super) fn conversions(planner: &Planner<'_>) -> Vec<Function> {
     let (e, model) = (planner.equations, planner.model);
     let speeds = named(model.speeds.iter().map(|s| s.name.clone()), &e.generalized_speeds);
@@ -350,22 +363,26 @@ pub(super) fn conversions(planner: &Planner<'_>) -> Vec<Function> {
     ]
 }
 
-/// Outputs named after symbols: `q1'` is computed in `q1_dot_value`, which differs from an input `q1_dot`.
+/// Returns values to be computed, named after symbols. The value of `q1'` gets the variable
+/// `q1_dot_value`, which differs from an input `q1_dot`.
 fn named(symbols: impl Iterator<Item = String>, values: &[Expr]) -> Vec<Value> {
     symbols.zip(values).map(|(symbol, value)| (format!("{}_value", spelled(&symbol)), symbol, *value)).collect()
 }
 
-/// Text of an index from 1, with a `_` before it if indices have two digits or more.
+/// Returns the index i + 1 as text, with a `_` before it if the number of entries `n` is ten or
+/// more.
 fn index(i: usize, n: usize) -> String {
     if n < 10 { format!("{}", i + 1) } else { format!("_{}", i + 1) }
 }
 
+/// Returns the names of symbols as a text in parentheses, such as `(u1, u2)`.
 fn vector_text(arena: &Arena, symbols: &[Expr]) -> String {
     let names: Vec<&str> = symbols.iter().filter_map(|s| arena.symbol_name(*s)).collect();
     format!("({})", names.join(", "))
 }
 
-/// True if time moves a part of the mechanism, or a constraint asks for motion even at rest.
+/// True if the motion is prescribed in part: time is a coordinate, or a constraint demands motion
+/// when all speeds are zero.
 fn has_given_motion(planner: &Planner<'_>) -> bool {
     let model = planner.model;
     let moving = model.q_dot().into_iter().chain(model.u());
@@ -375,7 +392,8 @@ fn has_given_motion(planner: &Planner<'_>) -> bool {
     model.time().is_some() || model.motion_constraints.iter().any(|constraint| asks(constraint.equation))
 }
 
-/// Header lines with the unknowns and the places where the equations are singular.
+/// Returns the header lines that state the unknowns, and the configurations in which the equations
+/// are singular.
 pub(super) fn facts(planner: &Planner<'_>, solved: Option<&Elimination>) -> Vec<String> {
     let e = planner.equations;
     let mut lines = vec![
@@ -386,13 +404,14 @@ pub(super) fn facts(planner: &Planner<'_>, solved: Option<&Elimination>) -> Vec<
     lines
 }
 
-/// Header line with the divisors of the eliminated accelerations.
+/// Returns the header line that states the divisors of the solved accelerations, or only their
+/// number if there are many.
 fn divisors_text(planner: &Planner<'_>, divisors: &[Expr]) -> String {
     if divisors.is_empty() {
         return "The accelerations divide by nothing.".to_owned();
     }
     let distinct = distinct(planner.arena, divisors);
-    // Long formulations divide by named terms, and their names would tell nothing here.
+    // Long formulations divide by named terms, whose names would tell the reader nothing here.
     if distinct.len() > MOST_LISTED || planner.explanation() == Explanation::Names {
         let count = distinct.len();
         return format!("The accelerations divide by {count} pivots, which are positive where the mass matrix is.");
@@ -401,7 +420,8 @@ fn divisors_text(planner: &Planner<'_>, divisors: &[Expr]) -> String {
     format!("The accelerations divide by {}.", list.join(", by "))
 }
 
-/// Header line with the configurations in which a divisor is zero, so that the equations are singular.
+/// Returns the header line that states the configurations in which a divisor is zero. It begins
+/// with `what`.
 pub(super) fn singular_text(arena: &Arena, what: &str, divisors: &[Expr]) -> String {
     let places: Vec<String> = distinct(arena, divisors).iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
     match places.as_slice() {
@@ -410,7 +430,8 @@ pub(super) fn singular_text(arena: &Arena, what: &str, divisors: &[Expr]) -> Str
     }
 }
 
-/// Divisors that vanish at different places: distinct, without factors that are numbers.
+/// Returns divisors that vanish in different configurations: without numeric factors, and without
+/// repetition.
 fn distinct(arena: &Arena, divisors: &[Expr]) -> Vec<Expr> {
     let mut list: Vec<Expr> = Vec::new();
     for &divisor in divisors {

@@ -1,4 +1,4 @@
-//! Plan of one function: its arguments, its steps in order, its return value, and its cost.
+//! Plan of one function: arguments, program, return value and cost.
 
 use super::arguments::{Argument, Entry};
 use super::cost::Cost;
@@ -12,73 +12,78 @@ use tripos_derive::algebra::term::steps::{Definition, needed};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::{Equations, Model};
 
-/// Most named terms of equations whose programs are rewritten by all readings of their terms. With more, a single
-/// reading is tried.
+/// Largest number of named terms in equations for which all readings of their terms are tried when
+/// common operations are searched. With more, a single reading is tried.
 const MOST_READ: usize = 100;
 
-/// Most lines of a program whose formulas are always written as comments.
+/// Largest number of lines of a program in which each line always gets its formula as a comment.
 const MOST_LINES: usize = 20;
 
-/// Function planned independently of a language.
+/// Function planned independently of a target language.
 #[derive(Clone, Debug)]
 pub struct Function {
-    /// Name of the function.
+    /// Name of the generated function.
     pub name: &'static str,
-    /// Description of the result, as a sentence.
+    /// Description of the function's result, as a sentence for its comment.
     pub about: String,
-    /// Arguments in the order of the signature.
+    /// Arguments of the function, in the order of its signature.
     pub arguments: Vec<Argument>,
-    /// Shape of the return value.
+    /// Shape of the function's return value: number, vector, matrix and so on.
     pub returns: Returns,
-    /// Steps of the computation.
+    /// Program that computes the function's values, line by line.
     pub program: Program,
-    /// Entries of the return value, in order.
+    /// Entries of the return value, in order: names of computed variables, or zero.
     pub entries: Vec<Entry>,
-    /// Parts of the program if it is long; `None` if it stays whole.
+    /// Division of a long program into several functions; `None` if the program stays whole.
     pub parts: Option<Parts>,
-    /// Operations of one call of the function.
+    /// Number of operations in one call of the function.
     pub cost: Cost,
-    /// Comments on the lines of the program.
+    /// Choice of the comments on the lines of the program: formulas or none.
     pub explanation: Explanation,
 }
 
-/// Comments on the lines of a program.
+/// Choice of the comments on the lines of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Explanation {
     /// Each line has its formula above it as a comment.
     Formulas,
-    /// No line has a comment. Most lines are named terms, whose names are enough.
+    /// No line has a comment: most lines are named terms, whose names say enough.
     Names,
 }
 
 impl Explanation {
-    /// Formula of a statement, if it stands above the statement as a comment.
+    /// Returns the formula of a statement as a comment for the line above it; `None` if no comment
+    /// is written.
     #[must_use]
     pub fn of(self, statement: &Statement) -> Option<&str> {
         statement.comment.as_deref().filter(|_| self == Self::Formulas)
     }
 }
 
-/// Kinds of argument lists that planned functions have.
+/// Kind of argument list of a planned function.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Arguments {
     /// Arguments (p, q, v): parameters, coordinates and motion variables.
     State,
     /// Arguments (p, q, u): parameters, coordinates and generalized speeds.
     Speeds,
-    /// Arguments (p, q, v, v̇): the state with the rates of the motion variables.
+    /// Arguments (p, q, v, v̇): parameters, coordinates, motion variables and their time
+    /// derivatives.
     StateAndRates,
-    /// Arguments (p, q, v, x): the state with the unknowns of the linear system.
+    /// Arguments (p, q, v, x): parameters, coordinates, motion variables and the unknowns of the
+    /// linear system.
     StateAndUnknowns,
     /// Arguments (p, q): parameters and coordinates, without motion variables.
     Configuration,
-    /// Argument p alone: the parameters.
+    /// Arguments (p): only the parameters.
     Parameters,
-    /// Arguments (p, q, v, r): the state with the reactions in the order of the model.
+    /// Arguments (p, q, v, r): parameters, coordinates, motion variables, and reactions in the
+    /// order of the model.
     Balanced,
-    /// Arguments (p, t, q, v): the state with the time, for outputs.
+    /// Arguments (p, t, q, v): parameters, time, coordinates and motion variables. They serve the
+    /// outputs and events of scenes.
     Shown {
-        /// Symbol of the time.
+        /// Symbol of the time t in the arena.
         time: Expr,
     },
 }
@@ -86,28 +91,29 @@ pub enum Arguments {
 /// Shape of the return value of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Returns {
-    /// Single number.
+    /// The function returns a single number.
     Number,
-    /// Array of all entries.
+    /// The function returns one array with all entries.
     Vector,
-    /// Two arrays: the first has this length, the second contains the other entries.
+    /// Two arrays. The first has this length; the second contains the remaining entries.
     Pair(usize),
-    /// Square matrix with this many rows, row by row, and as an array of its own a vector of this length.
+    /// Square matrix with this many rows, row by row, and a second array with a vector of the same
+    /// number of entries.
     System(usize),
-    /// Square array, row by row. A symmetric one is computed from its upper triangle.
+    /// Square matrix, row by row. A symmetric matrix is computed from its upper triangle.
     Matrix {
         /// True if the matrix equals its transpose.
         symmetric: bool,
     },
-    /// Rectangular array, row by row.
+    /// The function returns a rectangular matrix, row by row.
     Table {
-        /// Number of columns.
+        /// Number of columns of the returned matrix.
         columns: usize,
     },
 }
 
 impl Returns {
-    /// Heading above the lines that compute the entries.
+    /// Returns the comment written above the lines that compute the entries.
     #[must_use]
     pub fn heading(self) -> &'static str {
         match self {
@@ -117,7 +123,8 @@ impl Returns {
         }
     }
 
-    /// Number of entries of the first of two results; `None` if there is one result.
+    /// Returns the number of entries of the first of two results; `None` if the function returns
+    /// only one result.
     #[must_use]
     pub fn first(self) -> Option<usize> {
         match self {
@@ -127,8 +134,8 @@ impl Returns {
         }
     }
 
-    /// Index of the entry that gives the value of entry `at` of `count`: in a symmetric matrix, always one of the upper
-    /// triangle.
+    /// Returns the index of the computed entry that gives the value of entry `at` of `count`. In a
+    /// symmetric matrix it lies in the upper triangle; otherwise it is `at`.
     fn source(self, at: usize, count: usize) -> usize {
         let side = count.isqrt();
         match self {
@@ -138,34 +145,39 @@ impl Returns {
     }
 }
 
-/// Value to be computed: its variable, its name in comments, its expression.
+/// Value to be computed: the name of its variable, its name in comments, and its term.
 pub type Value = (String, String, Expr);
 
-/// Planner of the functions of one set of equations.
+/// Planner of functions: turns terms of one set of equations into planned functions for a target
+/// language.
 pub struct Planner<'a> {
-    /// Model of the equations.
+    /// Model to which the equations belong.
     pub model: &'a Model,
-    /// Store of the terms of the equations.
+    /// Arena with the terms of the equations.
     pub arena: &'a Arena,
-    /// Equations whose functions are planned.
+    /// Set of equations whose functions are planned.
     pub equations: &'a Equations,
-    /// Variables of the symbols, in the target's language.
+    /// Names of the variables for the symbols, as the target language permits them.
     pub variables: Variables,
-    /// Treatment of operations that several outputs have in common.
+    /// Choice between sharing common operations of several outputs and computing formulas as they
+    /// stand.
     pub sharing: Sharing,
 }
 
-/// Treatment of operations that several outputs have in common.
+/// Choice between sharing common operations of several outputs and computing formulas as they
+/// stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sharing {
-    /// Common operations are found and computed once.
+    /// Common operations are found and computed only once.
     Shared,
-    /// Formulas stay as they stand. Printed equations do, because they run with their own cancellations.
+    /// Formulas are computed as they stand. This serves printed equations, which must run with
+    /// their own cancellations.
     AsStated,
 }
 
 impl<'a> Planner<'a> {
-    /// Planner with a variable for each symbol, as a language permits.
+    /// Prepares a planner for a set of equations, and gives each symbol a variable name that the
+    /// language permits.
     #[must_use]
     pub fn new(
         model: &'a Model,
@@ -181,13 +193,14 @@ impl<'a> Planner<'a> {
         Self { model, arena, equations, variables, sharing }
     }
 
-    /// Comments on the lines of long programs: formulas, or none if the equations consist of named terms.
+    /// Returns the choice of comments for long programs: formulas, or none if the equations consist
+    /// mostly of named terms.
     #[must_use]
     pub fn explanation(&self) -> Explanation {
         if self.equations.definitions.len() <= MOST_READ { Explanation::Formulas } else { Explanation::Names }
     }
 
-    /// Plans a function that computes its values without further steps.
+    /// Plans a function whose values need no intermediate steps. `about` describes the result.
     #[must_use]
     pub fn function(
         &self,
@@ -200,8 +213,9 @@ impl<'a> Planner<'a> {
         self.stepwise(name, about, arguments, returns, &[], values)
     }
 
-    /// Plans a function that computes steps of an elimination, and from them its values. Entries that are 0 are not
-    /// computed, nor is the lower triangle of a symmetric matrix.
+    /// Plans a function that first computes named intermediate steps and then its values. Entries
+    /// that are 0 and the lower triangle of a symmetric matrix are not computed. Unused steps are
+    /// left out.
     #[must_use]
     pub fn stepwise(
         &self,
@@ -244,8 +258,9 @@ impl<'a> Planner<'a> {
         Function { name, about: about.to_owned(), arguments, returns, program, entries, parts, cost, explanation }
     }
 
-    /// Program with the least cost for these outputs and for results that are steps or inputs: as given, or with common
-    /// sub-sums and sub-products shared, by one of the readings of its terms.
+    /// Returns the cheapest program for the given outputs: as given, or with common sums and
+    /// products shared by one reading of the terms. A rewritten program is used only if it is
+    /// proved equal.
     fn cheapest(&self, steps: &[Definition], outputs: &[Output], results: &[Expr]) -> Program {
         let mut best = program(self.arena, &self.variables, steps, steps, outputs, results);
         let mut least = Cost::of(&best).weight();
@@ -274,7 +289,7 @@ impl<'a> Planner<'a> {
         best
     }
 
-    /// Arguments of a kind, with the variables of the entries that the inputs contain.
+    /// Returns the list of arguments of a kind. Only entries that occur in `inputs` get variables.
     fn arguments(&self, arguments: Arguments, inputs: &FxHashSet<Expr>) -> Vec<Argument> {
         let e = self.equations;
         let array = |name: &'static str, symbols: &[Expr]| {
@@ -312,7 +327,8 @@ impl<'a> Planner<'a> {
         list
     }
 
-    /// Argument for all parameters, with the variables of those that the inputs contain.
+    /// Returns the argument for all parameters. Only parameters that occur in `inputs` get
+    /// variables.
     pub(crate) fn parameters(&self, inputs: &FxHashSet<Expr>) -> Argument {
         let all = &self.model.parameters;
         let read = all.iter().enumerate().filter(|(_, p)| inputs.contains(&p.symbol));
@@ -321,7 +337,8 @@ impl<'a> Planner<'a> {
 }
 
 impl Function {
-    /// Part of [`Function::cost`] that depends only on parameters, and so could be computed once for all states.
+    /// Returns the part of the function's cost that depends only on parameters, and so could be
+    /// computed once for all states.
     #[must_use]
     pub fn cost_of_parameters(&self) -> Cost {
         let mut fixed: FxHashSet<&str> = FxHashSet::default();

@@ -1,9 +1,10 @@
-//! Plan of generated code: its functions and their steps, before they are written in a language.
+//! Plan of generated code: its functions and their programs, before they are written in a language.
 //!
-//! The flow: equations → a [`Planner`] → [`Function`]. A function has a name, arguments, a return value, and a
-//! [`Program`] of ordered, shared and named steps, each with the formula by which a reader knows it. The cost of a call
-//! is counted over the program. A target, such as `rust`, writes the function and decides nothing. It states beforehand
-//! only a [`Language`]: the names that it cannot use. The plan contains no syntax.
+//! The flow: equations → a [`Planner`] → [`Function`]. A function has a name, arguments, a return
+//! value, and a [`Program`] of ordered, shared and named lines, each with its formula as a comment.
+//! The cost of a call is counted over the program. A target, such as `rust`, writes the function
+//! and decides nothing. The target only states a [`Language`]: the names that it cannot use. The
+//! plan contains no syntax.
 
 mod arguments;
 mod cost;

@@ -1,4 +1,4 @@
-//! Functions of one set of equations for programs in other languages: all that a user of the equations calls.
+//! Plan of all functions of one set of equations, for modules in C, Python, MATLAB and CasADi.
 
 use super::formulation::{
     accelerations, constraints, conversions, derivative, divisors, facts, inverse_dynamics, jacobian,
@@ -13,38 +13,40 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::{Jacobian, Solved};
 use tripos_derive::model::Condition;
 
-/// Accelerations in closed form, with their slopes.
+/// Accelerations in closed form, with their derivatives by the state and by the parameters.
 #[derive(Clone, Debug)]
 pub struct Solution {
-    /// Accelerations and their slopes along the state, proved from the equations.
+    /// Accelerations and their derivatives by the state, proved from the equations.
     pub by_state: Solved,
-    /// Slopes of q̇ and v̇ along the parameters; `None` if they would be too long.
+    /// Derivatives of q̇ and v̇ by the parameters, one column per parameter; `None` if they are not
+    /// requested or would be too long.
     pub by_parameters: Option<Jacobian>,
 }
 
-/// Plan of the functions of one set of equations for another language.
+/// Plan of all functions of one set of equations, for a module in C, Python, MATLAB or CasADi.
 #[derive(Debug)]
 pub struct ModulePlan {
-    /// Planned functions, in the order in which they are read.
+    /// Planned functions, in the order in which they are written.
     pub functions: Vec<Function>,
-    /// Names, for people, of the divisors that the function `divisors` returns.
+    /// Names of the divisors that the function `divisors` returns, as formulas.
     pub divisors: Vec<String>,
     /// Names of the constraints whose residuals the function `constraints` returns.
     pub constraints: Vec<String>,
-    /// Names, for people, of the values that the function `conditions` returns.
+    /// Names and texts of the conditions whose values the function `conditions` returns.
     pub conditions: Vec<String>,
     /// Names of the conditions of the domain that no function returns, because they contain reactions.
     pub unchecked: Vec<String>,
     /// Names of the unknowns of the linear system: the accelerations, then the reactions or multipliers.
     pub unknowns: Vec<String>,
-    /// Names of the entries of further results, each list with its title.
+    /// Names of the entries of further results, such as outputs and events. Each list has its
+    /// title.
     pub further: Vec<(&'static str, Vec<String>)>,
-    /// Statements about the equations for a header, line by line.
+    /// Statements about the equations for the header of the module, each as one line.
     pub facts: Vec<String>,
 }
 
 impl ModulePlan {
-    /// Names of all functions that a plan may contain, in the order in which they are read.
+    /// Names of all functions that a plan may contain, in the order in which they are written.
     pub const FUNCTIONS: [&'static str; 28] = [
         "mass_matrix",
         "forcing",
@@ -76,7 +78,8 @@ impl ModulePlan {
         "base_parameters",
     ];
 
-    /// Plans all functions of these equations, with those of the solution if there is one.
+    /// Plans all functions of a set of equations. If `solution` is given, the accelerations and
+    /// their derivatives get functions too.
     #[must_use]
     pub fn new(planner: &Planner<'_>, solution: Option<&Solution>) -> Self {
         let e = planner.equations;
@@ -119,18 +122,20 @@ impl ModulePlan {
         }
     }
 
-    /// Adds the outputs and events of a scene.
+    /// Adds functions for the outputs and events of a scene.
     pub fn show(&mut self, planner: &Planner<'_>, shown: &Shown) {
         self.functions.extend(shown.functions(planner));
         self.list(shown.names());
     }
 
-    /// Adds the regressor of the model.
+    /// Adds functions for the regressor: the matrix that maps inertial parameters to generalized
+    /// forces.
     pub fn regress(&mut self, planner: &Planner<'_>, regression: &Regression, language: &Language) {
         self.functions.extend(regression.functions(planner.model, language));
         self.list(regression.names());
     }
 
+    /// Adds titled lists of names of results, except empty lists.
     fn list<const N: usize>(&mut self, names: [(&'static str, Vec<String>); N]) {
         self.further.extend(names.into_iter().filter(|(_, names)| !names.is_empty()));
     }
@@ -142,18 +147,19 @@ impl ModulePlan {
     }
 }
 
-/// Statement for a header on a condition that no function returns.
+/// Returns the header line for a condition that no function checks because it contains a reaction.
 fn fact_of_unchecked(condition: &Condition) -> String {
     format!("No function checks the condition {} ({}), which contains a reaction.", condition.name, condition.text)
 }
 
-/// Conditions of the domain that contain reactions.
+/// Returns the conditions of the model's domain that contain reactions.
 fn unchecked<'a>(planner: &'a Planner<'_>) -> impl Iterator<Item = &'a Condition> {
     planner.model.domain.iter().filter(|c| needs_reaction(planner, c.positive))
 }
 
-/// Function `conditions`, which returns the values that are positive in the domain of the model, and their names.
-/// Conditions on reactions are left out, because no state alone gives these.
+/// Plans the function `conditions`, whose values are positive in the domain of the model, and
+/// returns their names. Conditions on reactions are left out, because a state alone does not give
+/// reactions. `None` if no condition remains.
 fn of_domain(planner: &Planner<'_>) -> (Option<Function>, Vec<String>) {
     let kept: Vec<_> = planner.model.domain.iter().filter(|c| !needs_reaction(planner, c.positive)).collect();
     let steps = state_steps(planner);

@@ -1,4 +1,5 @@
-//! Functions with which a target runs a motion by itself: accelerations, divisors, constraints and watched quantities.
+//! Plan of the functions that integrate a motion: accelerations, divisors, constraints and watched
+//! quantities.
 
 use super::formulation::{
     accelerations, constraints, conversions, derivative, divisors, facts, kinematics_and_energies, linear_system,
@@ -10,51 +11,56 @@ use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::{Equations, Model};
 
-/// Most steps of accelerations for which q̇ and v̇ are also computed together, in one function.
+/// Largest number of elimination steps for which the function `derivative` is planned, which
+/// computes q̇ and v̇ together.
 const MOST_TOGETHER: usize = 400;
 
-/// Quantity that a run watches: a condition that holds as long as it is positive, or an event where it is zero.
+/// Quantity that a run watches: a condition that must stay positive, or an event function that
+/// crosses zero.
 #[derive(Clone, Debug)]
 pub struct Watched {
-    /// Name of the quantity, for people.
+    /// Name of the quantity for messages to people.
     pub name: String,
-    /// Value of the quantity, in parameters, q, q̇, u and reactions.
+    /// Term of the quantity's value. It may contain parameters, q, q̇, u and reactions.
     pub value: Expr,
 }
 
-/// Functions that run one formulation of one model.
+/// Plan of the functions that integrate the motion by one formulation of one model.
 #[derive(Debug)]
 pub struct MotionPlan {
-    /// Planned functions, in the order in which they are read. They begin with `accelerations`, or with `mass_matrix`
-    /// and `forcing` of a linear system whose first unknowns are the accelerations. Then come `coordinate_rates`, the
-    /// energies and further functions.
+    /// Planned functions, in the order in which they are written. The first is `accelerations`; if
+    /// it is missing, `mass_matrix` and `forcing` of a linear system whose first unknowns are the
+    /// accelerations.
     pub functions: Vec<Function>,
     /// True if the accelerations were solved for in closed form.
     pub is_solved: bool,
-    /// True if a load without a potential in V does work, so that T + V is not constant.
+    /// True if T + V is not constant, because a load without a potential in V does work.
     pub has_power: bool,
-    /// Number of motion variables.
+    /// Number of motion variables: generalized speeds u or rates q̇.
     pub variables: usize,
-    /// Functions `balance_matrix` and `balance_forcing` of the linear system that gives the accelerations and then the
-    /// reactions, from parameters, q and u. Empty if no watched quantity contains a reaction, or the reactions cannot
-    /// be derived.
+    /// Functions `balance_matrix` and `balance_forcing` of the linear system for the accelerations
+    /// and reactions, from p, q and u. Empty if no watched quantity contains a reaction, or if the
+    /// reactions cannot be derived.
     pub balance: Vec<Function>,
-    /// Names, for people, of the divisors that the function `divisors` returns.
+    /// Names of the divisors that the function `divisors` returns, as formulas.
     pub divisors: Vec<String>,
-    /// Names of the constraints whose residuals the function `constraints` returns, the loops of the model first. A
-    /// residual is zero in every motion, and drifts in a run without projection.
+    /// Names of the constraints whose residuals the function `constraints` returns, loops first. A
+    /// residual is zero in every exact motion, and drifts in a run without projection.
     pub constraints: Vec<String>,
-    /// Indices, among the given watched quantities, of the values that the function `conditions` returns.
+    /// Indices, among the given watched quantities, of the values that the function `conditions`
+    /// returns.
     pub conditions: Vec<usize>,
-    /// Indices of the watched quantities that contain a reaction which no balance gives.
+    /// Indices of the watched quantities that cannot be watched, because no linear system gives
+    /// their reactions.
     pub unwatched: Vec<usize>,
-    /// Statements about the formulation for a header, line by line.
+    /// Statements about the formulation for the header of the module, each as one line.
     pub facts: Vec<String>,
 }
 
 impl MotionPlan {
-    /// Plans the equations with the accelerations solved from them. Reactions come from `balance`, which are equations
-    /// of the model with the reactions among their unknowns.
+    /// Plans the functions of the equations, and of the accelerations if `solved` is given.
+    /// Reactions in watched quantities come from `balance`, equations of the same model with the
+    /// reactions among their unknowns.
     #[must_use]
     pub fn new(
         planner: &Planner<'_>,
@@ -102,25 +108,28 @@ impl MotionPlan {
     }
 }
 
-/// True if a watched quantity contains a reaction.
+/// True if the term `e` contains a reaction of the model.
 pub(super) fn needs_reaction(planner: &Planner<'_>, e: Expr) -> bool {
     planner.model.reactions.iter().any(|reaction| planner.arena.mentions(e, reaction.symbol))
 }
 
-/// True if equations are in u, and their unknowns are the accelerations, then the reactions in the order of the model.
+/// True if the motion variables are generalized speeds, and the unknowns are the accelerations
+/// followed by the reactions in the order of the model.
 fn gives_reactions(planner: &Planner<'_>) -> bool {
     let (e, reactions) = (planner.equations, &planner.model.reactions);
     let unknowns = e.unknowns.iter().skip(e.variables.len()).copied();
     !e.formulation.is_in_rates() && unknowns.eq(reactions.iter().map(|reaction| reaction.symbol))
 }
 
-/// Functions of the linear system of a force balance, with the names `balance_matrix` and `balance_forcing`.
+/// Plans the functions `balance_matrix` and `balance_forcing`, the linear system for accelerations
+/// and reactions.
 fn balanced(planner: &Planner<'_>) -> Vec<Function> {
     let names = ["balance_matrix", "balance_forcing"];
     linear_system(planner).0.into_iter().zip(names).map(|(function, name)| Function { name, ..function }).collect()
 }
 
-/// Function `conditions`, which returns the watched quantities `which`, in this order; `None` if there are none.
+/// Plans the function `conditions`, which returns the watched quantities with the indices `which`,
+/// in this order. `None` if there are none.
 fn conditions_of(planner: &Planner<'_>, watched: &[Watched], which: &[usize]) -> Option<Function> {
     let steps = state_steps(planner);
     let values: Vec<Value> = which
@@ -133,13 +142,15 @@ fn conditions_of(planner: &Planner<'_>, watched: &[Watched], which: &[usize]) ->
         .then(|| planner.stepwise("conditions", about, Arguments::Balanced, Returns::Vector, &steps, &values))
 }
 
-/// Steps that compute the definitions of the equations and, of u and q̇, those that the equations do not integrate.
+/// Returns definitions for the terms of the equations, followed by those of q̇ or u, whichever is
+/// not integrated.
 pub(super) fn state_steps(planner: &Planner<'_>) -> Vec<Definition> {
     let e = planner.equations;
     e.definitions.iter().copied().chain(other_variables(planner.model, e)).collect()
 }
 
-/// Steps that compute those of u and q̇ that the equations do not integrate.
+/// Returns definitions of q̇ in terms of u, or of u in terms of q̇ for equations whose motion
+/// variables are q̇.
 pub(super) fn other_variables(model: &Model, e: &Equations) -> Vec<Definition> {
     let (symbols, values) = if e.formulation.is_in_rates() {
         (model.u(), &e.generalized_speeds)

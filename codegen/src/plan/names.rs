@@ -1,66 +1,73 @@
 //! Names in generated code for variables, modules and types.
 //!
-//! Invariant: different symbols get different variables. No variable is a word of the target's language, an argument of
-//! the generated functions or a name in their scope. The target states these names.
+//! Invariant: different symbols get different variables. No variable is a word of the target's
+//! language, an argument of the generated functions or a name in their scope. The target states
+//! these names.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::{Arena, Expr, Function, Node, Rational};
 
-/// Longest name that is made of a term's own formula, in bytes.
+/// Length in bytes of the longest variable name that spells out its term's formula.
 const LONGEST: usize = 24;
-/// Longest list of variables in the name of a term, in bytes.
+/// Length in bytes of the longest list of variables in the name of a term. A longer list becomes
+/// `motion` or `place`.
 const LONGEST_LIST: usize = 12;
 
-/// Rules of a target language for variable names.
+/// Rules of a target language for names of variables.
 pub struct Language {
-    /// True if a word of letters, digits and underscores may be the name of a variable.
+    /// Function that is true if a word of letters, digits and underscores may name a variable.
     pub is_name: fn(&str) -> bool,
-    /// Names that generated functions use for other purposes.
+    /// Names that generated functions use for other purposes, so that no variable may have them.
     pub in_scope: &'static [&'static str],
-    /// Most bytes of a name.
+    /// Largest number of bytes of a variable's name in the language.
     pub longest: usize,
 }
 
 impl Language {
-    /// Rules without forbidden names, for plans that are counted and not written.
+    /// Rules that forbid no name, for plans whose operations are counted and whose text is not
+    /// written.
     pub const NONE: Self = Self { is_name: |_| true, in_scope: &[], longest: usize::MAX };
 }
 
-/// Allocator of names, which gives out each name once.
+/// Allocator of variable names, which returns each name only once.
 #[derive(Clone)]
 pub struct Allocator {
+    /// Function that is true if a word may name a variable in the language.
     is_name: fn(&str) -> bool,
+    /// Largest number of bytes of a variable's name in the language.
     longest: usize,
+    /// Names that the allocator has already returned or that are forbidden.
     taken: FxHashSet<String>,
 }
 
 impl Allocator {
-    /// Allocator in which the names in scope are already taken.
+    /// Returns an allocator in which the names in the scope of generated functions are already in
+    /// use.
     #[must_use]
     pub fn new(language: &Language) -> Self {
         let Language { is_name, longest, .. } = *language;
         Self { is_name, longest, taken: language.in_scope.iter().copied().map(str::to_owned).collect() }
     }
 
-    /// True if a name has not been given out yet.
+    /// True if the allocator has not yet returned the name.
     #[must_use]
     pub fn is_free(&self, name: &str) -> bool {
         !self.taken.contains(name)
     }
 
-    /// Releases names, so that they can be given out again.
+    /// Releases names, so that the allocator can return them again.
     pub fn release<'n>(&mut self, names: impl Iterator<Item = &'n String>) {
         for name in names {
             self.taken.remove(name);
         }
     }
 
-    /// Gives out the name `wanted`, with an underscore after it if it is a word of the language, and with a number if
-    /// it is taken. A name that is too long is cut; one that no underscore makes a name of the language gets a `v_`
-    /// before it.
+    /// Returns a free name like `wanted` and marks it as used. A reserved word gets an underscore,
+    /// a used name a number. A name that is too long is cut. A word that no underscore makes valid
+    /// gets `v_` at the front.
     pub fn unique(&mut self, wanted: &str) -> String {
-        // Room for an underscore or a number.
+        // Eight bytes are left for an underscore or a number.
         let room = self.longest.saturating_sub(8);
         let cut = if wanted.len() > room { wanted.chars().take(room - 2).collect() } else { wanted.to_owned() };
         let letters = |c: char| if c.is_ascii_alphanumeric() { c } else { ' ' };
@@ -78,24 +85,26 @@ impl Allocator {
     }
 }
 
-/// Variables of the symbols: `q1'` has the variable `q1_dot`.
+/// Names of the variables for the symbols in generated code: `q1'` has the variable `q1_dot`.
 #[derive(Clone)]
 pub struct Variables {
-    /// Names of the variables, by symbol.
+    /// Variable names in generated code, by symbol.
     pub of: FxHashMap<Expr, String>,
-    /// Allocator that gave out these names.
+    /// Allocator that returned the variable names.
     pub allocator: Allocator,
-    /// Symbols that change fastest: motion variables and rates. Terms are named after the moving symbols that they
-    /// contain.
+    /// Symbols of motion variables, rates and accelerations. A term with such symbols is named
+    /// after them.
     pub moving: FxHashSet<Expr>,
-    /// Terms of the symbols that sharing introduced, by symbol.
+    /// Terms that the symbols of shared operations stand for, by symbol.
     pub behind: FxHashMap<Expr, Expr>,
-    /// Names of the variables of symbols that sharing introduced, by the symbols' names in formulas.
+    /// Variable names of the symbols of shared operations, by the symbols' names in formulas, such
+    /// as `#1`.
     shared: FxHashMap<String, String>,
 }
 
 impl Variables {
-    /// Variables for all symbols of a store, in order of declaration. The name of the type is taken.
+    /// Names a variable for each symbol of an arena, in order of declaration. No variable is called
+    /// `type_name`.
     #[must_use]
     pub fn new(arena: &Arena, language: &Language, type_name: &str) -> Self {
         let mut allocator = Allocator::new(language);
@@ -108,14 +117,14 @@ impl Variables {
         Self { of, allocator, moving: FxHashSet::default(), behind: FxHashMap::default(), shared: FxHashMap::default() }
     }
 
-    /// Adds the variable of a symbol that sharing introduced.
+    /// Adds the variable `name` for a symbol of a shared operation.
     pub fn insert(&mut self, arena: &Arena, symbol: Expr, name: &str) {
         self.of.insert(symbol, name.to_owned());
         self.shared.insert(arena.symbol_name(symbol).unwrap_or_default().to_owned(), name.to_owned());
     }
 
-    /// Word for the variables on which a term depends: its moving variables, or else its coordinates; `motion` or
-    /// `place` if there are many.
+    /// Returns a word for the variables on which a term depends: its motion variables and rates, or
+    /// else its other symbols. If the list is long, the word is `motion` or `place`.
     fn dependence(&self, arena: &Arena, e: Expr) -> String {
         let (mut symbols, mut stack, mut seen) = (Vec::new(), vec![e], FxHashSet::default());
         while let Some(e) = stack.pop() {
@@ -136,8 +145,8 @@ impl Variables {
         if word.len() > LONGEST_LIST { many.to_owned() } else { word }
     }
 
-    /// Writes a formula with the variables of symbols that sharing introduced. These are spelled `#1`, `#2`, …, or `#`
-    /// and a word for their term.
+    /// Replaces the symbols of shared operations in a formula by their variable names. In formulas
+    /// these symbols are spelled `#1`, `#2` and so on.
     #[must_use]
     pub fn spell(&self, formula: &str) -> String {
         let mut parts = formula.split('#');
@@ -152,7 +161,7 @@ impl Variables {
     }
 }
 
-/// Name of a symbol without primes: `q1_dot` for `q1'`.
+/// Returns the name of a symbol without primes: `q1_dot` for `q1'`, `q1_ddot` for `q1''`.
 #[must_use]
 pub fn spelled(symbol: &str) -> String {
     let stem = symbol.trim_end_matches('\'');
@@ -160,23 +169,23 @@ pub fn spelled(symbol: &str) -> String {
     format!("{stem}{dots}")
 }
 
-/// Name of the unit struct for equations: `NewtonEuler` for `newton-euler`, `PrintedKaneFinal` for
-/// `printed:kane-final`.
+/// Returns the name of the Rust type for a set of equations: `NewtonEuler` for `newton-euler`,
+/// `PrintedKaneFinal` for `printed:kane-final`.
 #[must_use]
 pub fn type_name(name: &str) -> String {
     let words = name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
     words.map(|word| word[..1].to_ascii_uppercase() + &word[1..]).collect()
 }
 
-/// Name of the module for equations: `newton_euler` for `newton-euler`.
+/// Returns the name of the module for a set of equations: `newton_euler` for `newton-euler`.
 #[must_use]
 pub fn module_name(name: &str) -> String {
     let words: Vec<&str> = name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
     words.join("_").to_ascii_lowercase()
 }
 
-/// Word made of the letters and digits of a formula; `None` if it is longer than `longest` or does not begin with a
-/// letter.
+/// Returns a word made of the letters and digits of a formula. `None` if the word is longer than
+/// `longest` bytes or does not begin with a letter.
 #[must_use]
 pub fn identifier(formula: &str, longest: usize) -> Option<String> {
     let spelled = formula.replace('-', "_minus_").replace('+', "_plus_").replace('/', "_by_");
@@ -186,22 +195,24 @@ pub fn identifier(formula: &str, longest: usize) -> Option<String> {
     (word.len() <= longest && word.starts_with(|c: char| c.is_ascii_alphabetic())).then_some(word)
 }
 
-/// Names that a program gives to its terms.
+/// Variable names that one program gives to its intermediate terms.
 pub struct Names {
-    /// Allocator with all names that are taken.
+    /// Allocator that knows all names in use.
     pub allocator: Allocator,
-    /// Variables of the sine and the cosine of each angle.
+    /// Variables of the sine and the cosine, by angle.
     circular: FxHashMap<Expr, (String, String)>,
 }
 
 impl Names {
-    /// Names for a new program, beside those that the allocator has given out.
+    /// Prepares names for a new program. Names that the allocator has already returned are not used
+    /// again.
     #[must_use]
     pub fn new(allocator: Allocator) -> Self {
         Self { allocator, circular: FxHashMap::default() }
     }
 
-    /// Variables of an angle's sine and cosine: `s1`, `c1` for q1, `sin_theta`, `cos_theta` for others.
+    /// Returns the variables of an angle's sine and cosine: `s1`, `c1` for the symbol q1,
+    /// `sin_theta`, `cos_theta` for others.
     pub fn circular(&mut self, arena: &Arena, angle: Expr) -> (String, String) {
         if let Some(known) = self.circular.get(&angle) {
             return known.clone();
@@ -221,21 +232,22 @@ impl Names {
         pair
     }
 
-    /// Free name that describes a term; it is given out.
+    /// Returns a free name that describes a term, and marks it as used.
     pub fn descriptive(&mut self, arena: &Arena, variables: &Variables, e: Expr, stem: &str) -> String {
         let wanted = self.describe(arena, variables, e, stem);
         self.allocator.unique(&wanted)
     }
 
-    /// Name that describes a term: a word for its formula if it is short, else `stem` and the variables on which it
-    /// depends.
+    /// Returns a name that describes a term: its formula as a word if that is short, else `stem`
+    /// and the variables on which the term depends. The name may be in use.
     pub fn describe(&mut self, arena: &Arena, variables: &Variables, e: Expr, stem: &str) -> String {
         let word = self.word(arena, variables, e).map(|word| word.to_lowercase());
         let word = word.filter(|word| word.len() <= LONGEST && word.starts_with(|c: char| c.is_ascii_alphabetic()));
         word.unwrap_or_else(|| format!("{stem}_of_{}", variables.dependence(arena, e)))
     }
 
-    /// Word for a formula: `u2_by_c2`, `r_s1_plus_x`. `None` if the formula nests too deep to be read so.
+    /// Returns the formula of a term as a word, such as `u2_by_c2` or `r_s1_plus_x`. `None` if the
+    /// formula is nested too deeply to be read as a word.
     fn word(&mut self, arena: &Arena, variables: &Variables, e: Expr) -> Option<String> {
         match arena.node(e) {
             Node::Sum(constant, terms) => {
@@ -256,6 +268,8 @@ impl Names {
         }
     }
 
+    /// Returns a product as a word, factor by factor, such as `m_r_sq`. `None` if a factor has no
+    /// word.
     fn product(&mut self, arena: &Arena, variables: &Variables, e: Expr) -> Option<String> {
         let factors = match arena.node(e) {
             Node::Product(factors) => factors.to_vec(),
@@ -278,14 +292,15 @@ impl Names {
         Some(words.join("_"))
     }
 
-    /// Word for a sum in a denominator; `None` for other sums, because the product would seem to end with their first
-    /// term.
+    /// Returns a word for a sum in a denominator. `None` for a sum elsewhere, because the product
+    /// would seem to end with the sum's first term.
     fn sum_below(&mut self, arena: &Arena, variables: &Variables, e: Expr, n: i32) -> Option<String> {
         let flat = |e: &Expr| arena.operands(*e).all(|part| !matches!(arena.node(part), Node::Sum(..)));
         let is_flat = flat(&e) && arena.operands(e).all(|part| flat(&part));
         if n == -1 && is_flat { self.word(arena, variables, e) } else { None }
     }
 
+    /// Returns a word for a symbol, π, or a function of a symbol. `None` for other terms.
     fn atom(&mut self, arena: &Arena, variables: &Variables, e: Expr) -> Option<String> {
         match arena.node(e) {
             Node::Symbol(_) => variables.of.get(&e).cloned(),
@@ -298,8 +313,8 @@ impl Names {
     }
 }
 
-/// Word with its factor's size: `x_doubled`, `x_by_4`, `x_times_3_by_2`; the number alone for an empty word. `None` if
-/// the number is long.
+/// Returns a word with a rational factor: `x_doubled`, `x_by_4`, `x_times_3_by_2`. An empty word
+/// gives the number alone. The sign of the factor is ignored. `None` if the number is long.
 fn scaled(word: &str, k: &Rational) -> Option<String> {
     let (n, d) = k.small()?;
     let (n, d) = (n.unsigned_abs(), d.unsigned_abs());

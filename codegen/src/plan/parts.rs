@@ -1,45 +1,47 @@
-//! Long programs in parts. The compile time of a function of n lines grows with n², and its code is no better than that
-//! of short functions.
+//! Division of a long program into parts, each a function of its own. The compile time of a
+//! function of n lines grows with n², and its code is no faster than that of short functions.
 
 use super::arguments::{Argument, Entry};
 use super::program::Program;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 
-/// Most lines of a program that stays whole.
+/// Largest number of lines of a program that is not divided into parts.
 const MOST_WHOLE: usize = 1500;
 
-/// Number of lines of a part, except the last.
+/// Number of lines in each part except the last.
 const PART: usize = 1000;
 
-/// Part of a long program, which becomes a function.
+/// Part of a long program, which becomes a generated function.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// Arguments of the function, with the variables that the part reads.
+    /// Arguments of the part's function, with the variables that the part reads.
     pub arguments: Vec<Argument>,
-    /// Places in the array that the part reads, with the variables of their values.
+    /// Indices in the exchange array that the part reads, each with the variable that gets the
+    /// value.
     pub reads: Vec<(usize, String)>,
-    /// Lines and outputs of the part.
+    /// Lines and outputs of the program that the part computes.
     pub program: Program,
-    /// Places in the array that the part fills for later parts and the result, with the variables of their values.
+    /// Indices in the exchange array that the part fills for later parts or the result, each with
+    /// the variable that holds the value.
     pub writes: Vec<(usize, String)>,
 }
 
-/// Parts of a long program. A part passes values to later parts by places in an array.
+/// Division of a long program into parts. A part passes values to later parts in an exchange array.
 #[derive(Clone, Debug)]
 pub struct Parts {
-    /// Parts in the order of computation.
+    /// Parts of the program, in the order of computation.
     pub list: Vec<Part>,
-    /// Length of the array.
+    /// Length of the array in which parts exchange values.
     pub places: usize,
-    /// Places in the array that contain the returned values, with their variables.
+    /// Indices in the exchange array of the returned values, each with its variable.
     pub results: Vec<(usize, String)>,
-    /// Arguments that the return value contains directly.
+    /// Arguments whose entries the return value contains unchanged.
     pub arguments: Vec<Argument>,
 }
 
 impl Parts {
-    /// Parts of a program; `None` if it is short enough to stay whole.
+    /// Divides a program into parts; `None` if it is short enough to stay whole.
     #[must_use]
     pub fn of(program: &Program, arguments: &[Argument], entries: &[Entry]) -> Option<Self> {
         let lines = program.lines.len();
@@ -60,7 +62,7 @@ impl Parts {
             last.extend(names.iter().map(|name| (*name, at)));
         }
         let (mut places, mut free): (usize, Vec<usize>) = (0, Vec::new());
-        // Variables whose values are kept for later, with their places.
+        // Variables whose values later parts need, with their indices in the exchange array.
         let mut held: Vec<(&str, usize)> = Vec::new();
         let mut list = Vec::with_capacity(ranges.len());
         for (at, range) in ranges.into_iter().enumerate() {
@@ -93,12 +95,13 @@ impl Parts {
     }
 }
 
+/// Copies variables with their indices in the exchange array, with the index first.
 fn owned<'v>(held: impl Iterator<Item = &'v (&'v str, usize)>) -> Vec<(usize, String)> {
     held.map(|(name, place)| (*place, (*name).to_owned())).collect()
 }
 
-/// Permutes the places, so that a part seldom fills two neighbours. After two stores to neighbours, compilers search in
-/// vain for operations to do in pairs.
+/// Permutes the indices in the exchange array, so that a part seldom fills two neighbours. After
+/// two stores to neighbours, compilers search in vain for operations to do in pairs.
 fn scatter<'p>(list: impl Iterator<Item = &'p mut (usize, String)>, places: usize) {
     let shares_factor = |a: usize| (2..=a).any(|d| a.is_multiple_of(d) && places.is_multiple_of(d));
     let stride = (places * 3 / 8..places).find(|stride| *stride > 0 && !shares_factor(*stride)).unwrap_or(1);
@@ -107,7 +110,7 @@ fn scatter<'p>(list: impl Iterator<Item = &'p mut (usize, String)>, places: usiz
     }
 }
 
-/// Arguments with only those variables that are needed.
+/// Returns the arguments with only those variables that are in `needed`.
 fn restricted(arguments: &[Argument], needed: &FxHashSet<&str>) -> Vec<Argument> {
     let kept = |variable: &String| needed.contains(variable.as_str());
     let restrict = |argument: &Argument| match argument {

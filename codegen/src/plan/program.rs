@@ -1,4 +1,5 @@
-//! Straight-line program: sines and cosines, shared terms and outputs, each with a name that describes it.
+//! Straight-line program of one function: sines and cosines, shared terms and outputs, each with a
+//! descriptive name.
 
 use super::form::is_flat;
 use super::names::{Names, Variables, identifier};
@@ -10,40 +11,43 @@ use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::text::view::{View, view};
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 
-/// Most nodes of one formula that is written; a larger formula is cut, instead of megabytes of code.
+/// Largest number of nodes of a formula that is written. A larger formula is cut, because its code
+/// would take megabytes.
 const BUDGET: usize = 2_000_000;
 
-/// Statement `let name = value;` with the equation that it computes.
+/// Statement `let name = value;`, with the formula of its value as a comment.
 #[derive(Clone, Debug)]
 pub struct Statement {
-    /// Name of the variable.
+    /// Name of the variable that the statement sets.
     pub name: String,
     /// Value of the variable, with shared terms replaced by their names.
     pub value: View,
-    /// Meaning of the variable, in the language of model files; `None` if the value is clear by itself.
+    /// Formula of the value in the notation of model files; `None` if the value reads well by
+    /// itself.
     pub comment: Option<String>,
 }
 
-/// One line of a program.
+/// Line of a program: a sine with its cosine, a shared term, or an elimination step.
 #[derive(Clone, Debug)]
 pub enum Line {
-    /// Sine and cosine of an angle.
+    /// Sine and cosine of one angle, computed together.
     Circular {
-        /// Name of the sine's variable.
+        /// Name of the variable for the sine.
         sine: String,
-        /// Name of the cosine's variable.
+        /// Name of the variable for the cosine.
         cosine: String,
-        /// Angle in radians, as a formula.
+        /// Formula of the angle, rad.
         angle: View,
     },
-    /// Shared term.
+    /// Definition of a term that is used more than once.
     Let(Statement),
-    /// Step of an elimination.
+    /// Intermediate term with a symbol of its own, such as a step of an elimination.
     Step(Statement),
 }
 
 impl Line {
-    /// Expression that the line computes; for a sine and a cosine, their angle.
+    /// Returns the formula that the line computes; for a sine and a cosine, the formula of their
+    /// angle.
     #[must_use]
     pub fn value(&self) -> &View {
         match self {
@@ -54,7 +58,7 @@ impl Line {
 }
 
 impl Line {
-    /// Variables that the line sets.
+    /// Returns the names of the variables that the line sets.
     fn names_set(&self) -> Vec<&str> {
         match self {
             Self::Circular { sine, cosine, .. } => vec![sine, cosine],
@@ -63,19 +67,20 @@ impl Line {
     }
 }
 
-/// Body of one generated function.
+/// Body of one generated function: lines in the order of computation, then outputs.
 #[derive(Clone, Debug, Default)]
 pub struct Program {
-    /// Symbols that the program reads.
+    /// Symbols that the program reads, such as parameters and coordinates.
     pub inputs: FxHashSet<Expr>,
-    /// Sines, cosines and shared terms, each after those that it needs.
+    /// Lines for sines, cosines, shared terms and elimination steps, each after the lines that it
+    /// needs.
     pub lines: Vec<Line>,
-    /// Statements of the outputs, in order.
+    /// Statements that compute the outputs, in order.
     pub outputs: Vec<Statement>,
 }
 
 impl Program {
-    /// Equations that the program computes, as formulas: of the steps of an elimination, and of the outputs.
+    /// Returns the equations `name = formula` of the elimination steps, then of the outputs.
     pub fn equations(&self) -> impl Iterator<Item = &str> {
         let steps = self.lines.iter().filter_map(|line| match line {
             Line::Step(step) => Some(step),
@@ -84,8 +89,8 @@ impl Program {
         steps.chain(&self.outputs).filter_map(|statement| statement.comment.as_deref())
     }
 
-    /// Drops lines and inputs that no later line, no output and no result reads. A shared term or a step may be read by
-    /// nothing: the formulas in which it stood are written without it.
+    /// Removes lines and inputs that no later line, no output and no result reads. A line can be
+    /// unread because a formula that contained its term was written without it.
     fn drop_unread(&mut self, variables: &Variables, results: &[Expr]) {
         let of = |symbol: &Expr| variables.of.get(symbol).map(String::as_str);
         let mut read: FxHashSet<&str> = results.iter().filter_map(of).collect();
@@ -102,7 +107,8 @@ impl Program {
         self.lines.retain(|_| is_read.next().unwrap_or(true));
     }
 
-    /// Variables that lines and outputs of a range read. Lines count first, then outputs.
+    /// Returns the names of the variables that a range of the program reads. Indices count lines
+    /// first, then outputs.
     #[must_use]
     pub fn names_read(&self, range: Range<usize>) -> FxHashSet<&str> {
         let mut names = FxHashSet::default();
@@ -111,7 +117,8 @@ impl Program {
         names
     }
 
-    /// Variables that lines and outputs of a range set, in order. Lines count first, then outputs.
+    /// Returns the names of the variables that a range of the program sets, in order. Indices count
+    /// lines first, then outputs.
     #[must_use]
     pub fn names_set(&self, range: Range<usize>) -> Vec<&str> {
         let of_outputs = self.outputs.iter().map(|output| vec![output.name.as_str()]);
@@ -119,7 +126,7 @@ impl Program {
     }
 }
 
-/// Collects the variables in a value.
+/// Adds the names of the variables in a formula to the set `names`.
 fn collect<'v>(view: &'v View, names: &mut FxHashSet<&'v str>) {
     match view {
         View::Shared(name) => {
@@ -136,23 +143,25 @@ fn collect<'v>(view: &'v View, names: &mut FxHashSet<&'v str>) {
     }
 }
 
-/// Output to be computed: its variable, its symbol in comments, its expression.
+/// Output of a function to be computed: variable, label in comments, and term.
 #[derive(Clone, Debug)]
 pub struct Output {
-    /// Wanted name of the variable; another name is used if it is taken.
+    /// Wanted name of the variable. If it is in use, a number is appended.
     pub name: String,
-    /// Label of the output in comments: `M12`, `f3`.
+    /// Label of the output in comments, such as `M12` or `f3`.
     pub label: String,
-    /// Expression to be computed.
+    /// Term whose value the output is.
     pub value: Expr,
-    /// Value as comments state it, before terms were shared.
+    /// Term as comments show it, before common operations were shared.
     pub stated: Expr,
 }
 
-/// Orders, shares and names all terms that the outputs need. The symbols of `steps` are no inputs: each is computed
-/// after the steps before it, and before the terms that contain it. Comments show the values that `stated` has for
-/// steps. Symbols that [`tripos_derive::algebra::form::sharing`] introduced get names here. Symbols in `results` are
-/// returned as they are, and so their steps are kept.
+/// Builds the program that computes the outputs: orders, shares and names all terms.
+///
+/// The symbols of `steps` are no inputs. Each step is computed after the steps before it, and
+/// before the terms that contain it. Comments show the values that `stated` has for steps. Symbols
+/// that [`tripos_derive::algebra::form::sharing`] introduced get names here. Steps whose symbols
+/// are in `results` are kept, because the function returns them unchanged.
 #[must_use]
 pub fn program(
     arena: &Arena,
@@ -197,29 +206,33 @@ pub fn program(
     program
 }
 
-/// Builder of a program.
+/// Builder of a program. It collects lines, and names each term that gets a variable.
 struct Builder<'a> {
+    /// Arena that stores the terms (symbolic expressions).
     arena: &'a Arena,
+    /// Number of times that each term is used in other terms or as an output.
     uses: FxHashMap<Expr, usize>,
-    /// Name of the first step or output that needs each term. It is the stem of a term's name if the term has no better
-    /// one.
+    /// Name of the first step or output that contains each term. It is the stem of the term's name
+    /// if the term has no better name.
     needs: FxHashMap<Expr, String>,
+    /// Names of the program's intermediate terms.
     names: Names,
-    /// Variables of symbols, steps included.
+    /// Variables of all symbols, including the symbols of steps.
     variables: Variables,
-    /// Names of the variables of all terms that have one.
+    /// Names of the variables of all terms that have a variable.
     shared: FxHashMap<Expr, String>,
+    /// Lines of the program built so far.
     lines: Vec<Line>,
-    /// Terms that were already handled.
+    /// Terms whose lines are already in the program.
     done: FxHashSet<Expr>,
     /// Angles whose sine and cosine are computed, as formula and as term.
     circular: Vec<(View, Expr)>,
-    /// Tangents that are computed: angle and name of the variable.
+    /// Tangents that are computed, each as its angle and the name of its variable.
     tangents: Vec<(View, String)>,
 }
 
 impl Builder<'_> {
-    /// Adds lines for the sines, cosines and shared terms in these terms.
+    /// Adds lines for the sines, cosines and repeated terms that the terms `roots` contain.
     fn terms(&mut self, roots: &[Expr]) {
         for e in self.arena.reachable(roots) {
             if !self.done.insert(e) {
@@ -235,7 +248,8 @@ impl Builder<'_> {
         }
     }
 
-    /// Adds a line for the sine and the cosine of an angle, unless there is one.
+    /// Adds a line for the sine and cosine of an angle, unless there is already such a line. `e` is
+    /// the term of one of them.
     fn circle(&mut self, e: Expr, f: Function, angle: Expr) {
         let (sine, cosine) = self.names.circular(self.arena, angle);
         self.shared.insert(e, if f == Function::Sin { sine.clone() } else { cosine.clone() });
@@ -248,7 +262,7 @@ impl Builder<'_> {
         self.lines.push(Line::Circular { sine, cosine, angle: view });
     }
 
-    /// Adds a line for a term that is used more than once.
+    /// Adds a line for a term that is used more than once, with a descriptive name.
     fn share(&mut self, e: Expr) {
         let name = self.descriptive(e);
         let value = self.resolve(view(self.arena, e, &self.shared, BUDGET));
@@ -257,7 +271,8 @@ impl Builder<'_> {
         self.lines.push(Line::Let(Statement { name, value, comment }));
     }
 
-    /// Adds a step that sharing introduced. A term that already has a name, such as a tangent, keeps it.
+    /// Adds a line for the symbol of a shared operation. If its value already has a variable, such
+    /// as a tangent, the symbol gets this variable and no line.
     fn shared_step(&mut self, step: Definition) {
         let value = self.operand(step.value);
         let value = self.resolve(value);
@@ -277,7 +292,7 @@ impl Builder<'_> {
         self.lines.push(Line::Let(Statement { name, value, comment }));
     }
 
-    /// Adds a step of an elimination, whose variable is named after its symbol.
+    /// Adds a line for an elimination step. Its variable is named after its symbol.
     fn step(&mut self, step: Definition, stated: &[Definition]) {
         let name = self.variables.of[&step.symbol].clone();
         let value = self.operand(step.value);
@@ -288,37 +303,41 @@ impl Builder<'_> {
         self.lines.push(Line::Step(Statement { name, value, comment }));
     }
 
+    /// Returns the statement of an output with its equation as a comment.
     fn output(&mut self, output: &Output, name: String) -> Statement {
         let value = self.operand(output.value);
         let value = self.resolve(value);
         Statement { name, value, comment: Some(self.equation(&output.label, output.stated)) }
     }
 
-    /// Comment `name = formula`; the name alone if the value is this symbol.
+    /// Returns the comment `name = formula`, or only the name if the value is the symbol of this
+    /// name.
     fn equation(&self, name: &str, value: Expr) -> String {
         let stays = self.arena.symbol_name(value) == Some(name);
         if stays { name.to_owned() } else { format!("{name} = {}", text(self.arena, value)) }
     }
 
-    /// Free name after the formula of a term, or after the first step or output that needs it.
+    /// Returns a free name that describes a term by its formula, or by the first step or output
+    /// that needs it.
     fn descriptive(&mut self, e: Expr) -> String {
         let stem = self.needs.get(&e).map_or("shared", String::as_str);
         self.names.descriptive(self.arena, &self.variables, e, stem)
     }
 
-    /// Formula of a shared term, for a comment; `None` if its value contains no sum, because such a value reads well in
-    /// any language.
+    /// Returns the formula of a shared term for a comment. `None` if its value contains no sum,
+    /// because such a value reads well in any language.
     fn meaning(&self, e: Expr, value: &View) -> Option<String> {
         (!is_flat(value)).then(|| self.variables.spell(&text(self.arena, e)))
     }
 
-    /// Adds the variable of a symbol that sharing introduced.
+    /// Records the variable `name` for the symbol of a shared operation.
     fn name(&mut self, symbol: Expr, name: &str) {
         self.variables.insert(self.arena, symbol, name);
         self.shared.insert(symbol, name.to_owned());
     }
 
-    /// View of a term inside others: its variable, if it has one.
+    /// Returns a term as it appears in a larger formula: as its variable if it has one, else as its
+    /// formula.
     fn operand(&self, e: Expr) -> View {
         match self.shared.get(&e) {
             Some(name) => View::Shared(name.clone()),
@@ -326,12 +345,15 @@ impl Builder<'_> {
         }
     }
 
-    /// Replaces every tangent by its variable, which is computed before.
+    /// Replaces every tangent in a formula by its variable. Adds the lines that compute these
+    /// variables.
     fn resolve(&mut self, mut value: View) -> View {
         replace_tangents(&mut value, &mut |angle| self.tangent(angle));
         value
     }
 
+    /// Returns the variable of the tangent of an angle, computed as sine over cosine. Adds its line
+    /// if there is none.
     fn tangent(&mut self, angle: &View) -> View {
         if let Some((_, name)) = self.tangents.iter().find(|(a, _)| a == angle) {
             return View::Shared(name.clone());
@@ -350,7 +372,7 @@ impl Builder<'_> {
         View::Shared(name)
     }
 
-    /// Lines of the program. Sines and cosines of inputs come first, where a reader looks for them.
+    /// Returns the lines of the program. Sines and cosines of input angles are moved to the front.
     fn ordered(self) -> Vec<Line> {
         let set: FxHashSet<String> = self.lines.iter().flat_map(Line::names_set).map(str::to_owned).collect();
         let needs_nothing = |line: &Line| match line {
@@ -363,7 +385,7 @@ impl Builder<'_> {
     }
 }
 
-/// Numbers of uses of each term, as an operand or as an output.
+/// Counts the uses of each term, as an operand of another term or as an output.
 fn use_counts(arena: &Arena, parts: &[Expr], roots: &[Expr]) -> FxHashMap<Expr, usize> {
     let mut uses: FxHashMap<Expr, usize> = FxHashMap::default();
     for operand in parts.iter().flat_map(|part| arena.operands(*part)).chain(roots.iter().copied()) {
@@ -372,7 +394,7 @@ fn use_counts(arena: &Arena, parts: &[Expr], roots: &[Expr]) -> FxHashMap<Expr, 
     uses
 }
 
-/// Name of the first step or output that needs each term.
+/// Finds, for each term, the name of the first step or output that contains it.
 fn first_needs(
     arena: &Arena,
     variables: &Variables,
@@ -396,6 +418,7 @@ fn first_needs(
     needs
 }
 
+/// Replaces every tangent in a formula by the value of `name` for its angle.
 fn replace_tangents(view: &mut View, name: &mut impl FnMut(&View) -> View) {
     match view {
         View::Call("tan", angle) => *view = name(angle),

@@ -1,7 +1,9 @@
-//! Functions for identification: inverse dynamics as a sum over inertial parameters, M u̇ − f = Σ π_k Y_k + rest.
+//! Functions for identification: inverse dynamics as a sum over inertial parameters, M u̇ − f = Σ
+//! π_k Y_k + rest.
 //!
-//! Two sets of parameters have functions: all inertial parameters of the bodies, and the base parameters, which motion
-//! can determine. The second set is written only if every base parameter is a proved formula in the model's parameters.
+//! Two sets of parameters have functions: all inertial parameters of the bodies, and the base
+//! parameters, which motion can determine. The second set is written only if each base parameter is
+//! proved to equal a formula in the model's parameters.
 
 use super::function::{Arguments, Function, Planner, Returns, Sharing, Value};
 use super::names::Language;
@@ -12,32 +14,39 @@ use tripos_derive::identify::{Base, Complete, Factor, Identification};
 use tripos_derive::mechanics::{Column, DeriveError, Varied};
 use tripos_derive::{Equations, Model};
 
-/// Regressor of a model as functions, beside the functions of Kane's equations.
+/// Regressor of a model's inverse dynamics, from which functions are planned.
 pub struct Regression {
+    /// Arena with the terms of the regressor.
     arena: Arena,
-    /// Kane's equations, for names and arguments, with the steps that lead to the columns as definitions.
+    /// Kane's equations for names and arguments. Their definitions are the intermediate terms of
+    /// the columns.
     equations: Equations,
+    /// Columns of the regressor: an inertial parameter, its formula, and a generalized force for
+    /// each speed.
     columns: Vec<Column>,
+    /// Part of the generalized forces that contains no inertial parameter, one entry per speed.
     rest: Vec<Expr>,
+    /// Base parameters with their formulas; `None` unless each has a proved formula.
     base: Option<Vec<BaseParameter>>,
 }
 
-/// Base parameter with a formula.
+/// Base parameter, a combination of inertial parameters that motion determines, with its formula.
 struct BaseParameter {
-    /// Index of the column whose parameter names it.
+    /// Index of the regressor column whose parameter gives the base parameter its name.
     column: usize,
+    /// Formula of the base parameter in the parameters of the model.
     value: Expr,
 }
 
 impl Regression {
-    /// Names of the functions. They are long, and written only if they are asked for.
+    /// Names of the functions for identification. They are long, and written only on request.
     pub const FUNCTIONS: [&'static str; 5] =
         ["regressor", "regressor_rest", "inertial_parameters", "base_regressor", "base_parameters"];
 
-    /// Derives the regressor of a model with Kane's equations.
+    /// Derives the regressor of a model; `equations` are Kane's.
     ///
     /// # Errors
-    /// [`DeriveError`] if the model cannot be derived.
+    /// [`DeriveError`] if the regressor of the model cannot be derived.
     pub fn new(model: &Model, equations: &Equations) -> Result<Self, DeriveError> {
         let Identification { regressor, base, grouped, complete, .. } = Identification::new(model, Varied::Bodies)?;
         let (mut arena, mut columns) = (regressor.arena, regressor.columns);
@@ -57,7 +66,7 @@ impl Regression {
         Ok(Self { arena, equations, columns, rest: rest.to_vec(), base })
     }
 
-    /// Functions of the regressor in a language.
+    /// Plans the functions of the regressor, named for a target language.
     #[must_use]
     pub fn functions(&self, model: &Model, language: &Language) -> Vec<Function> {
         let planner = Planner::new(model, &self.arena, &self.equations, language, Sharing::Shared);
@@ -92,7 +101,8 @@ impl Regression {
         list
     }
 
-    /// Function for some of the columns, row by row.
+    /// Plans a function that returns the given columns of the regressor as a matrix, with a row for
+    /// each speed.
     fn table(&self, planner: &Planner<'_>, name: &'static str, about: &str, columns: &[usize]) -> Function {
         let speeds = &planner.model.speeds;
         let values = speeds.iter().enumerate().flat_map(|(row, speed)| {
@@ -107,7 +117,8 @@ impl Regression {
         planner.stepwise(name, about, Arguments::StateAndRates, returns, &self.equations.definitions, &values)
     }
 
-    /// Names of the parameters of the columns, under the title of each list.
+    /// Returns the names of all inertial parameters and of the base parameters, each list with its
+    /// title for a header.
     #[must_use]
     pub fn names(&self) -> [(&'static str, Vec<String>); 2] {
         let all = self.columns.iter().map(|column| column.name.clone()).collect();
@@ -116,7 +127,8 @@ impl Regression {
     }
 }
 
-/// Formulas of the base parameters; `None` if one has a factor without a formula.
+/// Returns the formulas of the base parameters. `None` if a combination has a factor without a
+/// formula.
 fn base_parameters(arena: &mut Arena, columns: &[Column], base: &[Base]) -> Option<Vec<BaseParameter>> {
     let mut simplifier = Simplifier::default();
     let mut list = Vec::new();
@@ -132,7 +144,7 @@ fn base_parameters(arena: &mut Arena, columns: &[Column], base: &[Base]) -> Opti
     Some(list)
 }
 
-/// Entry of a function, with a numbered variable.
+/// Returns a value of a function whose variable is `stem` with the number `at` + 1.
 fn entry(stem: &str, at: usize, name: String, value: Expr) -> Value {
     (format!("{stem}{}", at + 1), name, value)
 }

@@ -1,4 +1,5 @@
-//! Plan of the functions of one scene's reduced equations, and costs of a call compared with the whole model.
+//! Plan of the functions of a scene's reduced equations, and their cost compared with the equations
+//! of the whole model.
 
 use super::cost::Cost;
 use super::formulation::{
@@ -16,22 +17,27 @@ use tripos_derive::mechanics::{self, DeriveError, Solved, Unsolved};
 use tripos_derive::reduce::{Quantity, Reduction, Slope};
 use tripos_derive::{Equations, Formulation, derive};
 
-/// Solved equations of a scene, from which its functions are planned.
+/// Reduced equations of a scene, solved for the accelerations.
 pub struct SceneEquations<'a> {
-    /// Reduction of the scene.
+    /// Reduction of the model's equations for the scene.
     pub reduction: &'a Reduction,
+    /// Arena with the terms of the equations and their solution.
     arena: Arena,
+    /// Accelerations in closed form and their derivatives by the state.
     solved: Solved,
+    /// Recurrences of the Taylor coefficients of the motion; `None` if they are not available.
     recurrences: Option<Recurrences>,
-    /// Gradient of the energy along the state.
+    /// Derivatives of the energy T + V by the coordinates and the motion variables.
     gradient: Vec<Expr>,
 }
 
 impl<'a> SceneEquations<'a> {
-    /// Solves the equations of a reduction.
+    /// Solves the reduced equations for the accelerations, and prepares recurrences and the
+    /// gradient of the energy.
     ///
     /// # Errors
-    /// [`Unsolved`] if the accelerations are not determined in any configuration, or are not proved.
+    /// [`Unsolved`] if the accelerations are not determined in any configuration, or are not
+    /// proved.
     pub fn new(reduction: &'a Reduction) -> Result<Self, Unsolved> {
         let mut arena = reduction.terms().clone();
         let equations = &reduction.derivation.equations;
@@ -41,7 +47,7 @@ impl<'a> SceneEquations<'a> {
         Ok(Self { reduction, arena, solved, recurrences, gradient })
     }
 
-    /// Planner of the scene's functions for a language.
+    /// Returns a planner of the scene's functions for a target language.
     #[must_use]
     pub fn planner(&self, language: &Language) -> Planner<'_> {
         Planner::new(
@@ -54,37 +60,40 @@ impl<'a> SceneEquations<'a> {
     }
 }
 
-/// Plan of the code of one scene's reduced equations.
+/// Plan of the generated code for a scene's reduced equations.
 pub struct ScenePlan<'a> {
-    /// Reduction of the scene.
+    /// Reduction of the model's equations for the scene.
     pub reduction: &'a Reduction,
-    /// Functions that compute the constants and the start from a start of the whole model, with the model's parameters.
-    /// Empty if the equations are in a moving frame, because then no formula gives the start.
+    /// Functions that compute the constants and the reduced start from parameters and a start of
+    /// the whole model. Empty for equations in a moving frame, because no formula gives the start
+    /// there.
     pub from_start: Vec<Function>,
-    /// Functions of the equations, in the order in which they are read.
+    /// Functions of the equations that people read: accelerations, rates, energies, outputs.
     pub equations: Vec<Function>,
-    /// Further functions for runs.
+    /// Functions that only runs need: derivative, Jacobian, divisors, gradient of the energy, slope
+    /// of the potential energy.
     pub machine: Vec<Function>,
-    /// Names, for people, of the divisors that the function `divisors` returns; empty if no divisor can be zero.
+    /// Names of the divisors that the function `divisors` returns, as formulas; empty if no divisor
+    /// can be zero.
     pub divisors: Vec<String>,
-    /// Recurrences of the Taylor coefficients; `None` if they are not requested.
+    /// Recurrences of the Taylor coefficients; `None` if they are not requested or not known.
     pub taylor: Option<TaylorPlan<'a>>,
-    /// Statements about the equations for the header, line by line.
+    /// Statements about the equations for the header of the file, each as one line.
     pub facts: Vec<String>,
 }
 
-/// Treatment of the recurrences of the Taylor coefficients.
+/// Choice of whether the recurrences of the Taylor coefficients are planned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Taylor {
-    /// The recurrences are planned, if they are known.
+    /// The recurrences are planned, provided that they are known.
     Planned,
-    /// The recurrences are left out.
+    /// The recurrences of the Taylor coefficients are not planned.
     LeftOut,
 }
 
 impl<'a> ScenePlan<'a> {
-    /// Plans the functions of a scene of the model `whole`. Plans also the entries of the Jacobian and the recurrences
-    /// if they are requested.
+    /// Plans the functions of a scene of the model `whole`. Plans the entries of the Jacobian and
+    /// the Taylor recurrences only if they are requested.
     #[must_use]
     pub fn new(
         whole: &Model,
@@ -118,8 +127,8 @@ impl<'a> ScenePlan<'a> {
     }
 }
 
-/// Functions `constants` and `start`, which return the parameters and the state of the scene's equations, from a start
-/// of the whole model.
+/// Plans the functions `constants` and `start`. From a start of the whole model they compute the
+/// parameters and the state of the reduced equations.
 fn from_start(whole: &Model, planner: &Planner<'_>, reduction: &Reduction) -> [Function; 2] {
     let e = planner.equations;
     let equations = Equations { coordinates: whole.q(), variables: whole.u(), ..e.clone() };
@@ -141,7 +150,8 @@ fn from_start(whole: &Model, planner: &Planner<'_>, reduction: &Reduction) -> [F
     [constants, function("start", about, Returns::Pair(e.coordinates.len()), &state)]
 }
 
-/// Header lines: the outputs of the scene, the states and quadratures left to integrate, and the constants.
+/// Returns the header lines: outputs, states, quadratures, constants, moving frame, fixed
+/// parameters, singular configurations.
 fn facts(reduction: &Reduction) -> Vec<String> {
     let arena = reduction.terms();
     let names = |list: &[Quantity]| match list {
@@ -169,7 +179,8 @@ fn facts(reduction: &Reduction) -> Vec<String> {
     lines
 }
 
-/// Line for a constant: its name, its value at the start and its description, each written once.
+/// Returns the header line for a constant: name, value at the start and description, without
+/// repetition.
 fn stated(name: &str, formula: &str, about: &str) -> String {
     match (name == formula, formula == about) {
         (true, _) => format!("{name}: {about}."),
@@ -178,6 +189,7 @@ fn stated(name: &str, formula: &str, about: &str) -> String {
     }
 }
 
+/// Plans the function `outputs`, which returns the scene's outputs at time t after the start.
 fn outputs(planner: &Planner<'_>, reduction: &Reduction) -> Function {
     let values: Vec<Value> = reduction
         .outputs
@@ -195,7 +207,8 @@ fn outputs(planner: &Planner<'_>, reduction: &Reduction) -> Function {
     planner.stepwise("outputs", about, arguments, Returns::Vector, definitions, &values)
 }
 
-/// Function `energy_gradient`, which returns T + V, then its derivatives along the state.
+/// Plans the function `energy_gradient`, which returns T + V, then its derivatives by the
+/// coordinates and motion variables.
 fn energy_gradient(planner: &Planner<'_>, gradient: &[Expr]) -> Function {
     let e = planner.equations;
     let mut arena = planner.arena.clone();
@@ -210,9 +223,11 @@ fn energy_gradient(planner: &Planner<'_>, gradient: &[Expr]) -> Function {
     planner.stepwise("energy_gradient", about, Arguments::State, Returns::Vector, &e.definitions, &values)
 }
 
-/// Functions for the slope of the potential energy between two coordinates `q`. The formula is not rewritten, because
-/// sharing would bring back the cancellations that it avoids. `u` contains sin z/z of the angles z from the function
-/// `half_differences`.
+/// Plans the functions `half_differences` and `potential_slope` for the slope (V(b) − V(a))/(b − a)
+/// of the potential energy.
+/// Their coordinates `q` are (a, b). Their `u` holds sin z/z for the angles z that
+/// `half_differences` returns. The formula is not rewritten, because sharing would bring back the
+/// cancellation that it avoids.
 fn potential_slope(planner: &Planner<'_>, slope: &Slope) -> Vec<Function> {
     let (symbols, angles): (Vec<Expr>, Vec<Expr>) = slope.sincs.iter().copied().unzip();
     let equations = Equations {
@@ -246,21 +261,22 @@ fn potential_slope(planner: &Planner<'_>, slope: &Slope) -> Vec<Function> {
     ]
 }
 
-/// Costs of one call of the derivative of the state: of all equations by Kane's method, and of a scene's reduced
-/// equations.
+/// Numbers of operations in one call of the state derivative: for Kane's equations of the whole
+/// model, and for a scene's reduced equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Costs {
-    /// Cost of a call for the whole model.
+    /// Number of operations of a call for the whole model.
     pub full: Cost,
-    /// Cost of a call for the scene.
+    /// Number of operations of a call for the reduced equations of the scene.
     pub scene: Cost,
 }
 
-/// Counts the operations of generated code for the whole model and for a scene.
+/// Counts the operations of the state derivative for the whole model and for a scene's reduced
+/// equations.
 ///
 /// # Errors
-/// [`DeriveError`] if Kane's equations cannot be derived, or if the accelerations are not determined in any
-/// configuration.
+/// [`DeriveError`] if Kane's equations cannot be derived, or if the accelerations are not
+/// determined in any configuration.
 pub fn costs(model: &Model, reduction: &Reduction) -> Result<Costs, DeriveError> {
     let of = |model: &Model, arena: &Arena, equations: &Equations| {
         let mut arena = arena.clone();

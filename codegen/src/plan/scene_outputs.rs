@@ -1,4 +1,4 @@
-//! Functions for the outputs and events of a scene, in the state alone.
+//! Planned functions for the outputs and events of a scene, which depend on the state alone.
 
 use super::function::{Arguments, Function, Planner, Returns, Value};
 use super::motion::other_variables;
@@ -9,7 +9,7 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::scene::{ENERGIES, Scene, SceneEvent, SceneOutput};
 use tripos_derive::{Equations, Model};
 
-/// Reason why no function gives an output or an event of a scene.
+/// Reason why a scene's output or event has no function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hidden {
     /// The formula contains a reaction, which no closed form gives.
@@ -18,22 +18,23 @@ pub enum Hidden {
     Acceleration,
 }
 
-/// Outputs and events of a scene, with the steps that lead to them from the state.
+/// Outputs and events of a scene, with the intermediate terms that compute them from the state.
 #[derive(Clone, Debug)]
 pub struct Shown {
-    /// Steps that compute the accelerations, the other of u and q̇, and the energies, in the order of computation.
+    /// Definitions in the order of computation: accelerations, q̇ or u (whichever is not
+    /// integrated), and energies.
     pub steps: Vec<Definition>,
-    /// Outputs that the state determines.
+    /// Outputs of the scene that the state determines.
     pub outputs: Vec<SceneOutput>,
-    /// Events that the state determines.
+    /// Events of the scene whose functions the state determines.
     pub events: Vec<SceneEvent>,
-    /// Names of the outputs and events that are left out, with the reasons.
+    /// Names of the outputs and events without a function, each with the reason.
     pub left_out: Vec<(String, Hidden)>,
 }
 
 impl Shown {
-    /// Outputs and events of a scene that the equations give. `solved` are their accelerations, if they have a closed
-    /// form.
+    /// Selects the outputs and events that the state determines. `solved` gives the accelerations;
+    /// `None` if they have no closed form.
     #[must_use]
     pub fn new(
         model: &Model,
@@ -68,7 +69,7 @@ impl Shown {
         Self { steps, outputs, events, left_out }
     }
 
-    /// Functions `outputs` and `events`, each if it has an entry.
+    /// Plans the functions `outputs` and `events`. A function without entries is left out.
     #[must_use]
     pub fn functions(&self, planner: &Planner<'_>) -> Vec<Function> {
         let outputs = numbered("output", self.outputs.iter().map(|o| (o.name.clone(), o.value)));
@@ -82,8 +83,8 @@ impl Shown {
         list.into_iter().flatten().collect()
     }
 
-    /// Names of the entries that the functions `outputs` and `events` return. Each list stands beside the title under
-    /// which the header of a module prints it.
+    /// Returns the names of the entries that the functions `outputs` and `events` return, each list
+    /// with its title for a header.
     #[must_use]
     pub fn names(&self) -> [(&'static str, Vec<String>); 2] {
         let outputs = self.outputs.iter().map(|output| output.name.clone()).collect();
@@ -91,7 +92,8 @@ impl Shown {
     }
 }
 
-/// Steps that compute v̇, the other of u and q̇ with the rates of u, and the energies.
+/// Returns definitions of the accelerations v̇, of q̇ or u (whichever is not integrated), of the
+/// rates of u, and of the energies.
 fn steps(model: &Model, arena: &mut Arena, equations: &Equations, solved: Option<&Elimination>) -> Vec<Definition> {
     let mut steps = solved.map_or_else(Vec::new, |solved| solved.steps.clone());
     let known: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
@@ -106,14 +108,14 @@ fn steps(model: &Model, arena: &mut Arena, equations: &Equations, solved: Option
     let total = arena.add(equations.kinetic_energy, equations.potential_energy);
     let energies = [equations.kinetic_energy, equations.potential_energy, total];
     for (name, value) in ENERGIES.iter().zip(energies) {
-        // A quantity of the model with the name of an energy is meant itself.
+        // If the model has a parameter with the name of an energy, the name means that parameter.
         let symbol = arena.find_symbol(name).filter(|symbol| !model.p().contains(symbol));
         steps.extend(symbol.map(|symbol| Definition { symbol, value }));
     }
     steps
 }
 
-/// Values with numbered variables, from names for people and terms.
+/// Returns values to be computed whose variables are `stem` with the numbers 1, 2 and so on.
 pub fn numbered(stem: &str, list: impl Iterator<Item = (String, Expr)>) -> Vec<Value> {
     list.enumerate().map(|(at, (name, value))| (format!("{stem}{}", at + 1), name, value)).collect()
 }

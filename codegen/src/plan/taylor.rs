@@ -1,4 +1,5 @@
-//! Plan of a function `taylor`: the names and the order of all that it computes, and its comments.
+//! Plan of the function `taylor`, which computes Taylor coefficients of a motion: names of
+//! variables, order and comments.
 
 use super::{Allocator, Argument, Explanation, Names, Output, Planner, Program, Variables, identifier, program};
 use crate::taylor::{Operand, Recurrences, Rule, Series};
@@ -6,41 +7,45 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::{Arena, Expr, Function as Elementary, Node};
 
-/// Factor of the padded number of convolutions: `LANES` of `tripos_traits::series`.
+/// Number of which the padded number of convolutions is a multiple: `LANES` of
+/// `tripos_traits::series`.
 const LANES: usize = 8;
 
-/// Plan of a function that computes Taylor coefficients by recurrences.
+/// Plan of a function that computes the Taylor coefficients of the state by recurrences, order by
+/// order.
 pub struct TaylorPlan<'a> {
-    /// Store of all terms.
+    /// Arena that stores all terms (symbolic expressions).
     pub arena: &'a Arena,
-    /// Recurrences that the function computes.
+    /// Recurrences that the function computes, one for each series.
     pub list: &'a Recurrences,
-    /// Variables of the symbols.
+    /// Variables of the symbols in the generated code.
     pub variables: Variables,
-    /// Name of the variable of each series.
+    /// Name of the variable of each series, in the order of `list`.
     pub names: Vec<String>,
-    /// Variables of the inverses of divisors, by the index of the series that is a divisor.
+    /// Variables of the reciprocals of divisors, by the index of the divisor's series.
     pub over: FxHashMap<usize, String>,
-    /// Variables of 1/(2 z), by the index of the root z.
+    /// Variables of 1/(2 z), by the index of the series of the square root z.
     pub over_twice: FxHashMap<usize, String>,
-    /// Variables of the weights that are neither numbers nor symbols.
+    /// Variables of the constant factors in the recurrences that are neither numbers nor symbols.
     pub weights: FxHashMap<Expr, String>,
-    /// Variables of the rates of states, by the index of the state's series. They are used while orders are computed.
+    /// Variables of the time derivatives of the states, by the index of the state's series.
     pub rates: FxHashMap<usize, String>,
-    /// Operations that the coefficient of each series must wait for, at one order.
+    /// Approximate number of operations, one after the other, before the coefficient of each series
+    /// is known at an order.
     pub depths: Vec<usize>,
-    /// Places of the convolutions, by the index of the series that has one.
+    /// Indices of the convolutions (sums over products of coefficients), by the index of their
+    /// series.
     pub slots: FxHashMap<usize, usize>,
-    /// Argument for the parameters, with those that the weights contain.
+    /// Argument for the parameters, with variables for those that the constant factors contain.
     pub parameters: Argument,
-    /// Program of the terms that are constant in time.
+    /// Program that computes the terms that are constant in time.
     pub constants: Program,
-    /// Comments on the lines.
+    /// Choice of the comments on the lines: formulas or none.
     pub explanation: Explanation,
 }
 
 impl<'a> TaylorPlan<'a> {
-    /// Plans the names of all terms that the recurrences need.
+    /// Plans the names of all variables that the recurrences need.
     #[must_use]
     pub fn new(planner: &'a Planner<'_>, list: &'a Recurrences) -> Self {
         let (arena, mut variables) = (planner.arena, planner.variables.clone());
@@ -90,14 +95,14 @@ impl<'a> TaylorPlan<'a> {
         }
     }
 
-    /// Number of convolutions for which there is room, with padding.
+    /// Returns the number of convolutions, rounded up to a multiple of eight and at least eight.
     #[must_use]
     pub fn width(&self) -> usize {
         self.list.convolutions().next_multiple_of(LANES).max(LANES)
     }
 
-    /// Variable of the state `place` at order 0: that of its series, or of a constant in time. `None` if it is not
-    /// read.
+    /// Returns the variable for the initial value of the state with index `place`. `None` if the
+    /// function does not read it.
     #[must_use]
     pub fn start(&self, place: usize) -> Option<String> {
         let state = self.list.states[place];
@@ -108,7 +113,8 @@ impl<'a> TaylorPlan<'a> {
         }
     }
 
-    /// True if a recurrence or a rate reads the value of a series at order 0.
+    /// True if a recurrence or a rate reads the coefficient of order 0 of the series with index
+    /// `at`.
     fn needs_start(&self, at: usize) -> bool {
         let read =
             |s: &Series| s.rule.reads().contains(&at) || matches!(s.rule, Rule::Forward { slope, .. } if slope == at);
@@ -117,12 +123,13 @@ impl<'a> TaylorPlan<'a> {
         quotient || self.list.series.iter().any(read) || self.list.rates.iter().any(rate)
     }
 
-    /// Text of a weight for a comment: its variable or its formula.
+    /// Returns a constant factor as text for a comment: its variable or its formula.
     fn weight_text(&self, e: Expr) -> String {
         self.weights.get(&e).cloned().unwrap_or_else(|| text(self.arena, e))
     }
 
-    /// Equation `name = formula` of a series, in terms of other series; empty for a state.
+    /// Returns the equation `name = formula` of a series in terms of other series. The text is
+    /// empty for a state.
     #[must_use]
     pub fn equation(&self, at: usize) -> String {
         let name = |x: &usize| self.names[*x].as_str();
@@ -140,6 +147,7 @@ impl<'a> TaylorPlan<'a> {
         format!("{} = {value}", name(&at))
     }
 
+    /// Returns a linear combination of series as text for a comment.
     fn sum_text(&self, constant: Expr, terms: &[(Expr, usize)]) -> String {
         let mut out = if constant == Expr::ZERO { String::new() } else { self.weight_text(constant) };
         for (weight, x) in terms {
@@ -165,12 +173,12 @@ impl<'a> TaylorPlan<'a> {
     }
 }
 
-/// Symbols and subterms that the weights and constants contain.
+/// Returns all symbols and subterms that the constant factors contain.
 fn inputs(arena: &Arena, list: &Recurrences) -> FxHashSet<Expr> {
     arena.reachable(&list.constants()).into_iter().collect()
 }
 
-/// Program of the weights, in terms of parameters and of states that do not change.
+/// Builds the program that computes the constant factors from parameters and constant states.
 fn constants(arena: &Arena, variables: &Variables, list: &Recurrences, weights: &FxHashMap<Expr, String>) -> Program {
     let named = list.constants().into_iter().filter_map(|e| Some((e, weights.get(&e)?)));
     let outputs = named.map(|(value, name)| Output { name: name.clone(), label: name.clone(), value, stated: value });
@@ -180,10 +188,11 @@ fn constants(arena: &Arena, variables: &Variables, list: &Recurrences, weights: 
     program(arena, &variables, &[], &[], &outputs.collect::<Vec<_>>(), &[])
 }
 
-/// Suffixes for the variable of a series at orders 0, 1 and k − 1.
+/// Suffixes of a series' variables for its coefficients of orders 0, 1 and k − 1.
 const ORDERS: [&str; 3] = ["_0", "_1", "_last"];
 
-/// Names of all series, after the term or the first state that needs it; each is free at every order.
+/// Names all series, after their term or the first state that needs them. Each name is free with
+/// every suffix for an order.
 fn names_of(arena: &Arena, variables: &Variables, names: &mut Names, list: &Recurrences) -> Vec<String> {
     let rate_of = |at: usize| {
         let place = list.rates.iter().position(|rate| *rate == Operand::Scaled(Expr::ONE, at))?;
@@ -206,14 +215,15 @@ fn names_of(arena: &Arena, variables: &Variables, names: &mut Names, list: &Recu
     list.series.iter().enumerate().map(&mut one).collect()
 }
 
-/// Name that is free at every order, for a name that is already given out. The name is kept if it is free there, else
-/// it gets a suffix.
+/// Returns a name that is free with every suffix for an order, for a name already in use by its
+/// series. The name gets an addition only if it is not free.
 fn reserved(allocator: &mut Allocator, given: String) -> String {
     let stem = given.clone();
     renamed(allocator, given, &stem)
 }
 
-/// Name that is free at every order: `name`, or a name made from `wanted` if that is not free.
+/// Returns a name that is free with every suffix for an order: `name`, or a name made from
+/// `wanted`.
 fn renamed(allocator: &mut Allocator, mut name: String, wanted: &str) -> String {
     while ORDERS.iter().any(|order| !allocator.is_free(&format!("{name}{order}"))) {
         name = allocator.unique(&format!("{wanted}_"));
@@ -224,7 +234,8 @@ fn renamed(allocator: &mut Allocator, mut name: String, wanted: &str) -> String 
     name
 }
 
-/// Operations at one order up to the coefficient of each series, along its longest chain of recurrences, roughly.
+/// Returns, for each series, the approximate number of successive operations at one order before
+/// its coefficient is known.
 fn depths(list: &Recurrences) -> Vec<usize> {
     let mut depths: Vec<usize> = Vec::new();
     for s in &list.series {

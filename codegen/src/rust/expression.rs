@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use tripos_derive::algebra::Rational;
 use tripos_derive::algebra::text::view::View;
 
-/// Rust expression of the scalar type `S` for a formula.
+/// Returns the Rust expression for a formula, generic over the scalar type `S`.
 pub fn expression(view: &View) -> TokenStream {
     match view {
         View::Number(text) => number(text, "1"),
@@ -29,20 +29,22 @@ pub fn expression(view: &View) -> TokenStream {
     }
 }
 
-/// Tokens of an identifier.
+/// Returns the Rust tokens of an identifier.
 pub fn ident(name: &str) -> TokenStream {
     let ident = format_ident!("{name}");
     quote!(#ident)
 }
 
-/// Rust expression for a number, exact if its parts fit into 64 bits.
+/// Returns the Rust expression for a rational number. It is exact if numerator and denominator fit
+/// into 64 bits.
 pub fn constant(value: &Rational) -> TokenStream {
     let magnitude = if value.is_negative() { value.neg() } else { value.clone() }.to_big();
     let magnitude = number(&magnitude.numer().to_string(), &magnitude.denom().to_string());
     if value.is_negative() { quote!(-#magnitude) } else { magnitude }
 }
 
-/// Rust expression for a quotient of whole numbers; a whole number if the denominator is 1.
+/// Returns the Rust expression for a quotient of whole numbers, as `S::int` or `S::ratio` if they
+/// fit into 64 bits.
 fn number(numerator: &str, denominator: &str) -> TokenStream {
     match (numerator.parse::<i64>(), denominator.parse::<i64>()) {
         (Ok(n), Ok(1)) => {
@@ -58,8 +60,9 @@ fn number(numerator: &str, denominator: &str) -> TokenStream {
     }
 }
 
-/// Quotient of whole numbers of any length: the nearest double, with a factor that is a power of ten if no normal
-/// double is near.
+/// Returns the Rust expression for a quotient of long whole numbers: the nearest double. A power of
+/// ten is factored out if no normal double is near. A number beyond the range of doubles becomes a
+/// compile error.
 fn long_number(numerator: &str, denominator: &str) -> TokenStream {
     let value = Rational::parse_decimal(numerator).zip(Rational::parse_decimal(denominator));
     let value = value.and_then(|(n, d)| Some(n.mul(&d.recip()?)));
@@ -83,14 +86,16 @@ fn long_number(numerator: &str, denominator: &str) -> TokenStream {
     }
 }
 
-/// Number of digits of a whole number, without its sign.
+/// Returns the number of digits of a whole number, without its sign.
 fn digits(text: &str) -> i32 {
     i32::try_from(text.trim_start_matches('-').len()).unwrap_or(i32::MAX)
 }
 
-/// Sum with its terms from left to right; true if the whole sum is one call, which binds as tightly as a name. A
-/// product of plain factors is fused with the terms before it if the scalar type can. A sum has at most one fused
-/// product and none inside another sum, because nested calls are hard to read and gain little.
+/// Returns the Rust expression for a sum. The boolean is true if the expression is one method call,
+/// which needs no parentheses.
+/// A product of names and numbers is fused with the terms before it by `mul_add`. A sum has at most
+/// one fused product, and none if it contains another sum: nested calls are hard to read and gain
+/// little.
 fn sum(terms: &[(bool, View)]) -> (TokenStream, bool) {
     let order = led(terms);
     let (mut tokens, mut call) = (TokenStream::new(), false);
@@ -116,7 +121,7 @@ fn sum(terms: &[(bool, View)]) -> (TokenStream, bool) {
     (tokens, call)
 }
 
-/// Plain product as the receiver and the first argument of `mul_add`.
+/// Splits a product of names and numbers into the receiver and the first argument of `mul_add`.
 fn halves(term: &View) -> (TokenStream, TokenStream) {
     let factors = match term {
         View::Product(factors) => factors.clone(),
@@ -132,6 +137,7 @@ fn halves(term: &View) -> (TokenStream, TokenStream) {
     (receiver(&left), right)
 }
 
+/// Returns a formula as a factor of a product, in parentheses if it needs them.
 fn factor(view: &View) -> TokenStream {
     let (tokens, bound) = match view {
         View::Sum(terms) => sum(terms),
@@ -141,7 +147,7 @@ fn factor(view: &View) -> TokenStream {
     if bound { tokens } else { quote!((#tokens)) }
 }
 
-/// Formula as the receiver of a method call, in parentheses if it needs them.
+/// Returns a formula as the receiver of a Rust method call, in parentheses if it needs them.
 pub fn receiver(view: &View) -> TokenStream {
     let (tokens, bound) = match view {
         View::Sum(terms) => sum(terms),
@@ -151,10 +157,12 @@ pub fn receiver(view: &View) -> TokenStream {
     if bound { tokens } else { quote!((#tokens)) }
 }
 
+/// Returns the Rust expression for a product of formulas.
 fn product(factors: &[View]) -> TokenStream {
     join_products(&factors.iter().map(factor).collect::<Vec<_>>())
 }
 
+/// Joins Rust expressions by `*` into a product.
 fn join_products(factors: &[TokenStream]) -> TokenStream {
     let mut tokens = TokenStream::new();
     for (at, factor) in factors.iter().enumerate() {
@@ -166,7 +174,8 @@ fn join_products(factors: &[TokenStream]) -> TokenStream {
     tokens
 }
 
-/// Quotient above / below, with the whole numbers of both terms merged into one exact constant.
+/// Returns the Rust expression for a quotient. The whole numbers in numerator and denominator are
+/// merged into one exact constant.
 fn fraction(above: &View, below: &View) -> TokenStream {
     let (n, above) = constant_and_factors(above);
     let (d, below) = constant_and_factors(below);
@@ -192,7 +201,8 @@ fn fraction(above: &View, below: &View) -> TokenStream {
     }
 }
 
-/// Power of a formula: squares and cubes of a variable as products, other powers by `powi`.
+/// Returns the Rust expression for a power. Squares and cubes of a variable become products; other
+/// powers use `powi`.
 fn power(base: &View, n: i32) -> TokenStream {
     let plain = matches!(base, View::Name(_) | View::Shared(_));
     let tokens = receiver(base);

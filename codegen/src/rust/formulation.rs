@@ -1,4 +1,4 @@
-//! Rust files of one formulation of one model: the equations for people, and the code for machines.
+//! Rust files of one formulation of one model: a file of equations for people, and a file of code.
 
 use super::function::{Parameters, function};
 use super::slopes::{JACOBIAN_PRODUCT, Rates, jacobian_product};
@@ -10,17 +10,19 @@ use crate::plan::{FormulationPlan, module_name, type_name};
 use quote::{format_ident, quote};
 use tripos_derive::algebra::Expr;
 
-/// Texts of the two files of one formulation.
+/// Texts of the two Rust files of one formulation.
 pub struct FormulationFiles {
-    /// Equations for people, such as `kane.rs`: formulas of mass matrix, forcing, accelerations, kinematic equations
-    /// and energies. Each formula is at the re-export of its function.
+    /// Text of the file for people, such as `kane.rs`. It states the formulas of mass matrix,
+    /// forcing, accelerations, kinematic equations and energies, each above the re-export of its
+    /// function.
     pub equations: String,
-    /// Code for machines, such as `code/kane.rs`: the functions, further functions for runs, and the `System`.
+    /// Text of the file with code, such as `code/kane.rs`: all functions, and the implementation of
+    /// `System`.
     pub code: String,
 }
 
-/// Writes the files of a formulation. `origin` is the sentence of their headers that names their origin. Functions that
-/// another formulation of the model already has are not written again.
+/// Writes the files of a formulation. `origin` is the header sentence on the origin. A function
+/// that another formulation of the model already has is imported instead of written again.
 #[must_use]
 pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) -> FormulationFiles {
     let (model, equations) = (plan.planner.model, plan.planner.equations);
@@ -72,7 +74,7 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
         let (docs, module, name) = (stated(planned), format_ident!("{module}"), format_ident!("{}", planned.name));
         quote!(#docs #[doc(inline)] pub use super::code::#module::#name;)
     });
-    // A function that another formulation has is explained there.
+    // A function that is shared with another formulation is documented in that formulation's file.
     let is_shown = |name: &&str| plan.equations.iter().any(|planned| planned.name == *name);
     let shared = sorted.others.iter().map(|(module, names)| (module, names.iter().copied().filter(is_shown)));
     let shared = shared.filter(|(_, names)| names.clone().next().is_some());

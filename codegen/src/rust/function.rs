@@ -1,4 +1,4 @@
-//! Rust function for a planned function, generic over the scalar type `S`.
+//! Text of a Rust function for a planned function, generic over the scalar type `S`.
 
 use super::expression::{expression, ident, receiver};
 use super::names::LANGUAGE;
@@ -10,58 +10,64 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
 
-/// Most entries of an array argument that a pattern skips. With more, the entries that are read are taken one by one.
+/// Largest number of unread entries of an array argument that a pattern skips. With more, each
+/// entry that is read gets an index.
 const MOST_SKIPPED: usize = 20;
 
-/// Names of the functions in which runs spend their time; `System` calls them through `Scalar::dispatch`.
+/// Names of the functions in which runs spend their time. `System` calls them through
+/// `Scalar::dispatch`, compiled for the processor's instructions.
 const DISPATCHED: [&str; 2] = ["accelerations", "derivative"];
 
-/// Names of the functions in which quadrature spends its time, if equations have one degree of freedom.
+/// Names of the functions in which quadrature spends its time, for equations with one degree of
+/// freedom.
 const INTEGRANDS: [&str; 4] = ["coordinate_rates", "kinetic_energy", "half_differences", "potential_slope"];
 
-/// Struct in which functions get the parameters.
+/// Rust struct in which generated functions receive the parameters.
 pub struct Parameters {
-    /// Path of the struct, as seen from the functions.
+    /// Path of the struct in Rust, as seen from the functions.
     pub path: TokenStream,
-    /// Name of the struct's field for each parameter.
+    /// Name of the struct's field for each parameter, in the order of the model.
     pub fields: Vec<String>,
 }
 
 impl Parameters {
-    /// Struct `Parameters` of a model, in scope of the functions.
+    /// Returns the struct `Parameters` of a model, as seen from functions in the same module.
     pub fn of(model: &Model) -> Self {
         Self { path: quote!(Parameters), fields: fields(model) }
     }
 }
 
-/// Names of the struct's fields for the parameters: their own names, escaped if they are keywords.
+/// Returns the names of the parameter struct's fields: the parameters' names, changed if they are
+/// Rust keywords.
 pub fn fields(model: &Model) -> Vec<String> {
     let mut allocator = Allocator::new(&Language { in_scope: &[], ..LANGUAGE });
     model.parameters.iter().map(|p| allocator.unique(&p.name)).collect()
 }
 
-/// Rust function for a planned function, which gets its parameters in this struct.
+/// Returns the Rust function for a planned function. The hot functions of a run are always inlined.
 pub fn function(planned: &Function, parameters: &Parameters) -> TokenStream {
     let inlining = if DISPATCHED.contains(&planned.name) { Inlining::Always } else { Inlining::AsNeeded };
     written(planned, parameters, inlining)
 }
 
-/// Rust function for equations that quadrature may integrate, which gets its parameters in this struct.
+/// Returns the Rust function for a planned function of equations with one degree of freedom. The
+/// hot functions of runs and of quadrature are always inlined.
 pub fn function_at_points(planned: &Function, parameters: &Parameters) -> TokenStream {
     let is_dispatched = DISPATCHED.iter().chain(&INTEGRANDS).any(|name| *name == planned.name);
     written(planned, parameters, if is_dispatched { Inlining::Always } else { Inlining::AsNeeded })
 }
 
-/// Inlining of a generated function.
+/// Choice of the inlining of a generated Rust function.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Inlining {
-    /// The function is inlined, because only inlined code is compiled again for the instructions of the processor.
+    /// The function is always inlined, because only inlined code is compiled again for the
+    /// instructions of the processor.
     Always,
-    /// The compiler decides.
+    /// The compiler decides about inlining.
     AsNeeded,
 }
 
-/// Rust function for a planned function.
+/// Returns the Rust function for a planned function, with its description, cost and inlining.
 fn written(planned: &Function, parameters: &Parameters, inlining: Inlining) -> TokenStream {
     let (name, about, cost) = (ident(planned.name), format!(" {}", planned.about), format!(" {}.", planned.cost));
     let inline = (inlining == Inlining::Always).then(|| quote!(#[inline(always)]));
@@ -86,14 +92,15 @@ fn written(planned: &Function, parameters: &Parameters, inlining: Inlining) -> T
     }
 }
 
-/// Body of a function up to its result, with its whole program.
+/// Returns the body of a function up to its result, if its program stays whole.
 fn whole(planned: &Function, parameters: &Parameters) -> TokenStream {
     let unpack = planned.arguments.iter().map(|argument| unpack(argument, parameters));
     let body = lines(planned, &planned.program, &[]);
     quote!(#(#unpack)* #body)
 }
 
-/// Body of a function up to its result: calls of the parts of its program, each in a function of its own.
+/// Returns the body of a function up to its result, if its program is divided. The body declares a
+/// function for each part and calls these in order.
 fn in_parts(planned: &Function, parts: &Parts, parameters: &Parameters) -> TokenStream {
     let length = Literal::usize_unsuffixed(parts.places);
     let given: Vec<usize> = (0..planned.arguments.len()).filter(|at| planned.arguments[*at].is_read()).collect();
@@ -131,7 +138,8 @@ fn in_parts(planned: &Function, parts: &Parts, parameters: &Parameters) -> Token
     }
 }
 
-/// Lines and outputs of a program. The code after the program reads the variables in `more`.
+/// Returns the statements of a program. `more` lists variables that later code reads, in addition
+/// to those the program reads itself.
 fn lines(planned: &Function, program: &Program, more: &[(usize, String)]) -> TokenStream {
     let mut read = program.names_read(0..usize::MAX);
     read.extend(more.iter().map(|(_, name)| name.as_str()));
@@ -140,25 +148,29 @@ fn lines(planned: &Function, program: &Program, more: &[(usize, String)]) -> Tok
     quote!(#head #body)
 }
 
-/// Statement that takes variables from their places in an array.
+/// Returns the statement that reads variables from their indices in an array. It is empty for an
+/// empty list.
 fn taken(array: &str, list: &[(usize, String)]) -> TokenStream {
     let (places, names) = sides(array, list);
     if list.is_empty() { TokenStream::new() } else { quote!(let [#(#names),*] = [#(#places),*];) }
 }
 
-/// Statement that stores variables at their places in the array `values`.
+/// Returns the statement that stores variables at their indices in the array `values`. It is empty
+/// for an empty list.
 fn handed_on(list: &[(usize, String)]) -> TokenStream {
     let (places, names) = sides("values", list);
     if list.is_empty() { TokenStream::new() } else { quote!([#(#places),*] = [#(#names),*];) }
 }
 
+/// Returns the array elements and the variables of a list, as the two sides of an assignment.
 fn sides(array: &str, list: &[(usize, String)]) -> (Vec<TokenStream>, Vec<TokenStream>) {
     let array = ident(array);
     let place = |place: usize| Literal::usize_unsuffixed(place);
     list.iter().map(|(at, name)| (place(*at), ident(name))).map(|(at, name)| (quote!(#array[#at]), name)).unzip()
 }
 
-/// Argument in a function's signature, with an underscore before its name if the body does not read it.
+/// Returns an argument as it is declared in a function's signature. An unread argument gets an
+/// underscore before its name.
 pub fn signature(argument: &Argument, parameters: &Parameters) -> TokenStream {
     let name = ident(&format!("{}{}", if argument.is_read() { "" } else { "_" }, argument.name()));
     match argument {
@@ -174,7 +186,8 @@ pub fn signature(argument: &Argument, parameters: &Parameters) -> TokenStream {
     }
 }
 
-/// Statement that declares variables for the entries that the body reads of an argument.
+/// Returns the statement that declares variables for those entries of an argument that the body
+/// reads.
 pub fn unpack(argument: &Argument, parameters: &Parameters) -> TokenStream {
     match argument {
         Argument::Parameters { read } if !read.is_empty() => {
@@ -198,7 +211,7 @@ pub fn unpack(argument: &Argument, parameters: &Parameters) -> TokenStream {
     }
 }
 
-/// Return type of a function, and the expression that it returns.
+/// Returns the return type of a function and the expression that it returns.
 fn result(returns: Returns, entries: &[Entry]) -> (TokenStream, TokenStream) {
     let names: Vec<TokenStream> = entries
         .iter()
@@ -222,14 +235,15 @@ fn result(returns: Returns, entries: &[Entry]) -> (TokenStream, TokenStream) {
     }
 }
 
-/// Type and value of an array of rows with this number of columns.
+/// Returns the Rust type and value of a matrix, given row by row, with this number of columns.
 fn rows(entries: &[TokenStream], columns: usize) -> (TokenStream, TokenStream) {
     let rows = entries.chunks(columns.max(1)).map(|row| quote!([#(#row),*]));
     let [count, columns] = [rows.len(), columns].map(Literal::usize_unsuffixed);
     (quote!([[S; #columns]; #count]), quote!([#(#rows),*]))
 }
 
-/// Lines of a program, with one heading for each kind of line. Comments are written as marked doc attributes.
+/// Returns the Rust statements of a program's lines, with one heading for each kind of line.
+/// Comments become doc attributes that are later turned into comments.
 pub fn statements(lines: &[Line], is_read: &dyn Fn(&str) -> bool, explanation: Explanation) -> TokenStream {
     let is_elimination = lines.iter().any(|line| matches!(line, Line::Step(_)));
     let shared = if explanation == Explanation::Names {
@@ -259,14 +273,15 @@ pub fn statements(lines: &[Line], is_read: &dyn Fn(&str) -> bool, explanation: E
     tokens
 }
 
-/// `let` statements with a heading above the first.
+/// Returns `let` statements with a heading above the first. The result is empty for an empty list.
 pub fn section(heading: &str, list: &[Statement], explanation: Explanation) -> TokenStream {
     let heading = if list.is_empty() { TokenStream::new() } else { comment(heading) };
     let statements = list.iter().map(|one| statement(one, explanation));
     quote!(#heading #(#statements)*)
 }
 
-/// `let` statement, with the equation that it computes above it if equations are comments.
+/// Returns a `let` statement, with its equation as a comment above it if `explanation` asks for
+/// formulas.
 fn statement(statement: &Statement, explanation: Explanation) -> TokenStream {
     let equation = explanation.of(statement).map(comment);
     let (name, value) = (ident(&statement.name), expression(&statement.value));

@@ -1,9 +1,9 @@
-//! Text of `lib.rs` in a workspace's generated code.
+//! Text of `lib.rs` in the generated package of a workspace.
 
 use super::text::format;
 use quote::{format_ident, quote};
 
-/// Text of `lib.rs` for the modules of these models.
+/// Returns the text of `lib.rs` for the modules of the models with these names.
 #[must_use]
 pub fn library(models: &[String]) -> String {
     let header = [

@@ -1,4 +1,5 @@
-//! Rust text from plans: tokens, then text by prettyplease. This module decides only how a line is written.
+//! Rust target: turns plans into Rust tokens, then into text by prettyplease. It decides only how a
+//! line is written.
 
 mod expression;
 mod formulation;

@@ -1,4 +1,5 @@
-//! Text of the `mod.rs` of one model: its parameters, its names, its formulations.
+//! Text of the file `mod.rs` of a model's Rust module: parameters, names of coordinates and speeds,
+//! and list of formulations.
 
 use super::expression::constant;
 use super::function::fields;
@@ -8,31 +9,32 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
 
-/// Most operations of accelerations that are compiled in eight lanes.
+/// Largest number of operations of accelerations that are compiled for eight SIMD lanes. Longer
+/// code gets four lanes.
 const MOST_IN_EIGHT: usize = 500;
 
-/// Set of equations that a model's module lists.
+/// Set of equations that the Rust module of a model lists.
 pub struct Entry {
     /// Name of the equations, such as `kane` or `printed:ID`.
     pub name: String,
-    /// Title of the equations, for headings.
+    /// Title of the set of equations for headings.
     pub title: String,
-    /// Number of operations of the accelerations; `None` if these are not solved for.
+    /// Number of operations of the accelerations; `None` if they are not solved for in closed form.
     pub solved: Option<usize>,
     /// True if the Taylor coefficients of several states can be computed at once, in SIMD lanes.
     pub series: bool,
-    /// True if there is a file of the equations for people, besides the code.
+    /// True if there is a file of the equations for people, in addition to the code.
     pub shown: bool,
 }
 
 impl Entry {
-    /// Declaration of the module of the equations.
+    /// Returns the declaration of the Rust module for these equations.
     fn declaration(&self) -> TokenStream {
         let (name, about) = (format_ident!("{}", module_name(&self.name)), format!(" {}.", prose(&self.title)));
         quote!(#[doc = #about] #[rustfmt::skip] pub mod #name;)
     }
 
-    /// Expression for the `CompiledSystem` with which a program runs the equations.
+    /// Returns the expression of a `CompiledSystem`, by which a program runs these equations.
     fn system(&self) -> TokenStream {
         let (module, unit) = (format_ident!("{}", module_name(&self.name)), format_ident!("{}", type_name(&self.name)));
         let (name, system) = (&self.name, quote!(code::#module::#unit));
@@ -46,24 +48,27 @@ impl Entry {
     }
 }
 
-/// Data about a model's module for its header.
+/// Data about a model's Rust module for its header and its constant `MODEL`.
 pub struct About<'a> {
-    /// Name of the module.
+    /// Name of the model's Rust module.
     pub module: &'a str,
-    /// Sentence of the header that names the origin of the module.
+    /// Sentence of the header on the origin of the module.
     pub origin: &'a str,
-    /// Hash of the publication beside the model; empty if there is no publication.
+    /// Hash of the publication in the model's folder; empty if there is none or if it was not
+    /// written.
     pub publication_hash: &'a str,
-    /// True if the module contains the equations of scenes.
+    /// True if the module also contains reduced equations of scenes.
     pub has_scenes: bool,
 }
 
-/// Writes the `mod.rs` of a model with these equations, and the `mod.rs` of their code.
+/// Writes two files of a model: its `mod.rs`, and the `mod.rs` of the folder `code`. `equations`
+/// lists all sets of equations.
 #[must_use]
 pub fn files(model: &Model, about: &About<'_>, equations: &[Entry]) -> [String; 2] {
     [module_file(model, about, equations), code_file(model, about, equations)]
 }
 
+/// Returns the text of a model's `mod.rs`.
 fn module_file(model: &Model, about: &About<'_>, equations: &[Entry]) -> String {
     let header =
         [format!("{}.", prose(&model.title)), String::new(), about.origin.to_owned(), format!("{}.", model.count())];
@@ -115,15 +120,15 @@ fn module_file(model: &Model, about: &About<'_>, equations: &[Entry]) -> String 
     format_to_include(&header, items)
 }
 
-/// Type and value of a constant list of names.
+/// Returns the Rust type and value of a constant array of names.
 pub fn names<'n>(list: impl Iterator<Item = &'n str>) -> (TokenStream, TokenStream) {
     let list: Vec<&str> = list.collect();
     let count = Literal::usize_unsuffixed(list.len());
     (quote!([&str; #count]), quote!([#(#list),*]))
 }
 
-/// Declaration of the module `code`. It allows symbols with their own names, and a last `let` with its formula above
-/// it.
+/// Returns the declaration of the Rust module `code`. It switches off lints on names that are not
+/// in snake case and on a final `let`.
 pub fn code_module() -> TokenStream {
     quote! {
         #[doc = " The code of the equations."]
@@ -133,13 +138,15 @@ pub fn code_module() -> TokenStream {
     }
 }
 
+/// Returns the text of the `mod.rs` in the folder `code`.
 fn code_file(model: &Model, about: &About<'_>, equations: &[Entry]) -> String {
     let title = format!("{}: the code of the equations.", prose(&model.title));
     let modules = equations.iter().map(Entry::declaration);
     format(&[title, String::new(), about.origin.to_owned()], quote!(#(#modules)*))
 }
 
-/// Implementation of `Default` with the values in the model file; `None` unless every parameter has a value.
+/// Returns the Rust implementation of `Default` with the parameter values of the model file. `None`
+/// unless every parameter has a value.
 fn defaults(model: &Model) -> Option<TokenStream> {
     let values: Option<Vec<_>> = model.parameters.iter().map(|p| p.value.as_ref().map(constant)).collect();
     let names = fields(model);
@@ -158,7 +165,8 @@ fn defaults(model: &Model) -> Option<TokenStream> {
     })
 }
 
-/// Declaration of the struct of a model's parameters.
+/// Returns the Rust declaration of the struct `Parameters` of a model, with conversions from a
+/// slice and to an array.
 pub fn parameters(model: &Model) -> TokenStream {
     let count = model.parameters.len();
     let names = fields(model);

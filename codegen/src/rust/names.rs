@@ -1,11 +1,13 @@
-//! Names that no Rust variable of generated code can have.
+//! Names of Rust variables: reserved words and names that generated code cannot use.
 
 use crate::plan::Language;
 
-/// Language Rust, with the names that generated functions use for other purposes.
+/// Rules for names of Rust variables: keywords, and names that generated functions use for other
+/// purposes.
 pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE, longest: usize::MAX };
 
-/// Names in the scope of generated function bodies, and names that a pattern would match as something else.
+/// Names in the scope of generated function bodies, and names that a pattern would match as a
+/// constant. No variable may have them.
 const IN_SCOPE: [&str; 30] = [
     "p",
     "q",
@@ -14,13 +16,13 @@ const IN_SCOPE: [&str; 30] = [
     "v_dot",
     "out",
     "zero",
-    // Array in which parts of a long function pass values.
+    // Array in which the parts of a long function pass values.
     "values",
     "S",
     "Parameters",
     "Scalar",
     "System",
-    // Names used by the recurrences.
+    // Names that the Taylor recurrences use.
     "series",
     "history",
     "order",

@@ -1,4 +1,5 @@
-//! Rust files of the reduced equations of one scene: the equations for people, and their code.
+//! Rust files of the reduced equations of one scene: a file of equations for people, and a file of
+//! code.
 
 use super::function::{Parameters, fields, function, function_at_points};
 use super::module::{code_module, names, parameters};
@@ -14,30 +15,30 @@ use tripos_derive::Model;
 use tripos_derive::mechanics::Unsolved;
 use tripos_derive::reduce::Reduction;
 
-/// Texts of the files of one scene, with its module and key.
+/// Texts of the Rust files of one scene, with the module's name and the key of its equations.
 pub struct SceneFile {
-    /// Name of the scene's module.
+    /// Name of the scene's Rust module.
     pub module: String,
     /// Key of the scene's equations: equal keys mean equal equations.
     pub key: String,
-    /// Equations of the scene, for people.
+    /// Text of the file of equations for people.
     pub text: String,
-    /// Code of the equations; `None` if another scene has equal equations.
+    /// Text of the file of code; `None` if another scene has equal equations, whose code is used.
     pub code: Option<String>,
 }
 
-/// Texts about a scene for the header of its file: name, title and origin.
+/// Name, title and origin of a scene for the header of its Rust file.
 pub struct Named<'a> {
     /// Name of the scene's file, without its extension.
     pub name: &'a str,
     /// Title of the scene; empty if it has none.
     pub title: &'a str,
-    /// Sentence of the header that names the origin of the text.
+    /// Sentence of the header on the origin of the text.
     pub origin: &'a str,
 }
 
-/// Writes the files of a scene of the model `whole`, such as `report_10s.rs`. If a file of `before` has equal
-/// equations, the new file refers to it.
+/// Writes the Rust files of a scene of the model `whole`, such as `report_10s.rs`. If an earlier
+/// scene in `before` has equal equations, the new file refers to its code.
 ///
 /// # Errors
 /// [`Unsolved`] if the accelerations are not determined in any configuration, or are not proved.
@@ -59,7 +60,8 @@ pub fn file(
     Ok(SceneFile { module, key, text, code })
 }
 
-/// Module name for a scene of any name, such as `scene_10s` for `10s`, that none of the given files has.
+/// Returns a module name for a scene, such as `scene_10s` for `10s`, that no earlier scene in
+/// `before` has.
 fn module_of(name: &str, before: &[SceneFile]) -> String {
     let stem = module_name(name);
     let stem = if is_name(&stem) { stem } else { format!("scene_{stem}") };
@@ -68,7 +70,8 @@ fn module_of(name: &str, before: &[SceneFile]) -> String {
     candidates.into_iter().find(|candidate| !taken(candidate)).unwrap_or(stem)
 }
 
-/// Text of the file of a scene that has the equations of another scene.
+/// Returns the text of a scene's file that only refers to the module `same` of a scene with equal
+/// equations.
 fn reference(reduction: &Reduction, named: &Named<'_>, same: &str) -> String {
     let header = vec![
         first_line(reduction, named),
@@ -88,12 +91,15 @@ fn reference(reduction: &Reduction, named: &Named<'_>, same: &str) -> String {
     )
 }
 
+/// Returns the first line of the header: titles of the model and the scene.
 fn first_line(reduction: &Reduction, named: &Named<'_>) -> String {
     let title = if named.title.is_empty() { named.name } else { named.title };
     format!("{}: {}.", prose(&reduction.model.title), prose(title))
 }
 
-/// Texts for a scene with equations of its own: the equations for people, and the code.
+/// Returns the two texts of a scene that shares its equations with no earlier scene: equations for
+/// people, and code.
+/// `Err` if the accelerations are not determined, or are not proved.
 fn equations_of(
     whole: &Model,
     reduction: &Reduction,
@@ -110,6 +116,7 @@ fn equations_of(
     Ok((equations_file(&plan, named, module), code_file(whole, &plan, named, key)))
 }
 
+/// Returns the text of a scene's file of equations for people.
 fn equations_file(plan: &ScenePlan<'_>, named: &Named<'_>, module: &str) -> String {
     let shown = plan.from_start.iter().chain(&plan.equations).map(|planned| {
         let (docs, module, name) = (stated(planned), format_ident!("{module}"), format_ident!("{}", planned.name));
@@ -122,11 +129,13 @@ fn equations_file(plan: &ScenePlan<'_>, named: &Named<'_>, module: &str) -> Stri
     format(&header(first_line(plan.reduction, named), named.origin, &plan.facts), quote!(#rest #(#shown)*))
 }
 
-/// True if the plan has no function `jacobian`: then the Jacobian is computed by differentiating the code as it runs.
+/// True if the plan has no function `jacobian`, because it would be long. Then the Jacobian is
+/// computed by differentiating the code as it runs.
 fn is_long(plan: &ScenePlan<'_>) -> bool {
     !plan.machine.iter().any(|planned| planned.name == "jacobian")
 }
 
+/// Returns the text of a scene's file of code.
 fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) -> String {
     let (model, reduction) = (&plan.reduction.model, plan.reduction);
     let of_whole = Parameters { path: quote!(super::super::super::Parameters), fields: fields(whole) };
@@ -179,7 +188,7 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) 
     )
 }
 
-/// Writes the `mod.rs` of the scenes of a model, and the `mod.rs` of their code.
+/// Writes the `mod.rs` that lists a model's scenes, and the `mod.rs` of their code.
 #[must_use]
 pub fn list(title: &str, origin: &str, files: &[SceneFile]) -> [String; 2] {
     let header = |what: &str| vec![format!("{}: {what}.", prose(title)), String::new(), origin.to_owned()];

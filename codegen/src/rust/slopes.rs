@@ -1,22 +1,25 @@
-//! Jacobian of a large system, by forward differentiation of the code itself.
+//! Generated function for the Jacobian of a large system, by forward differentiation of the code as
+//! it runs.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::Equations;
 
-/// Name of the function that replaces the Jacobian of a large system: the Jacobian times a direction.
+/// Name of the function that returns the Jacobian times a direction. It replaces the Jacobian of a
+/// large system.
 pub const JACOBIAN_PRODUCT: &str = "jacobian_product";
 
-/// Functions of a module that compute the rates of the state.
+/// Choice of the generated functions that compute the rates q̇ and v̇ of the state.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Rates {
-    /// The function `derivative` computes all rates.
+    /// The function `derivative` computes q̇ and v̇ together.
     Together,
-    /// The functions `coordinate_rates` and `accelerations` compute them.
+    /// The functions `coordinate_rates` and `accelerations` compute q̇ and v̇ separately.
     Apart,
 }
 
-/// Function `jacobian_product`. It calls the functions of its module that compute the rates.
+/// Returns the Rust function `jacobian_product`. It differentiates the functions of its module that
+/// compute the rates.
 pub fn jacobian_product(equations: &Equations, rates: Rates) -> TokenStream {
     let own = format_ident!("{}", if equations.formulation.is_in_rates() { "q_dot" } else { "u" });
     let (n, m) = (equations.coordinates.len(), equations.variables.len());

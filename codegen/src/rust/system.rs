@@ -1,4 +1,5 @@
-//! Implementation of `System`, which passes the simulator's slices to the generated functions.
+//! Generated implementation of the trait `System`, which passes the simulator's slices to the
+//! generated functions.
 
 use super::text::prose;
 use crate::plan::type_name;
@@ -7,41 +8,44 @@ use quote::{format_ident, quote};
 use tripos_derive::algebra::Rational;
 use tripos_derive::{Equations, Model};
 
-/// Optional part of a `System`, besides its kinematics and energies.
+/// Optional group of methods of a generated `System`, in addition to kinematics and energies.
 #[derive(Clone, PartialEq, Eq)]
 pub enum Part {
-    /// Functions `mass_matrix` and `forcing`.
+    /// Methods for the functions `mass_matrix` and `forcing`.
     LinearSystem {
-        /// True if the function `linear_system` computes both.
+        /// True if the function `linear_system`, which computes both, exists.
         together: bool,
     },
-    /// Function `accelerations`, with `derivative` and the Jacobian.
+    /// Methods for the functions `accelerations` and `derivative` and for the Jacobian.
     Eliminated {
-        /// True if `jacobian_product` replaces `jacobian`.
+        /// True if the function `jacobian_product` replaces `jacobian`.
         product: bool,
-        /// True if the function `derivative` exists.
+        /// True if the function `derivative` exists. Otherwise q̇ and v̇ are computed separately.
         together: bool,
     },
-    /// Recurrences of Taylor coefficients, with room for this many convolutions.
+    /// Methods for the recurrences of Taylor coefficients, with memory for this number of
+    /// convolutions.
     Taylor(usize),
-    /// Function `outputs` of a scene, with this number of outputs.
+    /// Method for the function `outputs` of a scene, with this number of outputs.
     Outputs(usize),
-    /// Whole state as `outputs`, with this number of components.
+    /// Method that returns the whole state (q, u), with this number of components, as `outputs`.
     WholeState(usize),
-    /// Function `power` of the forces without a potential.
+    /// Method for the function `power` of the loads without a potential.
     Power,
-    /// Function `energy_gradient` of the total energy.
+    /// Method for the function `energy_gradient`, the gradient of T + V.
     EnergyGradient,
-    /// Function `potential_slope`; and `coordinate_period`, after this number of turns.
+    /// Method for the function `potential_slope`. If a number of turns is given, also
+    /// `coordinate_period`.
     PotentialSlope(Option<Rational>),
-    /// Function `divisors`, with the names of the divisors; not empty.
+    /// Methods for the function `divisors`, with the names of the divisors, at least one.
     Divisors(Vec<String>),
-    /// Functions `constraints` and `constraint_slopes`, with the names of the constraints; not empty.
+    /// Methods for the functions `constraints` and `constraint_slopes`, with the names of the
+    /// constraints, at least one.
     Constraints(Vec<String>),
 }
 
 impl Part {
-    /// Methods of `System` that pass slices to the part's functions.
+    /// Returns the methods of `System` that call the generated functions of this group.
     fn methods(&self) -> TokenStream {
         let state = state();
         match self {
@@ -139,7 +143,8 @@ impl Part {
     }
 }
 
-/// Method for the period of the coordinate after which all repeats, from its turns, with the bits of `Slope::period`.
+/// Returns the method `coordinate_period`: the change of the coordinate, in rad, after which the
+/// motion repeats. It has the same bits as `Slope::period`.
 fn coordinate_period(turns: &Rational) -> TokenStream {
     let count = Literal::f64_unsuffixed(turns.to_f64());
     let times = (!turns.is_one()).then(|| quote!(#count *));
@@ -149,7 +154,7 @@ fn coordinate_period(turns: &Rational) -> TokenStream {
     }
 }
 
-/// Methods for the constraints on which a run is kept.
+/// Returns the methods for the constraints that a run maintains.
 fn constraints(names: &[String]) -> TokenStream {
     let state = state();
     let count = Literal::usize_unsuffixed(names.len());
@@ -165,19 +170,20 @@ fn constraints(names: &[String]) -> TokenStream {
     }
 }
 
-/// Expression that converts a slice argument to an array.
+/// Returns the expression that converts the slice argument of this name to an array.
 fn array(argument: &str) -> TokenStream {
     let argument = format_ident!("{argument}");
     quote!(array(#argument))
 }
 
-/// Arguments for parameters, coordinates and motion variables, converted from slices.
+/// Returns the arguments (p, q, v) of a generated function, converted from slices.
 fn state() -> TokenStream {
     let (q, v) = (array("q"), array("v"));
     quote!(&Parameters::from_slice(p), #q, #v)
 }
 
-/// Declaration and implementation of the `System` that passes slices to the functions above it.
+/// Returns the declaration of a unit struct and its implementation of `System` by the generated
+/// functions of its module.
 pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
     let name = format_ident!("{}", type_name(&e.name(model)));
     let about = format!(" {} of this model as a [`System`].", prose(&e.title(model)));
@@ -229,8 +235,8 @@ pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
     }
 }
 
-/// Methods that convert between motion variables and generalized speeds: by functions for Lagrange's q′, by copies for
-/// others.
+/// Returns the methods that convert between motion variables and generalized speeds. For motion
+/// variables q′ they call generated functions, otherwise they copy.
 fn conversions(e: &Equations) -> TokenStream {
     let (q, u, v_dot, state) = (array("q"), array("u"), array("v_dot"), state());
     if e.formulation.is_in_rates() {
@@ -259,7 +265,7 @@ fn conversions(e: &Equations) -> TokenStream {
     }
 }
 
-/// Statements that compute q̇ and v̇ by one function.
+/// Returns the statements that compute q̇ and v̇ by the function `derivative`.
 fn derivative_at_once() -> TokenStream {
     let state = state();
     quote! {
@@ -269,7 +275,8 @@ fn derivative_at_once() -> TokenStream {
     }
 }
 
-/// Statements that compute q̇ and v̇ by a function for each.
+/// Returns the statements that compute q̇ and v̇ by the functions `coordinate_rates` and
+/// `accelerations`.
 fn derivative_apart() -> TokenStream {
     let state = state();
     quote! {
@@ -278,7 +285,8 @@ fn derivative_apart() -> TokenStream {
     }
 }
 
-/// Method of matrix and forcing at once, by the function that computes both.
+/// Returns the method that computes mass matrix and forcing at once, by the function
+/// `linear_system`.
 fn linear_system_at_once() -> TokenStream {
     let state = state();
     quote! {
@@ -290,7 +298,7 @@ fn linear_system_at_once() -> TokenStream {
     }
 }
 
-/// Methods of the matrix and of the forcing.
+/// Returns the methods `mass_matrix` and `forcing`.
 fn linear_system() -> TokenStream {
     let state = state();
     quote! {
@@ -303,7 +311,8 @@ fn linear_system() -> TokenStream {
     }
 }
 
-/// Methods that pass the working memory for `width` convolutions to the recurrences.
+/// Returns the methods for Taylor coefficients. They give the recurrences working memory for
+/// `width` convolutions at each order.
 fn series(width: usize) -> TokenStream {
     let room = Literal::usize_unsuffixed(2 * width);
     quote! {

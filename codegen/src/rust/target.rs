@@ -1,5 +1,5 @@
-//! Rust module of one model as a target: files of equations for people, code in `code/`, and an entry for each set of
-//! equations.
+//! Rust module of one model as a target: files of equations for people, code in `code/`, and a list
+//! of the sets of equations.
 
 use super::{Entry, FormulationFiles, LANGUAGE, Written, formulation_files};
 use crate::extras::Extras;
@@ -13,28 +13,34 @@ use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::mechanics::{Derivation, Solved, Unsolved, distances, in_distance};
 use tripos_derive::{Equations, Model};
 
-/// Most convolutions at one order for which recurrences are written. With more, a step of another method costs less.
+/// Largest number of convolutions at one order for which Taylor recurrences are written. With more,
+/// a step of another method costs less.
 const MOST_CONVOLUTIONS: usize = 200;
-/// Most convolutions, for each component of the state, of recurrences that are also compiled in lanes. Up to this
-/// number, runs by them cost no more than by DOP853: 2.4 of the disk cost 0.9 to 1.1 times as much, 6.5 of a cart with
-/// three pendulums 2.3 times.
+/// Largest number of convolutions, per component of the state, of Taylor recurrences that are also
+/// compiled for SIMD lanes.
+/// Up to this number, runs by them cost about as much as by DOP853. Measured: with 2.4 convolutions
+/// (the disk) 0.9 to 1.1 times as much, with 6.5 (a cart with three pendulums) 2.3 times.
 const MOST_CONVOLUTIONS_IN_LANES: usize = 4;
 
+/// True if Taylor recurrences with this number of convolutions are short enough for SIMD lanes.
 fn has_short_series(convolutions: usize, equations: &Equations) -> bool {
     convolutions <= MOST_CONVOLUTIONS_IN_LANES * (equations.coordinates.len() + equations.variables.len())
 }
 
-/// Rust module of a model while it is written.
+/// Rust module of a model while it is written, as a target.
 pub(crate) struct RustModule<'a> {
+    /// Source file and command, as the headers state them.
     origin: &'a Origin,
+    /// Optional functions to be written: Jacobian and Taylor recurrences.
     extras: Extras,
+    /// Texts of the files, by path.
     files: BTreeMap<String, String>,
     /// Sets of equations in the order in which they were written.
     entries: Vec<Entry>,
-    /// Functions that are already written, which later sets of equations use.
+    /// Functions that are already written. Later sets of equations import them.
     written: Written,
-    /// Equations in distances from singular surfaces. They are only for runs and come last, so that they use the
-    /// functions of the other equations.
+    /// Equations in the distance from singular surfaces, to be written last, so that they import
+    /// the functions of other equations. They serve only runs.
     near: Vec<Derivation>,
 }
 
@@ -59,17 +65,17 @@ impl Target for RustModule<'_> {
     }
 }
 
-/// Intended readers of a set of equations.
+/// Intended readers of a set of equations: people or only runs.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Readers {
-    /// People: a file of equations is written beside the code.
+    /// People read the equations: a file of equations is written in addition to the code.
     People,
-    /// Only runs: no file of equations is written.
+    /// Only runs use the equations: no file of equations is written for people.
     Runs,
 }
 
 impl<'a> RustModule<'a> {
-    /// Module without equations.
+    /// Starts the module without equations.
     pub fn new(origin: &'a Origin, extras: Extras) -> Self {
         Self {
             origin,
@@ -81,10 +87,11 @@ impl<'a> RustModule<'a> {
         }
     }
 
-    /// Writes the equations in distances from singular surfaces, and returns all files and entries.
+    /// Writes the equations in distances from singular surfaces, and returns the texts of all files
+    /// and the list of all sets of equations.
     ///
     /// # Errors
-    /// [`Diagnostics`] if accelerations are not determined, or are not proved.
+    /// [`Diagnostics`] if accelerations are not determined in closed form, or are not proved.
     pub fn finish(mut self, model: &Model) -> Result<(BTreeMap<String, String>, Vec<Entry>), Diagnostics> {
         for derivation in std::mem::take(&mut self.near) {
             self.solved(model, derivation, Readers::Runs)?;
@@ -92,7 +99,10 @@ impl<'a> RustModule<'a> {
         Ok((self.files, self.entries))
     }
 
-    /// Adds derived equations, solved for their accelerations.
+    /// Solves derived equations for their accelerations and writes them.
+    ///
+    /// # Errors
+    /// [`Diagnostics`] if the accelerations are not determined in closed form, or are not proved.
     fn solved(&mut self, model: &Model, derivation: Derivation, shown: Readers) -> Result<(), Diagnostics> {
         let Derivation { mut arena, equations } = derivation;
         let title = equations.formulation.title();
@@ -110,6 +120,7 @@ impl<'a> RustModule<'a> {
         Ok(())
     }
 
+    /// Writes the files of planned equations and adds them to the list of sets of equations.
     fn add(&mut self, plan: &FormulationPlan<'_>, origin: &str, shown: Readers) {
         let (equations, model) = (plan.planner.equations, plan.planner.model);
         let (name, title) = (equations.name(model), equations.title(model));
@@ -123,7 +134,8 @@ impl<'a> RustModule<'a> {
     }
 }
 
-/// Diagnostics for equations that are not written because their accelerations cannot be used.
+/// Returns the error for a set of equations, with the title `equations`, whose accelerations could
+/// not be solved for or proved.
 pub(crate) fn unsolved(source: &Source, equations: &str, why: Unsolved) -> Diagnostics {
     Diagnostics::new(source.clone(), vec![Diagnostic::of_file(format!("{equations}: {why}"), why.help())])
 }

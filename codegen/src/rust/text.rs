@@ -1,4 +1,4 @@
-//! Formatted text from tokens, with comments.
+//! Text of Rust files, formatted from tokens, with comments.
 
 use crate::lines::wrap;
 use crate::plan::{Entry, Explanation, Function};
@@ -7,8 +7,8 @@ use quote::{format_ident, quote};
 use std::fmt::Write;
 use tripos_derive::plain::{one_line, visible};
 
-/// Text from a file as words of a doc comment, on one line and without Markdown. Markdown would run fenced and indented
-/// text as examples, and make links of brackets and addresses.
+/// Makes a text from a model file safe in a Rust doc comment: on one line, with Markdown escaped.
+/// Otherwise rustdoc would run indented text as examples, and make links of brackets and addresses.
 #[must_use]
 pub fn prose(text: &str) -> String {
     let line = one_line(text);
@@ -23,7 +23,8 @@ pub fn prose(text: &str) -> String {
     out.replace("://", "\\://")
 }
 
-/// Lines of a file's header: its title, its origin, and facts about its contents.
+/// Returns the lines of a file's header: its title, the sentence on its origin, and facts about its
+/// contents.
 #[must_use]
 pub fn header(first: String, origin: &str, facts: &[String]) -> Vec<String> {
     let mut lines = vec![first, String::new(), origin.to_owned()];
@@ -31,7 +32,8 @@ pub fn header(first: String, origin: &str, facts: &[String]) -> Vec<String> {
     lines
 }
 
-/// Documentation of a function: its result, with the equations that it computes.
+/// Returns the doc attributes of a planned function: description of its result, with the equations
+/// that it computes.
 #[must_use]
 pub fn stated(planned: &Function) -> TokenStream {
     let mut lines = vec![format!(" {}", planned.about), String::new()];
@@ -55,19 +57,21 @@ pub fn stated(planned: &Function) -> TokenStream {
     quote!(#(#[doc = #lines])*)
 }
 
-/// Most bytes of a line of equations in documentation.
+/// Largest number of bytes in a line of equations in documentation.
 const EQUATION: usize = 160;
 
-/// Comment on the next statement, as a marked doc attribute.
+/// Returns a doc attribute that marks a comment on the next statement. Formatting turns it into a
+/// plain comment.
 #[must_use]
 pub fn comment(text: &str) -> TokenStream {
     let marked = format!("{MARK}{text}");
     quote!(#[doc = #marked])
 }
 
+/// Mark at the beginning of doc attributes that become plain comments.
 const MARK: &str = "~";
 
-/// Item `pub use` for names of a module, in alphabetical order.
+/// Returns the Rust item `pub use` for names of a module, in alphabetical order.
 pub fn reexport<'n>(parent: &TokenStream, module: &str, names: impl IntoIterator<Item = &'n str>) -> TokenStream {
     let mut names: Vec<&str> = names.into_iter().collect();
     names.sort_unstable();
@@ -75,26 +79,27 @@ pub fn reexport<'n>(parent: &TokenStream, module: &str, names: impl IntoIterator
     quote!(pub use #parent::#module::{#(#names),*};)
 }
 
-/// Formats the items of a Rust file, with a header as file documentation, and turns the marked attributes into
-/// comments.
+/// Formats the items of a Rust file. The header becomes file documentation, and marked attributes
+/// become comments.
 ///
 /// # Panics
-/// If the tokens are not a Rust file: a defect of the generator.
+/// If the tokens are not a Rust file, which would be a defect of the generator.
 #[must_use]
 pub fn format(header: &[String], items: TokenStream) -> String {
     under("//!", header, items)
 }
 
-/// Formats a file that another file can contain by `include!`. Its header is a plain comment, because file
-/// documentation would be an error there.
+/// Formats the items of a Rust file that another file can contain by `include!`. The header becomes
+/// a plain comment, because file documentation would be an error there.
 ///
 /// # Panics
-/// If the tokens are not a Rust file: a defect of the generator.
+/// If the tokens are not a Rust file, which would be a defect of the generator.
 #[must_use]
 pub fn format_to_include(header: &[String], items: TokenStream) -> String {
     under("//", header, items)
 }
 
+/// Formats the items of a Rust file. The header becomes comments that begin with `sign`.
 fn under(sign: &str, header: &[String], items: TokenStream) -> String {
     let file: syn::File = syn::parse2(items).expect("generated tokens are a Rust file");
     let body = side_by_side(&prettyplease::unparse(&file));
@@ -131,14 +136,14 @@ fn under(sign: &str, header: &[String], items: TokenStream) -> String {
     out
 }
 
-/// Most bytes of a line of code.
+/// Largest number of bytes in a line of code.
 const WIDTH: usize = 100;
 
-/// Joins lines up to `WIDTH`: short items of lists and fields that have a line each, and continuations that begin with
-/// an operator.
+/// Joins lines of code up to `WIDTH` bytes: short items of lists and fields, and continuations that
+/// begin with an operator.
 fn side_by_side(body: &str) -> String {
     let is_short = |item: &str| {
-        // A field that takes an entry of an array is short.
+        // A struct field that is set from an array entry counts as short.
         let item = if item.ends_with("],") { item.replacen(": ", "", 1) } else { item.to_owned() };
         let opens = item.starts_with(|c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '"'));
         opens && item.ends_with(',') && !item.contains([' ', '(', ')', '{', '}', '|', '&'])

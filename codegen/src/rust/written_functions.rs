@@ -1,27 +1,29 @@
-//! Functions of one model that are already written, so that functions with equal text are written once.
+//! Record of the functions already written for a model, so that functions with equal text are
+//! written only once.
 
 use super::text::reexport;
 use proc_macro2::TokenStream;
 use quote::quote;
 use rustc_hash::FxHashMap;
 
-/// Module of code that contains each function, by the text of the function.
+/// Record of the functions already written for a model.
 #[derive(Default)]
 pub struct Written {
+    /// Name of the code module that contains each function, by the text of the function.
     places: FxHashMap<String, String>,
 }
 
-/// Functions of a module of code: those that it contains, and those that other modules contain.
+/// Functions of one code module: those that it contains, and those that it imports.
 pub struct Sorted {
-    /// Texts of the functions that the module contains.
+    /// Texts of the functions that the module contains itself.
     pub own: Vec<TokenStream>,
-    /// Names of functions that other modules contain, by module.
+    /// Names of the functions that the module imports, by the module that contains them.
     pub others: Vec<(String, Vec<&'static str>)>,
 }
 
 impl Written {
-    /// Sorts the functions of a module into new ones and those that another module already contains. New functions are
-    /// recorded.
+    /// Sorts the functions of a module into new functions and functions that an earlier module
+    /// already contains. New functions are recorded.
     pub fn sort(&mut self, module: &str, functions: impl IntoIterator<Item = (&'static str, TokenStream)>) -> Sorted {
         let mut sorted = Sorted { own: Vec::new(), others: Vec::new() };
         for (name, tokens) in functions {
@@ -40,12 +42,12 @@ impl Written {
 }
 
 impl Sorted {
-    /// True if the module itself contains the text of the function.
+    /// True if the module itself contains the text of the function `name`.
     pub fn has(&self, name: &str) -> bool {
         !self.others.iter().any(|(_, names)| names.contains(&name))
     }
 
-    /// Imports of the functions that other modules contain.
+    /// Returns the import items for the functions that other modules contain.
     pub fn imports(&self) -> impl Iterator<Item = TokenStream> {
         self.others.iter().map(|(module, names)| reexport(&quote!(super), module, names.iter().copied()))
     }

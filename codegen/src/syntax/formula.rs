@@ -1,19 +1,20 @@
-//! Formulas as expressions with infix operators.
+//! Formulas as expressions with infix operators, for C, JavaScript, MATLAB and Python.
 //!
-//! Operations are in the order of the plan, so that the results of all languages differ only by rounding.
+//! Operations are in the order of the plan, so that the results of all languages differ only by
+//! rounding.
 
 use super::Syntax;
 use crate::plan::{constant_and_factors, is_flat, is_plain_product, led};
 use tripos_derive::algebra::Rational;
 use tripos_derive::algebra::text::view::View;
 
-/// Expression for a formula.
+/// Returns the expression for a formula in a language.
 #[must_use]
 pub fn formula(syntax: &dyn Syntax, view: &View) -> String {
     Formula(syntax).of(view)
 }
 
-/// Literal of the double nearest to a number.
+/// Returns the literal of the double nearest to a rational number.
 #[must_use]
 pub fn constant(syntax: &dyn Syntax, value: &Rational) -> String {
     let magnitude = if value.is_negative() { value.neg() } else { value.clone() }.to_big();
@@ -21,11 +22,12 @@ pub fn constant(syntax: &dyn Syntax, value: &Rational) -> String {
     if value.is_negative() { format!("-{magnitude}") } else { magnitude }
 }
 
-/// Writer of formulas in one language.
+/// Writer of formulas in one language, with its syntax.
 #[derive(Clone, Copy)]
 struct Formula<'s>(&'s dyn Syntax);
 
 impl Formula<'_> {
+    /// Returns the expression for a formula.
     fn of(self, view: &View) -> String {
         match view {
             View::Number(text) => self.number(text, "1"),
@@ -42,7 +44,7 @@ impl Formula<'_> {
         }
     }
 
-    /// Quotient of two whole numbers, as one literal.
+    /// Returns the literal of a quotient of two whole numbers, given by their digits.
     fn number(self, numerator: &str, denominator: &str) -> String {
         if denominator == "1" {
             return self.0.whole(numerator);
@@ -62,7 +64,8 @@ impl Formula<'_> {
         power.map_or_else(|| self.0.not_a_number().to_owned(), scaled)
     }
 
-    /// Sum with its terms from left to right.
+    /// Returns the expression for a sum, with its terms from left to right. A product of names and
+    /// numbers may be moved from the first to the second place.
     fn sum(self, terms: &[(bool, View)]) -> String {
         let order = led(terms);
         let mut has_fused = order.iter().any(|(_, term)| !is_flat(term));
@@ -85,16 +88,19 @@ impl Formula<'_> {
         out
     }
 
-    /// Product with a number at its end. So does the Rust target write the product that it fuses with a sum.
+    /// Returns the expression for a product with its numbers at the end. The Rust target uses this
+    /// order in a product fused with a sum.
     fn fused(self, factors: &[View]) -> String {
         let (numbers, others): (Vec<&View>, Vec<&View>) = factors.iter().partition(|f| matches!(f, View::Number(_)));
         self.product(&others.into_iter().chain(numbers).map(|f| self.factor(f)).collect::<Vec<_>>())
     }
 
+    /// Joins factors by the language's operator of multiplication.
     fn product(self, factors: &[String]) -> String {
         factors.join(&format!(" {} ", self.0.operators()[0]))
     }
 
+    /// Returns a formula as a factor, in parentheses if it is a sum or a fraction.
     fn factor(self, view: &View) -> String {
         if matches!(view, View::Sum(_) | View::Fraction(..)) { self.in_parentheses(view) } else { self.of(view) }
     }
@@ -103,7 +109,8 @@ impl Formula<'_> {
         format!("({})", self.of(view))
     }
 
-    /// Quotient above / below, with the whole numbers of both terms merged into one constant.
+    /// Returns the expression for a quotient. The whole numbers in numerator and denominator are
+    /// merged into one constant.
     fn fraction(self, above: &View, below: &View) -> String {
         let (n, above) = constant_and_factors(above);
         let (d, below) = constant_and_factors(below);
@@ -124,7 +131,8 @@ impl Formula<'_> {
         }
     }
 
-    /// Power of a formula: squares and cubes of variables as products, other powers as the language writes them.
+    /// Returns the expression for a power. Squares and cubes of variables become products; other
+    /// powers are written by the language.
     fn power(self, base: &View, n: i32) -> String {
         match base {
             View::Name(_) | View::Shared(_) if (2..=3).contains(&n) => {

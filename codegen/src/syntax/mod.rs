@@ -1,4 +1,4 @@
-//! Text that languages with infix formulas have in common: formulas, statements and comments.
+//! Syntax shared by languages with infix formulas: formulas, statements and comments.
 //!
 //! The flow: a planned [`Function`](crate::plan::Function) → a [`Writer`] → text. A [`Syntax`] states how one language
 //! spells numbers, calls, declarations and comments; it decides nothing about the computation. Rust is not among these
@@ -13,19 +13,21 @@ pub use writer::{Comments, Writer};
 use crate::lines::wrap;
 use std::fmt::Write;
 
-/// Most bytes of a line of comments and code.
+/// Largest number of bytes in a line of comments or code.
 pub const WIDTH: usize = 110;
 
-/// Space at which no statement is broken; it is written as a space.
+/// Character for a space at which no line may be broken. It is written as a normal space in the
+/// end.
 pub const FIRM_SPACE: char = '\u{a0}';
 
-/// Text in which no statement is broken.
+/// Replaces the spaces of a text, so that no line is broken inside it.
 #[must_use]
 pub fn firm(text: &str) -> String {
     text.replace(' ', &FIRM_SPACE.to_string())
 }
 
-/// Texts `name = value` of several variables, separated by `separator`. If there are several, no line ends inside one.
+/// Returns the texts `name = value` of several variables, joined by `separator`. If there are
+/// several, no line is broken inside an assignment.
 #[must_use]
 pub fn assigned(list: &[(String, String)], separator: &str) -> String {
     let one = |(name, value): &(String, String)| {
@@ -35,61 +37,67 @@ pub fn assigned(list: &[(String, String)], separator: &str) -> String {
     list.iter().map(one).collect::<Vec<_>>().join(separator)
 }
 
-/// Spelling of one language.
+/// Syntax of one language: how numbers, calls, declarations and comments are written.
 pub trait Syntax {
-    /// Characters that begin a comment up to the end of the line.
+    /// Returns the characters that begin a comment up to the end of the line.
     fn comment_mark(&self) -> &'static str;
 
-    /// Text of a comment in one line, with nothing that the language would read as more than a comment.
+    /// Makes a text safe in a comment: on one line, without characters that end or change the
+    /// comment in this language.
     fn harmless(&self, text: &str) -> String;
 
-    /// Operators of multiplication and division, without spaces.
+    /// Returns the operators of multiplication and division, without spaces.
     fn operators(&self) -> [&'static str; 2] {
         ["*", "/"]
     }
 
-    /// Literal of a whole number, given by its digits.
+    /// Returns the literal of a whole number, given by its digits.
     fn whole(&self, digits: &str) -> String {
         digits.to_owned()
     }
 
-    /// Literal of a number that is not whole, or too long for a whole one, given in decimals.
+    /// Returns the literal of a decimal number, given as decimal text. It also serves whole numbers
+    /// that are too long for integers.
     fn decimal(&self, text: &str) -> String {
         text.to_owned()
     }
 
-    /// Value "not a number".
+    /// Returns the constant "not a number".
     fn not_a_number(&self) -> &'static str;
 
-    /// Ratio of a circle's circumference to its diameter.
+    /// Returns the constant π.
     fn pi(&self) -> &'static str;
 
-    /// Call of a function that model files know by this name, with its argument.
+    /// Returns the call of the mathematical function that model files call `name`, with its
+    /// argument.
     fn call(&self, name: &str, argument: &str) -> String;
 
-    /// Power of a base, which is given as an argument of a call and as an operand: in parentheses if it has operators.
+    /// Returns a power. The base is given in two forms: as the argument of a call, and as an
+    /// operand, in parentheses if it has operators.
     fn power(&self, argument: &str, operand: &str, exponent: i32) -> String;
 
-    /// True if products in sums are ordered as in Rust, where one of them is fused, so that results have equal bits.
+    /// True if products in sums are ordered as in Rust, where one product is fused with the sum.
+    /// Then results can have equal bits.
     fn is_ordered_as_rust(&self) -> bool {
         false
     }
 
-    /// Entry of an array, counted from 0.
+    /// Returns the expression for an entry of an array, counted from 0.
     fn entry(&self, array: &str, at: usize) -> String {
         format!("{array}[{at}]")
     }
 
-    /// Writes statements that declare variables with their values; there is at least one.
+    /// Writes statements that declare variables with their values. The list must not be empty.
     fn declare(&self, out: &mut String, indent: &str, list: &[(String, String)]);
 
-    /// Statements that declare the sine and the cosine of an angle at once; `None` if the language computes them one
-    /// by one.
+    /// Returns statements that compute the sine and cosine of an angle at once. `None` if the
+    /// language computes them separately.
     fn circular(&self, _sine: &str, _cosine: &str, _angle: &str) -> Option<Vec<String>> {
         None
     }
 
-    /// Writes a statement without string literals on as many lines as it needs.
+    /// Writes a statement on as many lines as it needs. It must not contain string literals,
+    /// because lines are broken at spaces.
     fn statement(&self, out: &mut String, indent: &str, text: &str) {
         for (at, part) in wrap(text, WIDTH - indent.len() - 4).iter().enumerate() {
             let hang = if at == 0 { "" } else { "    " };

@@ -1,48 +1,50 @@
-//! Writer of statements and comments of planned functions.
+//! Writer of the statements and comments of planned functions in a language with infix formulas.
 
 use super::{Syntax, WIDTH, formula};
 use crate::lines::wrap;
 use crate::plan::{Argument, Explanation, Function, Line, Program, Statement};
 use std::fmt::Write;
 
-/// Choice whether the code contains comments.
+/// Choice of whether generated code contains comments.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Comments {
-    /// Comments are written, for people.
+    /// Comments are written, for people who read the code.
     Written,
-    /// Comments are left out, for programs.
+    /// Comments are left out, because only programs read the code.
     LeftOut,
 }
 
-/// Writer of text in one language.
+/// Writer of generated code in one language.
 pub struct Writer<'s> {
-    /// Text written so far.
+    /// Text of the code written so far.
     pub out: String,
-    /// Language of the text.
+    /// Syntax of the language in which code is written.
     pub syntax: &'s dyn Syntax,
+    /// Choice of whether comments are written.
     comments: Comments,
+    /// Spaces at the beginning of each following line of code.
     indent: &'static str,
 }
 
 impl<'s> Writer<'s> {
-    /// Writer with no text written.
+    /// Returns a writer of code in a language, without any text yet.
     #[must_use]
     pub fn new(syntax: &'s dyn Syntax, comments: Comments) -> Self {
         Self { out: String::new(), syntax, comments, indent: "" }
     }
 
-    /// Choice whether comments are written.
+    /// Returns the choice of whether comments are written.
     #[must_use]
     pub fn comments(&self) -> Comments {
         self.comments
     }
 
-    /// Sets the spaces before each of the following lines.
+    /// Sets the spaces at the beginning of each of the following lines.
     pub fn indent(&mut self, indent: &'static str) {
         self.indent = indent;
     }
 
-    /// Writes a comment on the following code, if comments are written.
+    /// Writes a comment, broken into lines. Writes nothing if comments are left out.
     pub fn comment(&mut self, text: &str) {
         if self.comments == Comments::LeftOut {
             return;
@@ -54,31 +56,33 @@ impl<'s> Writer<'s> {
         }
     }
 
-    /// Writes the origin of the text as a comment in one line, so that it is found again.
+    /// Writes the sentence on the origin of the code as a comment on one line, so that programs can
+    /// find it.
     pub fn origin(&mut self, sentence: &str) {
         let _ = writeln!(self.out, "{} {}", self.syntax.comment_mark(), self.syntax.harmless(sentence).trim());
     }
 
-    /// Writes an empty line, if comments are written.
+    /// Writes an empty line. Writes nothing if comments are left out.
     pub fn gap(&mut self) {
         if self.comments == Comments::Written {
             self.out.push('\n');
         }
     }
 
-    /// Writes a statement that may contain string literals, without line breaks.
+    /// Writes a statement without breaking its lines. It may contain string literals.
     pub fn raw(&mut self, text: &str) {
         self.out += self.indent;
         self.out += text;
         self.out.push('\n');
     }
 
-    /// Writes a statement without string literals, on as many lines as it needs.
+    /// Writes a statement on as many lines as it needs. It must not contain string literals.
     pub fn line(&mut self, text: &str) {
         self.syntax.statement(&mut self.out, self.indent, text);
     }
 
-    /// Declares variables for the entries that the body reads of its arguments.
+    /// Writes declarations of variables for the entries of the arguments that the function's body
+    /// reads.
     pub fn unpack(&mut self, arguments: &[Argument]) {
         for argument in arguments {
             match argument {
@@ -93,21 +97,21 @@ impl<'s> Writer<'s> {
         }
     }
 
-    /// Declares variables for entries of an array, given as (index, variable).
+    /// Writes declarations of variables for entries of an array, given as pairs (index, variable).
     pub fn taken(&mut self, array: &str, list: &[(usize, String)]) {
         let each = list.iter().map(|(at, name)| (name.clone(), self.syntax.entry(array, *at)));
         self.declare(&each.collect::<Vec<_>>());
     }
 
-    /// Declares variables with their values. Where several variables have short values, no line ends inside one.
+    /// Writes declarations of variables with their values. The list may be empty.
     fn declare(&mut self, list: &[(String, String)]) {
         if !list.is_empty() {
             self.syntax.declare(&mut self.out, self.indent, list);
         }
     }
 
-    /// Writes the lines and outputs of a program, with one heading for each kind of line. The code after the program
-    /// reads the variables in `more`.
+    /// Writes the lines and outputs of a program, with one heading for each kind of line. `more`
+    /// lists variables that later code reads, in addition to those the program reads itself.
     pub fn program(&mut self, planned: &Function, program: &Program, more: &[(usize, String)]) {
         let mut read = program.names_read(0..usize::MAX);
         read.extend(more.iter().map(|(_, name)| name.as_str()));
@@ -134,7 +138,8 @@ impl<'s> Writer<'s> {
         }
     }
 
-    /// Declares the sine and the cosine of an angle; `None` for one that is not read.
+    /// Writes the declarations of the sine and cosine of an angle. `None` marks a value that is not
+    /// read.
     fn circular(&mut self, sine: Option<&str>, cosine: Option<&str>, angle: &str) {
         let both = sine.zip(cosine).and_then(|(sine, cosine)| self.syntax.circular(sine, cosine, angle));
         if let Some(lines) = both {
@@ -148,6 +153,8 @@ impl<'s> Writer<'s> {
         self.declare(&list.collect::<Vec<_>>());
     }
 
+    /// Writes the declaration of a variable, with its equation as a comment above it if
+    /// `explanation` asks for formulas.
     fn step(&mut self, step: &Statement, explanation: Explanation) {
         if let Some(equation) = explanation.of(step) {
             self.comment(equation);
@@ -156,6 +163,7 @@ impl<'s> Writer<'s> {
     }
 }
 
+/// Returns the heading of a line's kind, for a comment.
 fn heading(planned: &Function, line: &Line, lines: &[Line]) -> &'static str {
     let eliminates = lines.iter().any(|line| matches!(line, Line::Step(_)));
     match line {

@@ -1,46 +1,49 @@
-//! Other forms of a sum of products, with fewer products of factors that change in time.
+//! Alternative forms of a sum of products that have fewer products of factors that change in time.
 //!
-//! A sum is written out, and common factors are taken out again, the most frequent one first: a multivariate Horner
-//! scheme. If several factors are equally frequent, their order changes the number of products, so there are several
-//! forms to choose from. `simplify` factors for the shortest text, and `sharing` for few operations. Here only products
-//! of factors that change in time count, and terms keep the order in which they occur. Every form is equal to the sum
-//! by the rules of a commutative ring alone. Trigonometric identities are deliberately not used.
+//! A sum is expanded, and common factors are taken out again, the most frequent factor first: a
+//! multivariate Horner scheme. If several factors are equally frequent, their order changes the
+//! number of products, so there are several forms to choose from. `simplify` factors for the
+//! shortest text, and `sharing` for few operations. Here only products of factors that change in
+//! time count, and terms keep the order in which they occur. Every form is equal to the sum by the
+//! rules of a commutative ring alone. Trigonometric identities are deliberately not used.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::form::polynomial::multiply;
 use tripos_derive::algebra::{Arena, Expr, Node, Rational};
 
-/// Most products of a sum that is written out; longer sums are not changed.
+/// Largest number of products of a sum that is expanded. A longer sum is not changed.
 const LONGEST: usize = 200;
-/// Highest power of a sum that is written out.
+/// Highest power of a sum that is expanded.
 const HIGHEST: i32 = 3;
 
-/// Choice of the factor that is taken out first among equally frequent factors.
+/// Choice of the factor that is taken out first if several factors are equally frequent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Preference {
-    /// Factor that was built first.
+    /// The factor that was built first in the arena.
     Early,
-    /// Factor that was built last.
+    /// The factor that was built last in the arena.
     Late,
-    /// Function values before other factors.
+    /// Function values, such as sin q1, before other factors.
     Functions,
-    /// States before other factors.
+    /// States, such as q1, before other factors.
     Symbols,
 }
 
 impl Preference {
-    /// All preferences.
+    /// List of all preferences, in the order in which they are tried.
     pub const ALL: [Self; 4] = [Self::Early, Self::Late, Self::Functions, Self::Symbols];
 }
 
-/// Product coefficient · Π base^exponent, with sorted bases.
+/// Monomial: a coefficient times powers of terms.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Monomial {
+    /// Rational coefficient by which the powers are multiplied.
     coefficient: Rational,
+    /// Bases with their exponents, sorted by base.
     powers: Vec<(Expr, i32)>,
 }
 
-/// A base as a factor or as a divisor of products.
+/// Term as a factor or as a divisor of monomials.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 struct Factor {
     base: Expr,
@@ -48,22 +51,25 @@ struct Factor {
 }
 
 impl Monomial {
+    /// Returns the monomial base^n with the coefficient 1.
     fn of(base: Expr, n: i32) -> Self {
         Self { coefficient: Rational::ONE, powers: vec![(base, n)] }
     }
 
+    /// Returns the product of two monomials.
     fn times(&self, other: &Self) -> Self {
         Self { coefficient: self.coefficient.mul(&other.coefficient), powers: multiply(&self.powers, &other.powers) }
     }
 
-    /// Size of the exponent of a factor; 0 if the product does not have it.
+    /// Returns the absolute exponent of a factor or divisor; 0 if the monomial does not contain it.
     fn exponent(&self, factor: Factor) -> i32 {
         let found = self.powers.iter().find(|(base, _)| *base == factor.base).map_or(0, |(_, n)| *n);
         if factor.is_divisor { (-found).max(0) } else { found.max(0) }
     }
 }
 
-/// Different forms of `e` by the preferences, without `e` itself. `varying` are the terms that change in time.
+/// Returns the different forms of the term `e`, at most one per preference, without `e` itself.
+/// `varying` are the terms that change in time.
 pub fn forms(arena: &mut Arena, varying: &FxHashSet<Expr>, e: Expr) -> Vec<Expr> {
     let Some(sum) = written_out(arena, varying, e) else { return Vec::new() };
     let mut list = Vec::new();
@@ -76,7 +82,7 @@ pub fn forms(arena: &mut Arena, varying: &FxHashSet<Expr>, e: Expr) -> Vec<Expr>
     list
 }
 
-/// Form of `e` by one preference; `e` itself if it is too long to be written out.
+/// Returns the form of the term `e` by one preference; `e` itself if it is too long to be expanded.
 pub fn form(arena: &mut Arena, varying: &FxHashSet<Expr>, e: Expr, preference: Preference) -> Expr {
     match written_out(arena, varying, e) {
         Some(sum) => horner(arena, varying, sum, preference),
@@ -84,7 +90,8 @@ pub fn form(arena: &mut Arena, varying: &FxHashSet<Expr>, e: Expr, preference: P
     }
 }
 
-/// Writes out `e` as a sum of products; `None` if it is too long. Sums that do not change in time are not written out.
+/// Expands the term `e` into a sum of monomials; `None` if that has too many. Sums that are
+/// constant in time are not expanded.
 fn written_out(arena: &Arena, varying: &FxHashSet<Expr>, e: Expr) -> Option<Vec<Monomial>> {
     let mut known: FxHashMap<Expr, Vec<Monomial>> = FxHashMap::default();
     for part in arena.reachable(&[e]) {
@@ -114,6 +121,8 @@ fn written_out(arena: &Arena, varying: &FxHashSet<Expr>, e: Expr) -> Option<Vec<
     known.remove(&e)
 }
 
+/// Multiplies a sum by the power base^n, whose base has the expansion `inner`. Returns `None` if
+/// the result has too many monomials.
 fn times_power(product: &[Monomial], inner: &[Monomial], base: Expr, n: i32) -> Option<Vec<Monomial>> {
     let (factor, count) = match inner {
         [one] => {
@@ -133,7 +142,7 @@ fn times_power(product: &[Monomial], inner: &[Monomial], base: Expr, n: i32) -> 
     Some(result)
 }
 
-/// Adds products with equal factors, and removes those with the coefficient 0.
+/// Adds monomials with equal factors, and removes monomials with the coefficient 0.
 fn collected(sum: Vec<Monomial>) -> Vec<Monomial> {
     let mut place: FxHashMap<Vec<(Expr, i32)>, usize> = FxHashMap::default();
     let mut list: Vec<Monomial> = Vec::new();
@@ -150,7 +159,8 @@ fn collected(sum: Vec<Monomial>) -> Vec<Monomial> {
     list
 }
 
-/// Sum with common factors taken out. It is nested at most as deep as the longest sum is long.
+/// Returns the term for a sum with common factors taken out. Its nesting depth is at most the
+/// number of monomials.
 fn horner(arena: &mut Arena, varying: &FxHashSet<Expr>, mut sum: Vec<Monomial>, preference: Preference) -> Expr {
     let common = common_factor(&sum);
     let mut terms = Vec::new();
@@ -174,7 +184,8 @@ fn horner(arena: &mut Arena, varying: &FxHashSet<Expr>, mut sum: Vec<Monomial>, 
     arena.mul(common, sum)
 }
 
-/// Factors common to all products of a sum, with their exponents.
+/// Returns the factors that all monomials of a sum have in common, with their exponents. Empty for
+/// a single monomial.
 fn common_factor(sum: &[Monomial]) -> Vec<(Expr, i32)> {
     let Some(first) = sum.first().filter(|_| sum.len() > 1) else { return Vec::new() };
     let least = |&(base, n): &(Expr, i32)| {
@@ -184,6 +195,7 @@ fn common_factor(sum: &[Monomial]) -> Vec<(Expr, i32)> {
     first.powers.iter().map(least).filter(|(_, n)| *n != 0).collect()
 }
 
+/// Divides all monomials of a sum by a product of powers.
 fn take_out(sum: &mut [Monomial], factor: &[(Expr, i32)]) {
     let inverse = Monomial { coefficient: Rational::ONE, powers: factor.iter().map(|(base, n)| (*base, -n)).collect() };
     for m in sum {
@@ -191,7 +203,8 @@ fn take_out(sum: &mut [Monomial], factor: &[(Expr, i32)]) {
     }
 }
 
-/// Factor or divisor that changes in time and is in most products. `None` unless two or more products have it.
+/// Returns the factor or divisor that changes in time and occurs in most monomials. `None` unless
+/// at least two monomials contain it.
 fn most_frequent(arena: &Arena, varying: &FxHashSet<Expr>, sum: &[Monomial], preference: Preference) -> Option<Factor> {
     let mut counts: FxHashMap<Factor, usize> = FxHashMap::default();
     for (base, n) in sum.iter().flat_map(|m| &m.powers).filter(|(base, _)| varying.contains(base)) {

@@ -1,4 +1,4 @@
-//! Series from terms: the program of a right-hand side, one operation at a time.
+//! Conversion of the terms of a right-hand side into Taylor series, one operation at a time.
 
 use super::products::{Atom, Base, Pairs};
 use super::recurrences::{Operand, Recurrences, Rule, Series};
@@ -7,8 +7,9 @@ use tripos_derive::algebra::term::calculus::Substitution;
 use tripos_derive::algebra::term::steps::{Definition, needed};
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 
-/// Recurrences of states whose rates are given in terms of states, parameters and steps, without other forms of the
-/// terms. `None` if a function in the terms has no Taylor series.
+/// Converts states and their rates into recurrences. The rates are terms in states, parameters and
+/// the symbols of `steps`. The terms are taken as they stand.
+/// `None` if a term contains |x| or sign x, which have no Taylor series everywhere.
 pub fn lower(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[Definition]) -> Option<Recurrences> {
     let steps = needed(arena, steps, rates);
     let roots: Vec<Expr> = steps.iter().map(|step| step.value).chain(rates.iter().copied()).collect();
@@ -57,7 +58,8 @@ pub fn lower(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[Defini
     Some(tidied(Recurrences { series: lowering.series, states: states.to_vec(), rates: operands }, lowering.arena))
 }
 
-/// Terms that change in time: states whose rate is not 0, and all terms that contain them, steps included.
+/// Returns the terms that change in time: states whose rate is not 0, and all terms that contain
+/// such states, also through steps.
 pub fn varying(arena: &Arena, states: &[Expr], rates: &[Expr], steps: &[Definition]) -> FxHashSet<Expr> {
     let value = |rate: Expr| steps.iter().find(|step| step.symbol == rate).map_or(rate, |step| step.value);
     let mut varying: FxHashSet<Expr> =
@@ -79,7 +81,8 @@ pub fn varying(arena: &Arena, states: &[Expr], rates: &[Expr], steps: &[Definiti
     varying
 }
 
-/// Factors of every product that change in time, with common pairs joined.
+/// Returns the factors of every product that changes in time. Pairs of factors that several
+/// products share are joined.
 fn products(arena: &Arena, pairs: &mut Pairs, parts: &[Expr], varying: &FxHashSet<Expr>) -> FxHashMap<Expr, Vec<Atom>> {
     let mut names = Vec::new();
     let mut lists = Vec::new();
@@ -96,23 +99,33 @@ fn products(arena: &Arena, pairs: &mut Pairs, parts: &[Expr], varying: &FxHashSe
     names.into_iter().zip(lists).collect()
 }
 
+/// State of the conversion of terms into series.
 struct Lowering<'a> {
+    /// Arena that stores the terms (symbolic expressions).
     arena: &'a mut Arena,
+    /// Terms that change in time: states and terms that contain them.
     varying: FxHashSet<Expr>,
+    /// Pairs of factors whose products are shared.
     pairs: Pairs,
+    /// Factors of each product that changes in time, with shared pairs joined.
     products: FxHashMap<Expr, Vec<Atom>>,
+    /// Series so far, each after those that it reads.
     series: Vec<Series>,
+    /// Series or constant of each converted term.
     known: FxHashMap<Expr, Operand>,
+    /// Series of each converted pair, by the index of the pair.
     known_pairs: FxHashMap<usize, Operand>,
-    /// Operations up to each series, along its longest chain of recurrences, roughly.
+    /// Approximate number of successive operations at one order before the coefficient of each
+    /// series is known.
     depths: Vec<usize>,
-    /// State or step whose value is being lowered.
+    /// State or step whose value is being converted.
     current: Expr,
     /// Values of the steps that are constant in time.
     constants: Substitution,
 }
 
 impl Lowering<'_> {
+    /// Adds the Taylor series of a term with its recurrence, and returns its index.
     fn push(&mut self, term: Expr, rule: Rule) -> usize {
         let cost = match &rule {
             Rule::State(_) => 0,
@@ -126,7 +139,7 @@ impl Lowering<'_> {
         self.series.len() - 1
     }
 
-    /// Lowers a term with all its subterms.
+    /// Converts a term with all its subterms.
     fn term(&mut self, e: Expr) -> Operand {
         for part in self.arena.reachable(&[e]) {
             if !self.known.contains_key(&part) {
@@ -137,7 +150,7 @@ impl Lowering<'_> {
         self.known[&e]
     }
 
-    /// Lowers a term whose operands are lowered.
+    /// Converts a term whose operands are already converted.
     fn one(&mut self, e: Expr) -> Operand {
         if !self.varying.contains(&e) {
             return Operand::Constant(self.constants.apply(self.arena, e));
@@ -168,7 +181,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Series without a weight, for a lowered term that changes in time.
+    /// Returns the index of a series without a constant factor, for a converted term that changes
+    /// in time.
     fn plain(&mut self, e: Expr) -> usize {
         match self.known[&e] {
             Operand::Scaled(Expr::ONE, x) => x,
@@ -181,6 +195,8 @@ impl Lowering<'_> {
         }
     }
 
+    /// Converts a product: constant factors become the weight, and the other factors are joined two
+    /// by two.
     fn product(&mut self, e: Expr, factors: &[(Expr, i32)]) -> Operand {
         let mut weight = Expr::ONE;
         for (base, n) in factors {
@@ -196,7 +212,7 @@ impl Lowering<'_> {
             weight = self.arena.mul(weight, constant);
             atoms.push((atom, x));
         }
-        // Factors that are known first are joined first.
+        // Factors whose coefficients are known first are joined first.
         while atoms.len() > 1 {
             atoms.sort_by_key(|(atom, x)| (std::cmp::Reverse(self.depths[*x]), *atom));
             let (Some((a, _)), Some((b, _))) = (atoms.pop(), atoms.pop()) else { break };
@@ -218,8 +234,8 @@ impl Lowering<'_> {
         Operand::Scaled(weight, reciprocal)
     }
 
-    /// Constant factor of an atom, and the index of its power series. For a divisor, the factor is 1 over that of the
-    /// series of the divisor.
+    /// Returns the constant factor of a factor or divisor, and the index of its series. For a
+    /// divisor, the constant is the reciprocal of its series' constant.
     fn atom(&mut self, atom: Atom) -> (Expr, usize) {
         let operand = match atom.base {
             Base::Term(e) => self.known[&e],
@@ -230,7 +246,8 @@ impl Lowering<'_> {
         (weight, x)
     }
 
-    /// Lowers a pair, after the pairs inside it. It is nested at most as deep as a product has factors.
+    /// Converts a pair of factors, after the pairs inside it. The nesting depth is at most the
+    /// number of factors of a product.
     fn pair(&mut self, place: usize) -> Operand {
         if let Some(known) = self.known_pairs.get(&place) {
             return *known;
@@ -247,8 +264,8 @@ impl Lowering<'_> {
         operand
     }
 
-    /// Lowers a function value f(x) with the further series that its recurrence needs. `x` is the series of the
-    /// argument.
+    /// Converts a function value f(x), with the further series that its recurrence needs. `x` is
+    /// the index of the argument's series. Returns the index of the new series.
     fn function(&mut self, e: Expr, f: Function, argument: Expr, x: usize) -> usize {
         match f {
             Function::Sin | Function::Sinh => self.partners(f, argument, x).0,
@@ -289,8 +306,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Lowers a sine with its cosine, or a hyperbolic sine with its cosine: each is the other's slope. Returns both
-    /// series.
+    /// Converts a sine with its cosine, or a hyperbolic pair. Each is the derivative of its
+    /// partner, up to sign. Returns the indices of both series.
     fn partners(&mut self, f: Function, argument: Expr, x: usize) -> (usize, usize) {
         let round = matches!(f, Function::Sin | Function::Cos);
         let (one, other) = if round { (Function::Sin, Function::Cos) } else { (Function::Sinh, Function::Cosh) };
@@ -308,7 +325,8 @@ impl Lowering<'_> {
     }
 }
 
-/// Merges each sum that only one other sum reads into this sum, and removes series that are not read.
+/// Merges each sum that only one other sum reads into that sum, and removes series that nothing
+/// reads.
 fn tidied(mut list: Recurrences, arena: &mut Arena) -> Recurrences {
     let count = list.series.len();
     let mut readers = vec![0_usize; count];
@@ -367,7 +385,7 @@ fn tidied(mut list: Recurrences, arena: &mut Arena) -> Recurrences {
     list
 }
 
-/// Marks the series that the rates need; states are always marked.
+/// Returns, for each series, true if the rates need it. States are always needed.
 fn live(list: &Recurrences) -> Vec<bool> {
     let mut live: Vec<bool> = list.series.iter().map(|s| matches!(s.rule, Rule::State(_))).collect();
     let rate = |operand: &Operand| match operand {

@@ -22,15 +22,17 @@ use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::steps::{Definition, needed};
 use tripos_derive::algebra::{Arena, Expr};
 
-/// Most rounds of improvement. Each form of each expression is tried in each round.
+/// Largest number of rounds of improvement. Each round tries every form of every expression.
 const ROUNDS: usize = 3;
-/// Most steps of a program whose recurrences are improved; longer programs already consist of short steps.
+/// Largest number of steps of a program whose recurrences are improved. Longer programs already
+/// consist of short steps.
 const MOST_IMPROVED: usize = 100;
-/// Most forms of all expressions for which several rounds are run; with more, each form is tried once.
+/// Largest number of forms of all expressions for which several rounds are run. With more, each
+/// form is tried only once.
 const MOST_TRIALS: usize = 150;
 
-/// Recurrences of the state (q, v) of a set of equations. `None` if a function in the equations has no Taylor series
-/// everywhere.
+/// Derives the recurrences of the state (q, v) of a set of equations, from the program of its
+/// accelerations. `None` if a function in the equations has no Taylor series everywhere.
 #[must_use]
 pub fn recurrences_of(arena: &mut Arena, equations: &Equations, accelerations: &Elimination) -> Option<Recurrences> {
     let states = [equations.coordinates.as_slice(), &equations.variables].concat();
@@ -38,8 +40,9 @@ pub fn recurrences_of(arena: &mut Arena, equations: &Equations, accelerations: &
     recurrences(arena, &states, &rates, &accelerations.steps)
 }
 
-/// Recurrences of states whose rates are given in terms of states, parameters and steps. `None` if a function in them
-/// has no Taylor series everywhere, such as |x| and sign x.
+/// Derives the recurrences of states whose rates are terms in states, parameters and the symbols of
+/// `steps`. Forms of the terms with few convolutions are chosen. `None` if a term contains |x| or
+/// sign x, which have no Taylor series everywhere.
 #[must_use]
 pub fn recurrences(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[Definition]) -> Option<Recurrences> {
     let mut steps = needed(arena, steps, rates);
@@ -93,7 +96,8 @@ pub fn recurrences(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[
     Some(best)
 }
 
-/// Cost of recurrences: number of convolutions, then of linear operations.
+/// Returns the cost of recurrences at one order: the number of convolutions, then of linear
+/// operations. Costs are compared in this order.
 fn cost(list: &Recurrences) -> (usize, usize) {
     (list.convolutions(), list.linear_operations())
 }

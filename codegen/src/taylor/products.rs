@@ -1,44 +1,48 @@
-//! Products of many factors as products and quotients of two, shared between the products that contain them.
+//! Products of many factors, computed as products and quotients of two, which are shared between
+//! all products that contain them.
 
 use rustc_hash::FxHashMap;
 use tripos_derive::algebra::Expr;
 
-/// Base of a factor that changes in time.
+/// Base of a factor that changes in time: a single term or a pair of factors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Base {
-    /// Single term, not a pair.
+    /// Single term that is not a pair of factors.
     Term(Expr),
-    /// Pair with this index in [`Pairs`].
+    /// Pair of factors with this index in [`Pairs`].
     Pair(usize),
 }
 
-/// Factor or divisor of a product.
+/// Factor or divisor of a product that changes in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Atom {
-    /// Term or pair that is the factor or divisor.
+    /// Term or pair that multiplies or divides.
     pub base: Base,
-    /// True for a divisor.
+    /// True for a divisor, false for a factor.
     pub inverse: bool,
 }
 
-/// Highest power that is written out factor by factor, so that any factor can be shared. Higher powers are computed by
-/// squares.
+/// Highest power that is written factor by factor, so that any factor can be shared. Higher powers
+/// are computed by repeated squaring.
 const WRITTEN: u32 = 3;
 
-/// Distinct pairs of atoms.
+/// Table of the distinct pairs of factors, each with an index.
 #[derive(Default)]
 pub struct Pairs {
+    /// Two factors of each pair, by the pair's index.
     list: Vec<[Atom; 2]>,
+    /// Index of each pair in `list`, by its two factors.
     place: FxHashMap<[Atom; 2], usize>,
 }
 
 impl Pairs {
-    /// Atoms of the pair with this index.
+    /// Returns the two factors of the pair with the index `place`.
     pub fn atoms(&self, place: usize) -> [Atom; 2] {
         self.list[place]
     }
 
-    /// Pair of two atoms: a quotient if one of them is a divisor, and itself a divisor if both are.
+    /// Returns the factor that joins two factors into a pair. The pair is a quotient if one is a
+    /// divisor; it becomes a divisor itself if both are.
     pub fn joined(&mut self, a: Atom, b: Atom) -> Atom {
         let inverse = a.inverse && b.inverse;
         let [mut a, mut b] = [a, b].map(|atom| Atom { inverse: atom.inverse && !inverse, ..atom });
@@ -54,7 +58,7 @@ impl Pairs {
         Atom { base: Base::Pair(place), inverse }
     }
 
-    /// Atoms whose product is base^n.
+    /// Returns factors whose product is base^n.
     pub fn power(&mut self, base: Expr, n: i32) -> Vec<Atom> {
         let mut atom = Atom { base: Base::Term(base), inverse: n < 0 };
         let mut left = n.unsigned_abs();
@@ -74,7 +78,8 @@ impl Pairs {
         list
     }
 
-    /// Joins the pair that occurs in most products, again and again, until no pair occurs in two products.
+    /// Joins the pair of factors that occurs in most products, again and again, until no pair
+    /// occurs in two products.
     pub fn share(&mut self, products: &mut [Vec<Atom>]) {
         loop {
             let mut counts: FxHashMap<[Atom; 2], usize> = FxHashMap::default();
@@ -103,6 +108,7 @@ impl Pairs {
     }
 }
 
+/// Returns the distinct pairs of factors in a product, sorted.
 fn distinct_pairs(product: &[Atom]) -> Vec<[Atom; 2]> {
     let mut sorted = product.to_vec();
     sorted.sort_unstable();
@@ -116,6 +122,7 @@ fn distinct_pairs(product: &[Atom]) -> Vec<[Atom; 2]> {
     pairs
 }
 
+/// Removes one occurrence of a factor from a product.
 fn remove(product: &mut Vec<Atom>, atom: Atom) {
     if let Some(at) = product.iter().position(|other| *other == atom) {
         product.remove(at);

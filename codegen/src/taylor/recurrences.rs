@@ -1,61 +1,66 @@
-//! Recurrences as data: the series, and the rule for the coefficient of order k of each series.
+//! Recurrences of Taylor coefficients as data: a list of series, and for each the rule that gives
+//! its coefficient of order k.
 
 use tripos_derive::algebra::{Expr, Function};
 
-/// Weight or constant of a recurrence: a term of parameters and of states that do not change.
+/// Constant factor or summand of a recurrence: a term of parameters and of states that do not
+/// change in time.
 pub type Constant = Expr;
 
-/// Recurrence for the coefficients of a series z from those of other series. The indices x, y and w refer to
-/// [`Recurrences::series`], and z_k is the coefficient of order k.
+/// Recurrence for the coefficients of a series z from those of other series. The indices x, y and w
+/// are places in [`Recurrences::series`], and z_k is the coefficient of order k.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// State with this index: z_k is the coefficient k − 1 of its rate, divided by k.
+    /// State with this index: z_k is the coefficient of order k − 1 of the state's rate, divided by
+    /// k.
     State(usize),
-    /// Linear combination of series: z = constant + Σ weight · x.
+    /// Linear combination of series x: z = constant + Σ weight · x.
     Linear {
-        /// Constant that is added at order 0.
+        /// Constant summand of the linear combination. It only adds to the coefficient of order 0.
         constant: Constant,
-        /// Terms of the sum, as (weight, x).
+        /// Terms of the sum, as pairs (weight, index of x).
         terms: Vec<(Constant, usize)>,
     },
-    /// Product of two series: z = x y.
+    /// Product of two series, given by their indices: z = x y.
     Product(usize, usize),
-    /// Quotient of two series: z = x/y, or z = 1/y without x.
+    /// Quotient of two series, given by their indices: z = x/y, or z = 1/y if x is `None`.
     Quotient(Option<usize>, usize),
-    /// Square root of a series: z² = x.
+    /// Square root of the series with this index: z² = x.
     Root(usize),
-    /// Function value with z' = ±x' w, such as sin x with w = cos x.
+    /// Function value with z' = ±x' w, such as z = sin x with w = cos x.
     Forward {
-        /// Function whose value z has at order 0.
+        /// Elementary function whose Taylor series is z.
         value: Function,
-        /// Index of the argument x.
+        /// Index of the series x of the function's argument.
         of: usize,
-        /// Index of the slope w. Only its lower orders are used, so it may come later in the list.
+        /// Index of the derivative w of the function. Only its lower orders are used, so it may
+        /// come later in the list.
         slope: usize,
-        /// True for the minus sign in the rule.
+        /// True if the rule has the minus sign, z' = −x' w.
         negative: bool,
     },
-    /// Function value with z' w = ±x', such as log x with w = x.
+    /// Function value with z' w = ±x', such as z = log x with w = x.
     Backward {
-        /// Function whose value z has at order 0.
+        /// Elementary function whose Taylor series is z.
         value: Function,
-        /// Index of the argument x.
+        /// Index of the series x of the function's argument.
         of: usize,
-        /// Index of the slope's inverse w.
+        /// Index of the reciprocal w of the function's derivative.
         slope: usize,
-        /// True for the minus sign in the rule.
+        /// True if the rule has the minus sign, z' w = −x'.
         negative: bool,
     },
 }
 
 impl Rule {
-    /// True if the rule needs a convolution over lower orders.
+    /// True if the rule needs a convolution over lower orders. Rules for states and linear
+    /// combinations need none.
     #[must_use]
     pub fn convolves(&self) -> bool {
         !matches!(self, Self::State(_) | Self::Linear { .. })
     }
 
-    /// Indices of the series whose coefficient of equal order the rule needs.
+    /// Returns the indices of the series whose coefficient of order k must be known before z_k.
     #[must_use]
     pub fn reads(&self) -> Vec<usize> {
         match self {
@@ -68,7 +73,7 @@ impl Rule {
         }
     }
 
-    /// Renumbers the series that the rule reads.
+    /// Renumbers the series that the rule refers to. `place` maps an old index to a new index.
     pub(super) fn renamed(&mut self, place: impl Fn(usize) -> usize) {
         let rename = |x: &mut usize| *x = place(*x);
         match self {
@@ -84,46 +89,46 @@ impl Rule {
     }
 }
 
-/// Series of Taylor coefficients of a term, with its recurrence.
+/// Taylor series of a term in time, with the recurrence for its coefficients.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Series {
-    /// Term whose coefficients the series has, as formed from other series.
+    /// Term whose Taylor coefficients in time are computed.
     pub term: Expr,
-    /// Recurrence for the coefficients.
+    /// Recurrence that gives the coefficients.
     pub rule: Rule,
     /// State or step whose value first needs the series.
     pub needed_by: Expr,
 }
 
-/// Term that is constant in time, or a weight times a series.
+/// Value in a recurrence: a term that is constant in time, or a constant factor times a series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Operand {
-    /// Constant in time.
+    /// Value that is constant in time, as a term.
     Constant(Constant),
-    /// Weight times the series with this index.
+    /// Constant factor times the series with this index.
     Scaled(Constant, usize),
 }
 
-/// Recurrences of the Taylor coefficients of a motion.
+/// Recurrences of the Taylor coefficients of a motion in time.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Recurrences {
-    /// Series of the motion. States that change in time come first. Each later series comes after those that it reads,
-    /// except for the slopes of [`Rule::Forward`].
+    /// All series. States that change in time come first. Each later series comes after the series
+    /// that it reads, except for the derivatives in [`Rule::Forward`].
     pub series: Vec<Series>,
-    /// Symbols of all states.
+    /// Symbols of all states, coordinates before motion variables.
     pub states: Vec<Expr>,
-    /// Rates of the states, in the order of `states`.
+    /// Time derivatives of the states, in the order of `states`.
     pub rates: Vec<Operand>,
 }
 
 impl Recurrences {
-    /// Number of convolutions at each order.
+    /// Returns the number of convolutions at each order.
     #[must_use]
     pub fn convolutions(&self) -> usize {
         self.series.iter().filter(|s| s.rule.convolves()).count()
     }
 
-    /// Number of products and sums of the linear rules, at each order.
+    /// Returns the number of multiplications and additions of the linear rules at each order.
     #[must_use]
     pub fn linear_operations(&self) -> usize {
         let of = |rule: &Rule| match rule {
@@ -133,7 +138,8 @@ impl Recurrences {
         self.series.iter().map(|s| of(&s.rule)).sum()
     }
 
-    /// Distinct weights and constants, in order of appearance, without 0, 1 and −1.
+    /// Returns the distinct constant factors and summands in order of appearance, without 0, 1 and
+    /// −1.
     #[must_use]
     pub fn constants(&self) -> Vec<Constant> {
         let mut list: Vec<Constant> = Vec::new();

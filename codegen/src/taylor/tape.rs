@@ -1,24 +1,27 @@
-//! Interpreter of recurrences, in numbers of any precision, for models that are not compiled.
+//! Tape that interprets Taylor recurrences in numbers of any precision, for models that are not
+//! compiled.
 
 use super::recurrences::{Constant, Operand, Recurrences, Rule};
 use rustc_hash::FxHashMap;
 use tripos_derive::algebra::value::evaluate::{Numeric, Tape as Values, UnknownSymbol};
 use tripos_derive::algebra::{Arena, Expr};
 
-/// Recurrences with their weights, ready to be evaluated in numbers.
+/// Taylor recurrences with their constants, ready to be evaluated in numbers of the type `S`.
 #[derive(Clone, Debug)]
 pub struct Tape<S = f64> {
+    /// Taylor recurrences that the tape evaluates.
     list: Recurrences,
-    /// Evaluation of the weights and constants from parameters and states.
+    /// Program for the constant factors and summands, from parameters and states.
     constants: Values<S>,
+    /// Index of each constant in the values of `constants`.
     places: FxHashMap<Constant, usize>,
 }
 
 impl Tape {
-    /// Tape of recurrences, with these parameters and the states as inputs.
+    /// Prepares recurrences for evaluation. The inputs are the given parameters and the states.
     ///
     /// # Errors
-    /// [`UnknownSymbol`] if a weight depends on another symbol.
+    /// [`UnknownSymbol`] if a constant depends on another symbol.
     pub fn new(arena: &Arena, parameters: &[Expr], list: &Recurrences) -> Result<Self, UnknownSymbol> {
         let constants = [vec![Expr::ZERO, Expr::ONE, Expr::MINUS_ONE], list.constants()].concat();
         let inputs = [parameters, &list.states].concat();
@@ -28,17 +31,19 @@ impl Tape {
 }
 
 impl<S: Numeric> Tape<S> {
-    /// Tape of equal recurrences for another type of number.
+    /// Returns the tape for another type of number `T`.
     #[must_use]
     pub fn to<T: Numeric>(&self) -> Tape<T> {
         Tape { list: self.list.clone(), constants: self.constants.to(), places: self.places.clone() }
     }
 
-    /// Computes the Taylor coefficients of the states at the parameters `p`, up to `order`. `x` has (`order` + 1) rows,
-    /// one for each order; the first row contains the state.
+    /// Computes the Taylor coefficients of the states for the parameters `p`, from order 0 to
+    /// `order`.
+    /// `x` has (`order` + 1) rows, one for each order, and a column for each state. The first row
+    /// contains the state at the start.
     ///
     /// # Panics
-    /// If `x` has another length.
+    /// If the length of `x` is not (`order` + 1) times the number of states.
     pub fn evaluate(&self, p: &[S], order: usize, x: &mut [S]) {
         let n = self.list.states.len();
         assert_eq!(x.len(), (order + 1) * n, "a row for each order");
@@ -73,38 +78,45 @@ impl<S: Numeric> Tape<S> {
     }
 }
 
+/// Returns a whole number as a number of the type `S`.
 fn whole<S: Numeric>(n: usize) -> S {
     S::from_f64(n as f64)
 }
 
-/// Coefficients of all series that were computed so far, at order `k`.
+/// Coefficients of all series computed so far, while order `k` is computed.
 struct Known<'a, S> {
+    /// Coefficients, row by row: a row for each order, a column for each series.
     z: &'a [S],
+    /// Number of series: the number of columns in `z`.
     columns: usize,
+    /// Order k of the Taylor coefficients that are being computed.
     k: usize,
 }
 
 impl<S: Numeric> Known<'_, S> {
+    /// Returns the coefficient of order `j` of a series.
     fn of(&self, j: usize, series: usize) -> S {
         self.z[j * self.columns + series]
     }
 
-    /// Convolution Σ a_j b_{k−j} of two series over `from` ≤ j < `to`.
+    /// Returns the convolution Σ a_j b_{k−j} of the series `a` and `b` over `from` ≤ j < `to`.
     fn convolution(&self, a: usize, b: usize, from: usize, to: usize) -> S {
         self.weighted(a, b, from, to, |_| S::int(1))
     }
 
-    /// Convolution Σ j a_j b_{k−j} of two series over `from` ≤ j < `to`.
+    /// Returns the convolution Σ j a_j b_{k−j} of the series `a` and `b` over `from` ≤ j < `to`.
     fn counted_convolution(&self, a: usize, b: usize, from: usize, to: usize) -> S {
         self.weighted(a, b, from, to, whole)
     }
 
-    /// Convolution Σ f(j) a_j b_{k−j} of two series over `from` ≤ j < `to`.
+    /// Returns the convolution Σ f(j) a_j b_{k−j} of the series `a` and `b` over `from` ≤ j < `to`,
+    /// where f is `factor`.
     fn weighted(&self, a: usize, b: usize, from: usize, to: usize, factor: impl Fn(usize) -> S) -> S {
         let products = (from..to).map(|j| factor(j) * self.of(j, a) * self.of(self.k - j, b));
         products.reduce(|sum, product| sum + product).unwrap_or(S::int(0))
     }
 
+    /// Computes the coefficient of order `k` of the series with index `at` by its rule.
     fn coefficient(&self, rule: &Rule, at: usize, weight: impl Fn(Constant) -> S) -> S {
         let k = self.k;
         let now = |x: usize| self.of(k, x);

@@ -1,4 +1,5 @@
-//! Exact computer algebra. It knows no mechanics.
+//! Exact computer algebra: terms, their values, normal forms, comparison, solution and text. It
+//! knows no mechanics.
 
 pub mod form;
 pub mod meaning;

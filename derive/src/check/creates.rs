@@ -1,10 +1,14 @@
-//! Loads that can add energy to a mechanism, beyond the energy that a potential holds.
+//! Check of loads that can create energy: loads that add energy to a mechanism beyond the energy
+//! stored in a potential.
 //!
-//! The part of a load that acts at rest has a potential, or its work depends on the path. The rest of the load has the
-//! power P(q, u). If P ≤ 0 is proved, the load dissipates. If one state has P > 0, in ranges that are rounded outwards,
-//! it can create energy. Otherwise its effect is undecided. P ≤ 0 is proved by the ranges of its terms or, for a
-//! quadratic form −uᵀ D u, by the pivots of D. A. J. van der Schaft, *L2-Gain and Passivity Techniques in Nonlinear
-//! Control*, 3rd edition (2017), § 2.2.
+//! The part of a load at rest (q̇ = 0) has a potential, or its work depends on the path. The rest
+//! of the load has the power P(q, u). If P ≤ 0 is proved, the load dissipates. If P > 0 in one
+//! state, computed in intervals rounded outwards, the load can create energy. Otherwise its effect
+//! is undecided.
+//!
+//! P ≤ 0 is proved by the ranges of the terms of P. For a quadratic form −uᵀ D u it is proved by
+//! the pivots of D: A. J. van der Schaft, *L2-Gain and Passivity Techniques in Nonlinear Control*,
+//! 3rd edition (2017), § 2.2.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Gradient, Substitution};
@@ -20,31 +24,32 @@ use std::fmt::Write;
 /// Effect of a load on the energy of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effect {
-    /// The load keeps the energy: it has a potential, or no power.
+    /// The load conserves energy: it has a potential, or no power.
     Keeps,
-    /// The load takes energy, or has no power.
+    /// The load is proved never to add energy: its power is never positive.
     Dissipates,
-    /// The load can add energy.
+    /// The load can add energy to the mechanism.
     Creates,
-    /// No effect of the load is proved.
+    /// Neither that the load adds energy nor that it never does is proved.
     Undecided,
 }
 
-/// A load, and its effect on the energy at the default values of parameters.
+/// A load and its effect on the energy, at the default values of the parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoadEffect {
     /// Name of the load in the model file.
     pub load: String,
     /// Effect of the load on the energy.
     pub effect: Effect,
-    /// Reason for the effect, in words; empty if it is plain.
+    /// Reason for the effect, in words; empty if the effect needs no reason.
     pub why: String,
 }
 
-/// Number of random states in which a positive power is searched.
+/// Number of random states (q, u) that are tried to find a positive power.
 const STATES: usize = 60;
 
-/// Finds the effect of each applied load, in the order of the model file, forces first.
+/// Finds the effect of each applied load on the energy, in the order of the model file, forces
+/// before torques.
 pub fn effects(model: &Model) -> Result<Vec<LoadEffect>, DeriveError> {
     let names: Vec<String> =
         model.forces.iter().map(|f| &f.name).chain(model.torques.iter().map(|t| &t.name)).cloned().collect();
@@ -84,7 +89,8 @@ pub fn effects(model: &Model) -> Result<Vec<LoadEffect>, DeriveError> {
     Ok(list)
 }
 
-/// Name of the first input that the load with this index contains.
+/// Name of the first input that the load with this index contains; `None` if it contains no input.
+/// Forces are counted before torques.
 fn input_of(model: &Model, at: usize) -> Option<String> {
     let vector = match model.forces.get(at) {
         Some(force) => force.vector,
@@ -94,28 +100,34 @@ fn input_of(model: &Model, at: usize) -> Option<String> {
     model.parameters.iter().find(|p| p.is_input && reached.contains(&p.symbol)).map(|p| p.name.clone())
 }
 
-/// Finding on the part of a load at rest.
+/// Finding on the part of a load at rest, its generalized force at q̇ = 0.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum AtRest {
-    /// It has a potential, alone or with all other loads.
+    /// The part at rest has a potential, alone or together with all other loads.
     Conservative,
-    /// No potential was found yet.
+    /// No potential of the part at rest was found yet.
     Unproved,
 }
 
-/// Finding on the parts of all loads beyond those at rest.
+/// Finding on all loads together, without their parts at rest.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Together {
-    /// The loads take energy: their power is never positive.
+    /// All loads together dissipate: their power is never positive.
     Dissipate,
-    /// It is not proved that they dissipate.
+    /// It is not proved that all loads together dissipate.
     Unproved,
 }
 
+/// Judge of loads: decides the effect of generalized forces on the energy, at the default values of
+/// the parameters.
 struct Judge<'m> {
+    /// Model whose loads are judged.
     model: &'m Model,
+    /// Arena of the terms.
     arena: Arena,
+    /// Simplifier of the computed terms.
     simplifier: Simplifier,
+    /// Substitution of the default values for the parameters.
     defaults: Substitution,
 }
 
@@ -126,6 +138,7 @@ impl<'m> Judge<'m> {
         Self { model, arena, simplifier: Simplifier::default(), defaults: Substitution::new(&values) }
     }
 
+    /// Puts the default values of the parameters into terms and simplifies them.
     fn at_defaults(&mut self, list: &[Expr]) -> Vec<Expr> {
         let put = |e: &Expr| {
             let value = self.defaults.apply(&mut self.arena, *e);
@@ -134,7 +147,7 @@ impl<'m> Judge<'m> {
         list.iter().map(put).collect()
     }
 
-    /// Generalized forces at q̇ = 0; `None` if they have no value there.
+    /// Generalized forces at rest, q̇ = 0; `None` if they have no value there.
     fn at_rest(&mut self, forces: &[Expr]) -> Option<Vec<Expr>> {
         let still: Vec<_> = self.model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect();
         let mut put = Substitution::new(&still);
@@ -142,11 +155,13 @@ impl<'m> Judge<'m> {
         put.undefined.is_none().then_some(resting)
     }
 
+    /// True if a potential of the generalized forces at rest was found.
     fn has_potential(&mut self, forces: &[Expr]) -> bool {
         potential_at_rest(&mut self.arena, &mut self.simplifier, self.model, forces).is_some()
     }
 
-    /// Power of the forces beyond that of their part at rest, in q and u; `None` if the forces have no value at rest.
+    /// Power of generalized forces less their part at rest, as a term in q and u, W; `None` if the
+    /// forces have no value at rest.
     fn power(&mut self, forces: &[Expr]) -> Option<Expr> {
         let resting = self.at_rest(forces)?;
         let arena = &mut self.arena;
@@ -162,7 +177,9 @@ impl<'m> Judge<'m> {
         Some(self.simplifier.simplify(arena, power))
     }
 
-    /// True if the part of a spring beyond its potential is proved to be a damper: its power is −c ḋ² with c > 0.
+    /// True if a spring's generalized forces are proved to be its potential force and a damper: the
+    /// rest has the power −c ḋ² with c > 0. The arguments are the forces, then c and the lengthening
+    /// rate ḋ.
     fn damps(&mut self, forces: &[Expr], [coefficient, lengthening]: [Expr; 2]) -> bool {
         let coefficient = self.defaults.apply(&mut self.arena, coefficient);
         let taken = self.arena.neg(coefficient);
@@ -177,6 +194,8 @@ impl<'m> Judge<'m> {
         zero_test(&self.arena, rest) == ZeroTest::Zero
     }
 
+    /// Effect of a load on the energy from its generalized forces, and the reason in words. `rest` and
+    /// `together` are findings on its part at rest and on all loads.
     fn effect(&mut self, forces: &[Expr], rest: AtRest, together: Together) -> (Effect, String) {
         let Some(power) = self.power(forces) else {
             return (Effect::Undecided, "it has no value at rest".to_owned());
@@ -192,7 +211,8 @@ impl<'m> Judge<'m> {
         }
     }
 
-    /// Effect of a load by the power of its part beyond that at rest, and the reason.
+    /// Effect of a load on the energy from the power of the load less its part at rest, and the reason
+    /// in words.
     fn effect_in_motion(&mut self, power: Expr, together: Together) -> (Effect, String) {
         if zero_test(&self.arena, power) == ZeroTest::Zero {
             return (Effect::Keeps, String::new());
@@ -213,8 +233,8 @@ impl<'m> Judge<'m> {
         }
     }
 
-    /// True if the work of the forces at rest is proved to depend on the path: ∂F_i/∂q_j ≠ ∂F_j/∂q_i. False if
-    /// constraints or loops restrict the paths.
+    /// True if the work of generalized forces at rest is proved to depend on the path: ∂F_i/∂q_j ≠
+    /// ∂F_j/∂q_i. False if this is not proved, or if constraints or loops restrict the paths.
     fn depends_on_way(&mut self, forces: &[Expr]) -> bool {
         let is_free = self.model.motion_constraints.iter().all(|c| c.kind == MotionConstraintKind::Clock)
             && self.model.loops.is_empty();
@@ -235,7 +255,7 @@ impl<'m> Judge<'m> {
         })
     }
 
-    /// True if a power is proved never to be positive.
+    /// True if a power is proved never to be positive in any state.
     fn never_gives(&mut self, power: Expr) -> bool {
         if never_positive(&self.arena, power) {
             return true;
@@ -252,7 +272,8 @@ impl<'m> Judge<'m> {
         self.is_form(power, &form, &u) && self.is_negative(form)
     }
 
-    /// True if a power is ½ uᵀ H u with the matrix H given, whose entries contain no speed.
+    /// True if a power is proved to be ½ uᵀ H u for the p × p matrix H = `form`, whose entries contain
+    /// no generalized speed.
     fn is_form(&mut self, power: Expr, form: &[Vec<Expr>], u: &[Expr]) -> bool {
         if self.arena.reachable(&form.concat()).iter().any(|part| u.contains(part)) {
             return false;
@@ -268,8 +289,9 @@ impl<'m> Judge<'m> {
         zero_test(&self.arena, rest) == ZeroTest::Zero
     }
 
-    /// True if a symmetric matrix is negative semidefinite, by its pivots. Each pivot is never above zero; if one is
-    /// identically zero, its row has zeros only. If a pivot is zero at single places, the property holds by continuity.
+    /// True if a symmetric matrix is proved negative semidefinite by its pivots. Each pivot is never
+    /// above zero, and a pivot that is identically zero has a row of zeros. If a pivot is zero at
+    /// single places, the property holds by continuity.
     fn is_negative(&mut self, mut form: Vec<Vec<Expr>>) -> bool {
         let is_zero = |arena: &Arena, e: Expr| zero_test(arena, e) == ZeroTest::Zero;
         while let Some(row) = form.pop() {
@@ -298,8 +320,8 @@ impl<'m> Judge<'m> {
         true
     }
 
-    /// Searches for a state in which a power is above zero, and describes it in words; `None` if none is found. An
-    /// error, in words, if no state can be tested.
+    /// Searches for a state with positive power and describes the state in words; `None` if none is
+    /// found. Returns the reason in words as `Err` if no state can be tested.
     fn state_with(&mut self, power: Expr) -> Result<Option<String>, String> {
         let model = self.model;
         let without = model.parameters.iter().find(|p| p.value.is_none() && self.arena.mentions(power, p.symbol));
@@ -343,7 +365,8 @@ impl<'m> Judge<'m> {
     }
 }
 
-/// Words that a load adds energy in this state, with the coordinates and speeds that are not zero.
+/// Sentence that a load adds energy in the state (q, u); it names the coordinates and speeds that
+/// are not zero.
 fn words(model: &Model, q: &[f64], u: &[f64]) -> String {
     let coordinates = model.coordinates.iter().map(|c| &c.name).zip(q);
     let named = coordinates.chain(model.speeds.iter().map(|s| &s.name).zip(u)).filter(|(_, value)| **value != 0.0);

@@ -1,11 +1,14 @@
-//! Poses in which the constraints of a mechanism lose rank, for every choice of speeds.
+//! Rank loss: poses in which the constraints of a mechanism lose rank, for every choice of
+//! generalized speeds.
 //!
-//! In such a pose more may move than elsewhere, no choice of independent speeds determines the motion, and some
-//! reactions are free. All rows count, even those that follow from the others in most poses: the choice of the row to
-//! leave out is no property of the mechanism. The surfaces are the common zeros of minors, which are exact
-//! ([`minors`]). A claim carries its proof, or a pose in which the rank was computed ([`pose`]): q with as many
-//! orthonormal vectors λ with Aᵀ λ = 0 as the loss of rank requires. J. M. Selig, *Geometric Fundamentals of Robotics*,
-//! 2nd edition (2005), § 4.6.
+//! In such a pose the mechanism may have more freedom than elsewhere, no choice of independent
+//! speeds determines the motion, and some reactions are undetermined. All rows of the constraint
+//! matrix count, also redundant rows, since the choice of the redundant row is arbitrary. The poses
+//! are the common zeros of minors, which are exact ([`minors`]).
+//!
+//! Each result has a proof, or an example pose in which the rank was computed ([`pose`]). The
+//! search for the pose q solves Aᵀ λ = 0 with as many orthonormal vectors λ as the loss of rank
+//! requires. Source: J. M. Selig, *Geometric Fundamentals of Robotics*, 2nd edition (2005), § 4.6.
 
 mod minors;
 mod pose;
@@ -17,31 +20,34 @@ use crate::model::{Model, MotionConstraintKind};
 use minors::{Matrix, surfaces};
 use pose::Constraints;
 
-/// Poses where the constraints of a model lose rank, with a proof that there are none or an example.
+/// Poses where the constraints of a model lose rank: formulas for them, a proof that there are
+/// none, or an example.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RankLoss {
-    /// Number of independent constraints in all other poses.
+    /// Rank of the constraints in all poses without rank loss: the number of independent constraints.
     pub rank: usize,
-    /// Formulas that are all zero exactly in the poses where rank is lost; empty if it is proved that no such pose
-    /// exists. `None` if there are too many formulas.
+    /// Formulas that are all zero exactly in the poses where rank is lost. Empty if it is proved that
+    /// no such pose exists; `None` if there are too many formulas.
     pub where_all_zero: Option<Vec<String>>,
     /// True if it is proved that the constraints never lose rank.
     pub nowhere: bool,
-    /// Proof that rank is never lost, for each part of the constraints that shares no coordinate with the others.
+    /// Proof that rank is never lost, in words, for each block of constraints that shares no coordinate
+    /// with the other blocks.
     pub proof: Vec<String>,
-    /// Formulas of parameters that the results assume nonzero, as they are at the default values.
+    /// Formulas of parameters that the results assume nonzero, because they are nonzero at the default
+    /// values.
     pub taken: Vec<String>,
-    /// An example of a pose where rank is lost, in doubles, at the default values. It has a value for each coordinate,
-    /// and last the instant, s, if the pose depends on time.
+    /// Example of a pose where rank is lost, as (coordinate, value in SI units) at the default values.
+    /// A last entry is the instant, s, if the pose depends on time. `None` if none was found.
     pub pose: Option<Vec<(String, f64)>>,
-    /// Number of independent constraints in the example pose; `None` without an example.
+    /// Number of independent constraints in the example pose; `None` if there is no example.
     pub rank_there: Option<usize>,
-    /// Number of random places from which the search for an example started.
+    /// Number of random poses from which the search for an example started.
     pub sought: usize,
 }
 
-/// Finds the poses where the constraints of a model lose rank; `None` if no constraint is left between the remaining
-/// coordinates.
+/// Finds the poses where the constraints of a model lose rank; `None` if no constraint is left
+/// between the model's coordinates.
 pub fn rank_loss(model: &Model) -> Option<RankLoss> {
     let mut arena = model.arena.clone();
     let columns: Vec<usize> = (0..model.coordinates.len()).filter(|at| Some(*at) != model.time()).collect();
@@ -78,8 +84,10 @@ pub fn rank_loss(model: &Model) -> Option<RankLoss> {
     Some(found)
 }
 
-/// Slopes of all constraints along the rates of these coordinates. First come the rows that are independent in most
-/// poses, whose number is returned. Then come the others, without those that follow in every pose.
+/// Constraint matrix of a model: partial derivatives of all constraints with respect to the rates
+/// of the coordinates `columns`. The rows that are independent in most poses come first, and their
+/// number is returned. The redundant rows follow, without those that depend on others in every
+/// pose.
 fn rows(model: &Model, arena: &mut Arena, columns: &[usize]) -> (Vec<Vec<Expr>>, usize) {
     let rates: Vec<Expr> = columns.iter().map(|at| model.coordinates[*at].rate).collect();
     let places: Vec<Expr> = columns.iter().map(|at| model.coordinates[*at].symbol).collect();
@@ -92,6 +100,7 @@ fn rows(model: &Model, arena: &mut Arena, columns: &[usize]) -> (Vec<Vec<Expr>>,
     (rows, rank)
 }
 
+/// Row of partial derivatives of a term with respect to the variables `along`.
 fn slopes(arena: &mut Arena, of: Expr, along: &[Expr]) -> Vec<Expr> {
     let mut row = vec![Expr::ZERO; along.len()];
     for &(at, slope) in Gradient::new(along).apply(arena, of).iter() {

@@ -1,8 +1,8 @@
-//! Search for the coordinates that a publication means: under other signs, other zeros, another order, or absolute for
-//! relative angles.
+//! Search for the coordinates that a publication uses: with other signs, zeros, order, or absolute
+//! angles for relative angles.
 //!
-//! The search compares numbers only, and proves nothing. The publication is then read and judged in the coordinates
-//! that were found.
+//! The search compares numbers and proves nothing. The publication is afterwards read and judged in
+//! the coordinates found.
 
 mod changes;
 
@@ -13,52 +13,58 @@ use crate::model::{Coordinate, Model, TIME};
 use crate::publication::{EntryKind, Listing, Publication, System};
 use changes::{Change, changes, table};
 
-/// Most choices that are listed if several are equally good.
+/// Largest number of coordinate choices that are reported if several are equally good.
 const LISTED: usize = 8;
-/// Number of states in which formulas are compared.
+/// Number of random states at which printed and derived formulas are compared.
 const STATES: usize = 3;
 /// Relative difference below which two numbers count as equal.
 const NEAR: f64 = 1e-9;
 
-/// Coordinates of a publication as formulas in those of the model: (name, formula), as `[coordinates]` states them.
+/// Coordinates of a publication as pairs (name, formula in the model's coordinates), as its table
+/// `[coordinates]` states them.
 pub type CoordinateTable = Vec<(String, String)>;
 
 /// Result of a search for the coordinates of a publication.
 #[derive(Clone, Debug)]
 pub struct CoordinateSearch {
-    /// Number of formulas that were compared.
+    /// Number of the publication's formulas that were compared.
     pub compared: usize,
     /// Number of formulas that are right in the coordinates that the publication states.
     pub as_stated: usize,
-    /// Number of formulas that are right in the best coordinates.
+    /// Number of formulas that are right in the best coordinates found.
     pub most: usize,
-    /// Best choices of coordinates, those with the fewest changes first, without those that differ by a symmetry of the
-    /// model. Empty if the coordinates of the publication are as good.
+    /// Best choices of coordinates, those with the fewest changes first. Choices that differ by a
+    /// symmetry of the model are listed once. Empty if the publication's stated coordinates are as
+    /// good.
     pub best: Vec<CoordinateTable>,
-    /// Number of choices that were tried.
+    /// Number of coordinate choices that were tried.
     pub tried: usize,
 }
 
-/// Comparison of one printed formula, in numbers.
+/// Numerical test of a printed formula against a derived value, or of a printed equation against
+/// zero.
 enum Check {
-    /// Printed value, and the value that it should have.
+    /// Printed value and its derived value; if `up_to_constant`, the two may differ by a constant.
     Value { printed: Tape, expected: Expected, up_to_constant: bool },
-    /// Printed equation: left − right, which is zero if it is right.
+    /// Residual of a printed equation, left side − right side. The equation is right if the
+    /// residual is zero.
     Zero(Tape),
 }
 
-/// Value that a printed formula should have.
+/// Value that a printed formula must have: a variable of the publication, or a derived quantity.
 enum Expected {
-    /// Variable of the publication, with its number among the inputs of tapes.
+    /// Variable of the publication itself; the number is its index among the inputs of the tapes.
     Variable(usize),
-    /// Quantity that is the same in all coordinates.
+    /// Quantity that does not depend on the choice of coordinates, as a function of the model's
+    /// state.
     Derived(Tape),
 }
 
 /// Searches for the coordinates under which most formulas of a publication are right.
 ///
 /// # Errors
-/// Reason why no search is possible for this model or publication.
+/// Reason why no search is possible: loop equations tie the coordinates together, no formula can be
+/// compared, or a speed is not the rate of one coordinate.
 pub fn find_coordinates(
     model: &Model,
     derivations: &mut Derivations,
@@ -89,21 +95,31 @@ pub fn find_coordinates(
     Ok(CoordinateSearch { compared: checks.len(), as_stated, most, best, tried: changes.len() })
 }
 
-/// States of the model, in numbers, and tapes for the variables of a publication.
+/// Numerical states of the model, and programs (tapes) that evaluate a publication's variables in
+/// them.
 struct Numbers {
-    /// Symbols that are the inputs of every tape: parameters; q, q' and q'' of each coordinate; u and u' of each speed.
+    /// Symbols that are the inputs of every tape: parameters; q, q' and q'' of each coordinate; u
+    /// and u' of each speed.
     inputs: Vec<Expr>,
+    /// Number of model parameters, the first inputs of every tape.
     parameters: usize,
+    /// Number of generalized coordinates, whose q, q' and q'' follow the parameters among the
+    /// inputs.
     coordinates: usize,
-    /// Values of the inputs in each state, for the model's own variables.
+    /// Values of the inputs, one list for each state, in the model's own variables.
     states: Vec<Vec<f64>>,
-    /// Speeds and their time derivatives, in q, q' and q''.
+    /// Generalized speeds u and their derivatives u', in turn for each speed, from q, q' and q''.
     speeds: Tape,
-    /// Accelerations q'', and the kinetic energy, in q and u.
+    /// Accelerations q'' followed by the kinetic energy, from q and u.
     motion: Tape,
 }
 
 impl Numbers {
+    /// Draws random parameters, coordinates and speeds; rates and accelerations follow from the
+    /// derived equations.
+    ///
+    /// # Errors
+    /// Reason why a formula of the motion has no numerical value.
     fn new(quantities: &mut Quantities<'_>) -> Result<Self, String> {
         let model = quantities.model;
         let mut inputs = model.p();
@@ -157,11 +173,13 @@ impl Numbers {
         Ok(Self { inputs, parameters, coordinates, states, speeds, motion: symmetric })
     }
 
+    /// Index of a symbol among the tapes' inputs; `None` if the symbol is no input.
     fn input(&self, symbol: Expr) -> Option<usize> {
         self.inputs.iter().position(|input| *input == symbol)
     }
 
-    /// State in the variables of a publication whose coordinates are changed.
+    /// Values of all inputs at a state, converted by `change` from the model's variables to the
+    /// publication's.
     fn changed(&self, state: &[f64], change: &Change) -> Vec<f64> {
         let mut own = state.to_vec();
         let place = |at: usize, order: usize| self.parameters + 3 * at + order;
@@ -179,7 +197,8 @@ impl Numbers {
         own
     }
 
-    /// Number of formulas that are right with a change of coordinates.
+    /// Number of checks that pass in all states if the publication's coordinates are those of
+    /// `change`.
     fn right(&self, checks: &[Check], change: &Change) -> usize {
         let own: Vec<Vec<f64>> = self.states.iter().map(|state| self.changed(state, change)).collect();
         let is_right = |check: &&Check| match check {
@@ -204,7 +223,7 @@ impl Numbers {
         checks.iter().filter(is_right).count()
     }
 
-    /// Changes of which none is another one after a symmetry of the model; at most those that are listed.
+    /// Changes from `found` that differ by more than a symmetry of the model; at most eight.
     fn distinct<'c>(&self, all: &'c [Change], found: impl Iterator<Item = &'c Change>) -> Vec<&'c Change> {
         let symmetries: Vec<&Change> = all.iter().filter(|change| self.is_symmetry(change)).collect();
         let mut list: Vec<&Change> = Vec::new();
@@ -216,7 +235,8 @@ impl Numbers {
         list
     }
 
-    /// True if a change takes motions of the model to motions of equal kinetic energy.
+    /// True if a change of coordinates maps motions of the model to motions with the same kinetic
+    /// energy.
     fn is_symmetry(&self, change: &Change) -> bool {
         self.states.iter().all(|state| {
             let own = self.changed(state, change);
@@ -227,7 +247,8 @@ impl Numbers {
         })
     }
 
-    /// Comparisons of all formulas of a publication that have values in every state.
+    /// Numerical tests for all formulas of a publication that can be evaluated; entries near a
+    /// point are left out.
     fn checks(&self, quantities: &mut Quantities<'_>, publication: &Publication) -> Vec<Check> {
         let mut list = Vec::new();
         for entry in publication.entries.iter().filter(|entry| entry.near.is_none()) {
@@ -248,8 +269,8 @@ impl Numbers {
         list
     }
 
-    /// Value that a quantity should have; `None` for a quantity that depends on the choice of coordinates in another
-    /// way than its name says.
+    /// Derived value of a quantity; `None` for rows, matrices and partial velocities, which change
+    /// with the coordinates.
     fn value(&self, quantities: &mut Quantities<'_>, kind: &QuantityKind, printed: Expr) -> Option<Expected> {
         let model = quantities.model;
         let variable = match kind {
@@ -276,7 +297,8 @@ impl Numbers {
         self.input(variable).map(Expected::Variable)
     }
 
-    /// Comparisons of the rows of a system; rows with reactions or multipliers have none.
+    /// Residuals of the rows of a printed system, matrix · unknowns − right side. Rows with
+    /// reactions or multipliers are left out.
     fn rows(&self, quantities: &mut Quantities<'_>, system: &System) -> Vec<Check> {
         let arena = &mut quantities.derivations.kinematics.arena;
         let mut list = Vec::new();
@@ -289,7 +311,8 @@ impl Numbers {
         list
     }
 
-    /// Comparisons of the derivatives of a listing, or of its rows if it has a matrix.
+    /// Residuals of a printed program (listing): derivative of a state − printed formula, or its
+    /// matrix rows if it has a matrix.
     fn rates(&self, quantities: &mut Quantities<'_>, listing: &Listing) -> Vec<Check> {
         let model = quantities.model;
         let rate = |symbol: Expr| {
@@ -320,10 +343,11 @@ impl Numbers {
     }
 }
 
-/// Coordinates that printed formulas mention, themselves or through their rates and speeds.
+/// Indices of the coordinates that printed formulas mention, directly or through their rates or
+/// speeds.
 ///
 /// # Errors
-/// The name of a mentioned speed that is not the rate of one coordinate, and so has no plain change.
+/// Message with the name of a mentioned speed that is not the rate of one coordinate.
 fn moving(model: &Model, arena: &Arena, printed: &[Expr]) -> Result<Vec<usize>, String> {
     let mentions = |symbol| printed.iter().any(|e| arena.mentions(*e, symbol));
     let mut rates = Vec::new();
@@ -339,7 +363,8 @@ fn moving(model: &Model, arena: &Arena, printed: &[Expr]) -> Result<Vec<usize>, 
     Ok(used.map(|(at, _)| at).collect())
 }
 
-/// Terms of all printed formulas, with the variables that their quantities, unknowns and states name.
+/// Terms of all printed formulas, with the coordinates, speeds, unknowns and states to which they
+/// give values.
 fn printed(model: &Model, publication: &Publication) -> Vec<Expr> {
     let mut list = Vec::new();
     for entry in &publication.entries {

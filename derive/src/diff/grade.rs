@@ -1,4 +1,5 @@
-//! Marks of a submission by its root mistakes: a consequence of a mistake costs nothing.
+//! Marks for a submission, by its root mistakes: an entry that is wrong only because of an earlier
+//! mistake loses no points.
 
 use super::{Difference, Finding, Judgement, Root, Slip};
 use crate::diagnostic::{Diagnostics, Source, nearest, shown};
@@ -6,15 +7,15 @@ use crate::read::Reader;
 use toml::Spanned;
 use toml::de::DeValue;
 
-/// Amount that feedback tells of a mistake.
+/// Amount of detail in the feedback on a mistake.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Level {
-    /// The entry and the kind of the mistake.
+    /// Tells the entry and the kind of its mistake.
     #[default]
     Hint,
-    /// Also the place within the entry.
+    /// Tells also the place within the entry, such as "the right-hand side".
     Place,
-    /// Also the wrong term and the right one.
+    /// Tells also the wrong term and the right term of the mistake.
     Term,
 }
 
@@ -22,23 +23,23 @@ impl Level {
     /// All levels, each with its name in rubrics and on the command line.
     pub const ALL: [(Self, &'static str); 3] = [(Self::Hint, "hint"), (Self::Place, "place"), (Self::Term, "term")];
 
-    /// Level of this name; `None` for an unknown name.
+    /// Returns the level with the name `name`; `None` for an unknown name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|(_, own)| *own == name).map(|(level, _)| level)
     }
 }
 
-/// Points of entries, and the entries that a submission must have.
+/// Rubric for marking: points of each entry, ids of required entries, and the feedback level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rubric {
-    /// Points of an entry that `points` does not name.
+    /// Points for an entry that the list `points` does not contain.
     pub default: f64,
-    /// Points of entries, by id.
+    /// Pairs of an entry's id and its points.
     pub points: Vec<(String, f64)>,
     /// Ids of entries that a submission must have.
     pub required: Vec<String>,
-    /// Amount that feedback tells; `None` if the rubric does not say.
+    /// Amount of detail in feedback; `None` if the rubric does not state a level.
     pub level: Option<Level>,
 }
 
@@ -48,11 +49,11 @@ impl Default for Rubric {
     }
 }
 
-/// Most points of one entry.
+/// Largest number of points that a rubric may give to one entry.
 const MOST_POINTS: f64 = 1e6;
 
 impl Rubric {
-    /// Reads a rubric file.
+    /// Reads a rubric from a TOML file with the keys `default`, `points`, `required` and `level`.
     ///
     /// # Errors
     /// [`Diagnostics`] with every error of the file.
@@ -93,14 +94,15 @@ impl Rubric {
         Ok(rubric)
     }
 
-    /// Points of an entry.
+    /// Points for the entry with the id `id`: its own points if stated, else the default.
     #[must_use]
     pub fn points_of(&self, id: &str) -> f64 {
         self.points.iter().find(|(own, _)| own == id).map_or(self.default, |(_, points)| *points)
     }
 }
 
-/// Number of points in a rubric; reports another value.
+/// Reads a number of points from 0 to 1 000 000; reports an error and returns `None` for any other
+/// value.
 fn points(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>, what: &str) -> Option<f64> {
     let number = match value.get_ref() {
         DeValue::Integer(n) => n.as_str().parse::<f64>().ok(),
@@ -115,62 +117,68 @@ fn points(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>, what: &str) -> 
     number
 }
 
-/// Marks of a submission.
+/// Marks of a whole submission: its points and the marks of its entries.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grade {
-    /// Points that the submission has.
+    /// Points that the submission earned.
     pub points: f64,
-    /// Points that the submission could have.
+    /// Largest number of points that the submission could earn.
     pub of: f64,
-    /// Entries that count, in the order of the submission; then the required ones that it lacks.
+    /// Marks of the entries in the order of the submission, then of the required entries that it
+    /// lacks.
     pub marks: Vec<Mark>,
 }
 
 /// Marks of one entry of a submission.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
-    /// Id of the entry.
+    /// Id of the marked entry.
     pub id: String,
-    /// Points that the entry has.
+    /// Points that the entry earned.
     pub points: f64,
-    /// Points that the entry could have.
+    /// Largest number of points that the entry could earn.
     pub of: f64,
-    /// Outcome of the entry.
+    /// Reason for the points: right, wrong, consequence of an earlier mistake, undecided, or
+    /// lacking.
     pub outcome: Outcome,
 }
 
 /// Outcome of one entry of a submission.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
-    /// The entry is right.
+    /// The entry is right; full points.
     Right,
-    /// The entry is wrong by a mistake of its own.
+    /// The entry is wrong by a mistake of its own; no points.
     Mistake(Feedback),
-    /// The entry is wrong by a mistake in an earlier entry, whose id is given; it costs nothing.
+    /// The entry is wrong only because of a mistake in an earlier entry, whose id is given; full
+    /// points.
     Follows(String),
-    /// Nothing decides whether the entry is right, with the reason; it costs nothing, and a person must look.
+    /// No proof shows the entry right or wrong, for the given reason; full points, and a person
+    /// must look.
     Undecided(String),
-    /// The rubric requires the entry, and the submission lacks it.
+    /// The rubric requires the entry, and the submission lacks it; no points.
     Lacking,
 }
 
-/// Feedback on one mistake.
+/// Feedback on one mistake: its kind, its places, and the wrong and right terms.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Feedback {
-    /// Kind of the mistake; `None` if it is not one slip.
+    /// Kind of the mistake; `None` if no single slip explains it.
     pub slip: Option<Slip>,
-    /// Places within the entry, such as "the right-hand side"; empty for an entry without parts.
+    /// Places of the mistake within the entry, such as "the right-hand side"; empty for an entry
+    /// without parts.
     pub places: Vec<String>,
-    /// Wrong terms with the right ones, in words.
+    /// Wrong terms with the right terms, as text.
     pub term: String,
 }
 
 impl Feedback {
+    /// Feedback on the mistake `root`, which `finding` shows.
     fn new(finding: &Finding, root: &Root) -> Self {
         Self { slip: finding.slip, places: finding.places.clone(), term: root.mistake.clone() }
     }
 
-    /// Feedback in words, as much as a level tells.
+    /// Text of the feedback with the detail that `level` allows.
     #[must_use]
     pub fn words(&self, level: Level) -> String {
         if level == Level::Term {
@@ -184,7 +192,7 @@ impl Feedback {
     }
 }
 
-/// Marks of a submission, from its difference to the derived equations.
+/// Computes the marks of a submission from its comparison with the derived equations.
 #[must_use]
 pub fn grade(difference: &Difference, rubric: &Rubric) -> Grade {
     let mut marks = Vec::new();
@@ -208,7 +216,8 @@ pub fn grade(difference: &Difference, rubric: &Rubric) -> Grade {
     Grade { points: sum(|mark| mark.points), of: sum(|mark| mark.of), marks }
 }
 
-/// Outcome of a wrong entry: a mistake of its own, or the consequence of another one.
+/// Outcome of the wrong finding with the index `at`: a mistake of its own, or a consequence of an
+/// earlier mistake.
 fn wrong(difference: &Difference, at: usize) -> Outcome {
     for root in &difference.roots {
         if root.finding == at {

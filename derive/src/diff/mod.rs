@@ -44,45 +44,50 @@ use printed::motion::Motion;
 /// Result of the comparison of a publication with the derived equations.
 #[derive(Clone, Debug)]
 pub struct Difference {
-    /// Findings of all entries in the order of the publication file, with those of a system's rows and entries in
-    /// sequence.
+    /// Verdicts on all printed entries, in the order of the publication file; rows and entries of a
+    /// system follow one another.
     pub findings: Vec<Finding>,
-    /// Mistakes that cause the findings that are different. Each such finding is in exactly one group.
+    /// Root mistakes behind the findings judged "different". Each such finding belongs to exactly
+    /// one root.
     pub roots: Vec<Root>,
-    /// Consequences of each printed system for the motion.
+    /// Consequences of each printed system's errors for the motion.
     pub consequences: Vec<Consequences>,
-    /// Comparisons of the motions that the printed systems give, pair by pair.
+    /// Comparisons of the motions that two printed systems predict, for each pair of systems.
     pub agreements: Vec<Agreement>,
 }
 
 impl Difference {
-    /// Number of findings whose judgement has this word.
+    /// Number of findings with the judgement `word`, such as "different" or "undecided".
     #[must_use]
     pub fn count(&self, word: &str) -> usize {
         self.findings.iter().filter(|f| f.judgement.word() == word).count()
     }
 
-    /// All formulas of the verdicts that documents show, except those in remarks, which are written out.
+    /// Formulas in verdicts and consequences that documents show; remarks are text, and their
+    /// formulas are not included.
     #[must_use]
     pub fn shown(&self) -> Vec<Expr> {
         let findings = self.findings.iter().flat_map(Finding::shown);
         findings.chain(self.consequences.iter().flat_map(Consequences::shown)).collect()
     }
 
-    /// Gives the named terms of proofs and verdicts the names that every document about the model uses.
+    /// Gives a written name to each named term that the proof and the verdicts show, for use in all
+    /// documents.
     pub fn write_names(&self, proof: &Proof, derivations: &mut Derivations) {
         proof.write_names(derivations);
         write_down(&mut derivations.kinematics.arena, "diff", &self.shown());
     }
 
-    /// True if no finding is different and none is undecided.
+    /// True if every finding is right or only stated: none is "different" and none is "undecided".
     #[must_use]
     pub fn is_clean(&self) -> bool {
         self.count("different") == 0 && self.count("undecided") == 0
     }
 }
 
-/// Judges every entry of a publication.
+/// Judges every entry of a publication against the derived equations of the model.
+/// `proof` is the proof that the formulations agree. If mistakes in abbreviations or the author's
+/// multipliers become known, all entries are judged a second time.
 pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publication, proof: &Proof) -> Difference {
     let mut quantities = Quantities::new(model, derivations);
     let permitted = states::permitted(&mut quantities);
@@ -107,16 +112,21 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
     Difference { findings, roots, consequences, agreements }
 }
 
-/// Tools with which the entries of a publication are judged.
+/// Tools for the verdicts on a publication: derived quantities, the comparer, names and numbers.
 struct Tools<'a> {
     quantities: Quantities<'a>,
-    /// Comparer of terms in permitted states.
+    /// Comparer of terms in permitted states: states that satisfy the model's constraints and
+    /// domain.
     comparer: Comparer,
+    /// Derived values of the symbols that the publication uses.
     names: Names,
+    /// Parameters with numerical values, for statements about initial numbers and multipliers.
     numbers: Vec<(Expr, Expr)>,
 }
 
-/// Judges the entries of a publication one by one.
+/// Judges the entries of a publication in turn.
+/// Returns their findings, their claims (statements as data, for tracing mistakes), matched systems
+/// and motions.
 fn judged(
     model: &Model,
     publication: &Publication,
@@ -173,8 +183,8 @@ fn judged(
     found
 }
 
-/// Remarks that the publication gives names of the model another meaning: verdicts are written in the model's
-/// variables.
+/// Remarks for names to which the publication gives a meaning different from the model's. Verdicts
+/// use the model's variables.
 fn other_meanings(quantities: &Quantities<'_>, publication: &Publication) -> Vec<String> {
     let arena = &quantities.derivations.kinematics.arena;
     let remark = |(name, value): &(String, Expr)| {
@@ -183,8 +193,8 @@ fn other_meanings(quantities: &Quantities<'_>, publication: &Publication) -> Vec
     publication.redefined.iter().map(remark).collect()
 }
 
-/// Parameters with their numbers: those that the publication states first, or else those of the model, or 0 for
-/// inputs.
+/// Pairs of a parameter and its number: the publication's number if stated, else the model's.
+/// Inputs without a number get 0.
 fn numbers(model: &Model, quantities: &mut Quantities<'_>, publication: &Publication) -> Vec<(Expr, Expr)> {
     let arena = &mut quantities.derivations.kinematics.arena;
     let stated = publication.entries.iter().filter_map(|entry| match &entry.kind {
@@ -202,22 +212,27 @@ fn numbers(model: &Model, quantities: &mut Quantities<'_>, publication: &Publica
     list
 }
 
-/// Findings, claims, tables and motions, gathered entry by entry.
+/// Results for the entries of a publication, collected in the order of its entries.
 #[derive(Default)]
 struct Found {
     findings: Vec<Finding>,
-    /// Claims of the findings, in equal order.
+    /// Claims of the findings (statements as data): the claim at index i belongs to the finding at
+    /// index i.
     claims: Vec<Claim>,
+    /// Printed systems matched with derived rows, for the tracing of mistakes.
     tables: Vec<Table>,
+    /// Motions of the printed systems, for consequences.
     motions: Vec<printed::systems::MatchedMotion>,
 }
 
 impl Found {
+    /// Adds the finding of one entry, with its claim (the entry's statement as data).
     fn push(&mut self, found: TracedFinding) {
         self.findings.push(found.finding);
         self.claims.push(found.claim);
     }
 
+    /// Adds the findings, the matched rows and the motion of a judged system or program (listing).
     fn take(&mut self, judged: printed::systems::Judged) {
         judged.findings.into_iter().for_each(|found| self.push(found));
         self.tables.extend(judged.table);
@@ -225,7 +240,9 @@ impl Found {
     }
 }
 
-/// Printed systems and listings of a publication as equations of motion.
+/// Printed systems and programs (listings) of a publication as equations of motion.
+/// Entries that hold only near a point are left out, and so are programs that do not give a
+/// complete motion.
 pub fn motions(model: &Model, derivations: &mut Derivations, publication: &Publication) -> Vec<Motion> {
     let mut quantities = Quantities::new(model, derivations);
     let names = Names::new(publication, &mut quantities);

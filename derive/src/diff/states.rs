@@ -17,10 +17,11 @@ use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use crate::mechanics::{Kinematics, Quantities};
 use crate::model::{Model, MotionConstraintKind, TIME};
 
-/// Most multiplications of terms for the numerator of one equation.
+/// Largest number of multiplications of terms spent on the numerator of one loop equation.
 const BUDGET: u64 = 100_000;
 
-/// Permitted states of a model, as values of the symbols that its constraints determine.
+/// Permitted states of a model: values for the symbols that its constraints determine, and the
+/// conditions of its domain.
 pub fn permitted(quantities: &mut Quantities<'_>) -> Permitted {
     let model = quantities.model;
     let (mut solved, open) = solved_loops(quantities);
@@ -46,7 +47,8 @@ pub fn permitted(quantities: &mut Quantities<'_>) -> Permitted {
     if is_told { permitted } else { permitted.untold() }
 }
 
-/// For each equation between coordinates, symbols with their values; and the reason if an equation gives no value.
+/// Solves the loop equations of a model. Returns pairs (symbol, value).
+/// The second part is the reason if an equation gives no symbol in closed form, else `None`.
 fn solved_loops(quantities: &mut Quantities<'_>) -> (Vec<(Expr, Expr)>, Option<String>) {
     let model = quantities.model;
     let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;
@@ -78,8 +80,8 @@ fn solved_loops(quantities: &mut Quantities<'_>) -> (Vec<(Expr, Expr)>, Option<S
     (solved, open)
 }
 
-/// Sums of coordinates that an equation sets to a constant or a term of parameters, each with this value, such as x² +
-/// y² with l².
+/// Sums of coordinates that a loop equation fixes, each with its value in parameters, such as (x² +
+/// y², l²).
 fn shorter_sums(model: &Model, arena: &mut Arena) -> Vec<(Expr, Expr)> {
     let coordinates = model.q();
     let mut list = Vec::new();
@@ -101,7 +103,8 @@ fn shorter_sums(model: &Model, arena: &mut Arena) -> Vec<(Expr, Expr)> {
     list
 }
 
-/// Numerator of a fraction; the whole term if the numerator is too large.
+/// Numerator of the fraction `e`, expanded. Returns `e` itself if the numerator exceeds the work
+/// limit.
 fn numerator(arena: &mut Arena, e: Expr) -> Expr {
     let mut normalizer = Normalizer::new(BUDGET);
     match normalizer.fraction(arena, e) {
@@ -112,8 +115,11 @@ fn numerator(arena: &mut Arena, e: Expr) -> Expr {
 
 /// Equation A x² + B x + C = 0 in one symbol x.
 struct Quadratic {
+    /// Coefficient A of x², a term without x.
     a: Expr,
+    /// Coefficient B of x, a term without x.
     b: Expr,
+    /// Term C, which is the value of the left side at x = 0.
     c: Expr,
 }
 
@@ -132,11 +138,14 @@ impl Quadratic {
         (is_free && depends).then_some(Self { a, b, c })
     }
 
+    /// True if A = 0, so that the equation is linear in the symbol.
     fn is_linear(&self) -> bool {
         self.a == Expr::ZERO
     }
 
-    /// Value of the symbol: −C/B, or the upper root −B/(2 A) + √(B²/(4 A²) − C/A).
+    /// Solution x of A x² + B x + C = 0: −C/B if linear, else the root −B/(2 A) + √(B²/(4 A²) −
+    /// C/A).
+    /// Returns `None` if a divisor is zero.
     fn value(&self, arena: &mut Arena) -> Option<Expr> {
         if self.is_linear() {
             let quotient = arena.div(self.c, self.b)?;
@@ -152,10 +161,11 @@ impl Quadratic {
     }
 }
 
-/// Symbol that an equation determines, with its value; `None` if there is no such symbol.
-///
-/// An equation that is a product does not determine a symbol that only one factor contains. So a value must contain a
-/// coordinate.
+/// Solves a loop equation for one symbol. Returns the symbol and its value, or `None` if no symbol
+/// can be solved for.
+/// The value must contain a coordinate, because a symbol that occurs in only one factor of a
+/// product is not determined. Linear symbols are preferred, then positive parameters that occur as
+/// a pure square.
 fn solve_one(model: &Model, arena: &mut Arena, simplifier: &mut Simplifier, equation: Expr) -> Option<(Expr, Expr)> {
     let ties_coordinates = |arena: &Arena, e: Expr| {
         let parts = arena.reachable(&[e]);
@@ -188,7 +198,8 @@ fn solve_one(model: &Model, arena: &mut Arena, simplifier: &mut Simplifier, equa
     found.map(|(_, symbol, value)| (symbol, value))
 }
 
-/// Sine, cosine and value of an angle q from an equation a sin q + b cos q + c = 0; `None` if no coordinate enters so.
+/// Solves a sin q + b cos q + c = 0 for a coordinate q. Returns the values of sin q, cos q and q.
+/// Returns `None` if no coordinate occurs in this form.
 fn solve_angle(model: &Model, arena: &mut Arena, equation: Expr) -> Option<Vec<(Expr, Expr)>> {
     model.coordinates.iter().filter(|c| c.name != TIME).find_map(|q| {
         let (sine, cosine) = (arena.sin(q.symbol), arena.cos(q.symbol));

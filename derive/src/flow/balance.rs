@@ -1,9 +1,9 @@
-//! Conditions for rest, or for motion along the symmetries of a mechanism, with parameters as letters; and their
-//! solutions in closed form.
+//! Conditions for rest or for steady motion along the symmetries of a mechanism, with symbolic
+//! parameters, and their solutions in closed form.
 //!
-//! Along Σ c ζ with symmetries ζ = (ξ, η) the coordinates have the rates q̇ = Σ c ξ. So the speeds u = J q̇ + d are
-//! formulas in q and c. The remaining conditions are W u + w = Σ c ξ, M Σ c η = F, and the loops φ(q) = 0. The first
-//! holds by itself unless motions are constrained.
+//! Along Σ c ζ with symmetries ζ = (ξ, η), the coordinates have the rates q̇ = Σ c ξ. So the speeds
+//! u = J q̇ + d are formulas in q and c. The remaining conditions are W u + w = Σ c ξ, M Σ c η = F,
+//! and the loops φ(q) = 0. The first holds by itself unless motions are constrained.
 
 use super::Flow;
 use crate::algebra::form::simplify::Simplifier;
@@ -15,10 +15,10 @@ use crate::algebra::{Arena, Expr, Rational};
 use crate::model::Model;
 use crate::prove::IntegralKind;
 
-/// Velocity of a steady motion along one symmetry.
+/// Velocity of a steady motion along a single symmetry of the flow.
 #[derive(Clone, Debug)]
 pub struct SymmetryVelocity {
-    /// Symbol of the velocity: that of the coordinate's rate if `is_rate`.
+    /// Symbol of the velocity. It is the symbol of the coordinate's rate if `is_rate` is true.
     pub symbol: Expr,
     /// Index of the symmetry in [`Flow::symmetries`].
     pub symmetry: usize,
@@ -26,30 +26,32 @@ pub struct SymmetryVelocity {
     pub is_rate: bool,
 }
 
-/// Kind of a motion whose variables are constant, except those along symmetries.
+/// Kind of a motion whose variables are constant, except those that symmetries shift.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steadiness {
-    /// State in which nothing moves except drives at a constant rate.
+    /// Rest: nothing moves except drives at a constant rate.
     Rest,
-    /// Motion at constant velocities along the symmetries.
+    /// Steady motion at constant velocities along the symmetries.
     SteadyMotion,
 }
 
-/// Conditions of rest, or of motion along the symmetries, as terms that must vanish.
+/// Conditions of rest, or of steady motion along the symmetries, as terms that must vanish.
 #[derive(Clone, Debug, Default)]
 pub struct Balance {
-    /// Velocities along symmetries; empty for rest.
+    /// Velocities along symmetries, which are unknowns; empty for rest.
     pub along: Vec<SymmetryVelocity>,
-    /// Generalized speeds, in coordinates and velocities along symmetries.
+    /// Generalized speeds u as terms in coordinates and velocities along symmetries.
     pub speeds: Vec<Expr>,
-    /// Terms that must vanish, in parameters, coordinates and velocities along symmetries.
+    /// Terms that must vanish: forces, kinematic equations and loops, in parameters, coordinates and
+    /// velocities along symmetries.
     pub rows: Vec<Expr>,
-    /// Divisors of the kinematic equations, in coordinates and velocities along symmetries.
+    /// Divisors of the kinematic equations, as terms in coordinates and velocities along symmetries.
     pub divisors: Vec<Expr>,
 }
 
 impl Flow {
-    /// Conditions of rest, or of motion along the symmetries. Drives at a constant rate continue in both.
+    /// Derives the conditions of rest, or of steady motion along the symmetries. Drives at a constant
+    /// rate continue in both.
     pub fn balance(&mut self, model: &Model, steadiness: Steadiness) -> Balance {
         let along = match steadiness {
             Steadiness::Rest => Vec::new(),
@@ -100,7 +102,7 @@ impl Flow {
         Balance { along, speeds, rows, divisors }
     }
 
-    /// Velocities along all symmetries except the shift of time, with their symbols.
+    /// Lists a velocity for each symmetry except the shift of time, with its symbol.
     fn velocities(&mut self, model: &Model) -> Vec<SymmetryVelocity> {
         let n = model.coordinates.len();
         let rates = model.q_dot();
@@ -122,8 +124,9 @@ impl Flow {
         list
     }
 
-    /// Solves a balance in closed form for velocities along symmetries and for coordinates. The symbols `asked`, which
-    /// may be parameters, are solved for first. Returns the unknowns in their order, and the solutions.
+    /// Solves the conditions in closed form for velocities along symmetries and for coordinates. The
+    /// symbols `asked`, which may be parameters, are solved for first. Returns the unknowns in their
+    /// order, and the solutions.
     pub fn closed_form(&mut self, model: &Model, balance: &Balance, asked: &[Expr]) -> (Vec<Expr>, Solutions) {
         let mentioned = self.arena.reachable(&balance.rows);
         let is_new = |e: &Expr| mentioned.binary_search(e).is_ok() && !asked.contains(e);
@@ -135,7 +138,7 @@ impl Flow {
     }
 }
 
-/// Name of a velocity along a symmetry that is not the rate of a coordinate.
+/// Name of a velocity along a symmetry that is not the rate of a coordinate, such as `Omega_n3`.
 fn name(model: &Model, kind: IntegralKind) -> String {
     let axis = |frame: usize, axis: usize| format!("{}{}", model.frames[frame].name.to_lowercase(), axis + 1);
     let of = |body: usize| &model.bodies[body].name;

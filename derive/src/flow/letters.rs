@@ -1,5 +1,5 @@
-//! Linear system near a steady motion, with chosen numbers kept as letters. Exact algebra makes it from values and
-//! slopes at a state that formulas give.
+//! Linear system near a steady motion, with chosen parameters kept as symbols (letters). Exact
+//! algebra derives it from values and derivatives at a state that formulas give.
 
 use super::{Flow, Rates};
 use crate::algebra::form::simplify::Simplifier;
@@ -10,61 +10,65 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashSet;
 
-/// Highest power of a letter for which an entry of a matrix is treated as a polynomial.
+/// Highest power of a symbol for which a matrix entry is treated as a polynomial.
 const MOST_POWERS: i64 = 8;
 
-/// Choice of the states that are kept in the linear system, and of the loops and symmetries that eliminate the others.
-/// All are indices from 0, as a numeric elimination chose them.
+/// Choice of the states that the linear system keeps, and of the loops and symmetries that
+/// eliminate the others. All are indices from 0; a numeric elimination chose them.
 #[derive(Clone, Debug, Default)]
 pub struct Chosen {
     /// Indices of the states that the linear system keeps.
     pub kept: Vec<usize>,
-    /// Indices of the states that the loops determine.
+    /// Indices of the states that the loop equations determine.
     pub closed: Vec<usize>,
-    /// Indices of the states that symmetries eliminate.
+    /// Indices of the states that symmetries eliminate, because a shift along a symmetry changes
+    /// nothing.
     pub shifted: Vec<usize>,
-    /// Indices of the symmetries that eliminate the `shifted` states.
+    /// Indices of the symmetries that eliminate the states `shifted`.
     pub symmetries: Vec<usize>,
-    /// Indices of states and of symmetries that determine the velocities along the symmetries.
+    /// Indices of states, and of symmetries, whose square system determines the velocities along the
+    /// symmetries.
     pub carried: (Vec<usize>, Vec<usize>),
 }
 
-/// State and numbers at which the linear system is taken.
+/// Steady state and numbers at which the linear system is derived.
 #[derive(Clone, Debug, Default)]
 pub struct OperatingPoint {
-    /// Symbols of parameters with their exact values.
+    /// Symbols of the parameters that have numbers, each with its exact value.
     pub numbers: Vec<(Expr, Rational)>,
-    /// Formula of each state, in parameters and letters.
+    /// Formula of each state, in parameters and the symbols that are kept.
     pub states: Vec<Expr>,
-    /// Symbols of the inputs of the linear system.
+    /// Symbols of the parameters that are inputs of the linear system.
     pub inputs: Vec<Expr>,
-    /// Outputs of the linear system, as terms in states.
+    /// Outputs of the linear system, as terms in the states.
     pub outputs: Vec<Expr>,
 }
 
-/// Reason why a linear system in letters does not exist.
+/// Reason why there is no linear system with symbolic parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NotInLetters {
-    /// The state is not steady for every value of the letters.
+    /// The state is not steady for every value of the symbolic parameters.
     NotSteady,
-    /// The elimination, or a slope, divides by a term that is 0 for every value of the letters.
+    /// The elimination, or a derivative, divides by a term that is 0 for every value of the symbolic
+    /// parameters.
     Singular,
 }
 
-/// Linear system d' = A d + B r, y = C d + D r in letters.
+/// Linear system d' = A d + B r, y = C d + D r with symbolic entries: deviations d of the states,
+/// inputs r, outputs y.
 #[derive(Clone)]
 pub struct InLetters {
-    /// Store of the terms of the entries.
+    /// Arena that holds the terms of the matrices.
     pub arena: Arena,
-    /// Matrices A, B, C and D, row by row.
+    /// Matrices A, B, C and D in this order, each as a list of rows.
     pub matrices: [Vec<Vec<Expr>>; 4],
 }
 
 impl Flow {
-    /// Linear system in letters near a steady motion of this flow.
+    /// Derives the linear system near a steady motion of this flow, with symbolic parameters.
     ///
     /// # Errors
-    /// [`NotInLetters`] if the state is not steady, or a divisor is zero.
+    /// [`NotInLetters`] if the state is not steady, or if a divisor is zero.
     pub fn in_letters(&self, stated: &OperatingPoint, chosen: &Chosen) -> Result<InLetters, NotInLetters> {
         let mut work = Work { arena: self.arena.clone(), simplifier: Simplifier::default() };
         let (values, slopes) = work.slopes(self, stated)?;
@@ -81,11 +85,11 @@ impl Flow {
                 .collect::<Vec<Expr>>()
         };
         let columns: Vec<Vec<Expr>> = slopes.iter().map(|slope| moving(&mut work, slope)).collect();
-        // States that the loops do not determine, then inputs.
+        // Columns of the derivatives: states that the loops do not determine, then inputs.
         let inputs = states..states + stated.inputs.len();
         let all: Vec<usize> = (0..states).filter(|at| !chosen.closed.contains(at)).chain(inputs).collect();
         let free = all.len() - stated.inputs.len();
-        // The states that the loops determine follow from these: δx_d = E (δx_k, δr).
+        // The states that the loops determine depend on these columns: δx_d = E (δx_k, δr).
         let loops: Vec<usize> = (0..self.loops.len()).collect();
         let follows = work.follows(&loops, &chosen.closed, &all, |row, column| slopes[column].loops[row])?;
         let on = |work: &mut Work, of: &dyn Fn(usize) -> Expr| -> Vec<Expr> {
@@ -130,13 +134,19 @@ impl Flow {
     }
 }
 
+/// Arena and simplifier of the terms of a linear system while it is derived.
 struct Work {
+    /// Arena of the terms of the linear system; starts as a copy of the flow's.
     arena: Arena,
+    /// Simplifier of terms, which keeps its earlier results.
     simplifier: Simplifier,
 }
 
 impl Work {
-    /// Values of the flow at the stated state, and slopes along each state and input.
+    /// Values of the flow at the stated state, and derivatives by each state, then by each input.
+    ///
+    /// # Errors
+    /// `NotInLetters::Singular` if a term divides by zero.
     fn slopes(
         &mut self,
         flow: &Flow,
@@ -205,7 +215,11 @@ impl Work {
         Ok((Rates::new(sizes, &values), slopes))
     }
 
-    /// Finds c with f = Σ c ζ, for the symmetries ζ that carry the state along. The equation is proved for all letters.
+    /// Finds the velocities c with f = Σ c ζ along the symmetries ζ, and proves the equation for all
+    /// values of the symbols.
+    ///
+    /// # Errors
+    /// `NotInLetters` if c is not determined, or if the state is not steady.
     fn carried(&mut self, flow: &Flow, values: &Rates<Expr>, chosen: &Chosen) -> Result<Vec<Expr>, NotInLetters> {
         let (rows, columns) = &chosen.carried;
         let a: Vec<Vec<Expr>> =
@@ -222,12 +236,16 @@ impl Work {
         Ok(along)
     }
 
+    /// Checks that a term is identically zero; `NotInLetters::NotSteady` otherwise.
     fn is_nothing(&self, e: Expr) -> Result<(), NotInLetters> {
         if zero_test(&self.arena, e) == ZeroTest::Zero { Ok(()) } else { Err(NotInLetters::NotSteady) }
     }
 
-    /// Finds X with M_d X = M_k for the columns `dependent` and `kept` of the matrix M, which `entry` gives. So M x = 0
-    /// for x_d = −X x_k.
+    /// Finds X with M_d X = M_k, where M_d and M_k are the columns `dependent` and `kept` of a matrix M
+    /// that `entry` gives. So M x = 0 for x_d = −X x_k. Empty if `dependent` is empty.
+    ///
+    /// # Errors
+    /// `NotInLetters::Singular` if M_d is singular.
     fn follows(
         &mut self,
         rows: &[usize],
@@ -246,7 +264,7 @@ impl Work {
         Ok(found)
     }
 
-    /// Simplified term e − Σ a b, for pairs of the two lists.
+    /// Simplified term e − Σ a_i b_i over the pairs of two lists.
     fn minus(&mut self, e: Expr, a: &[Expr], b: &[Expr]) -> Expr {
         let mut terms = vec![(e, Rational::ONE)];
         for (a, b) in a.iter().zip(b) {
@@ -257,7 +275,7 @@ impl Work {
     }
 }
 
-/// Symbols that occur in arguments of functions.
+/// Symbols that occur in arguments of functions, such as of sine.
 fn inside_functions(arena: &Arena, terms: &[Expr]) -> FxHashSet<Expr> {
     let arguments: Vec<Expr> = arena
         .reachable(terms)
@@ -268,8 +286,9 @@ fn inside_functions(arena: &Arena, terms: &[Expr]) -> FxHashSet<Expr> {
 }
 
 impl InLetters {
-    /// Coefficients of an entry as a polynomial in one letter, that of power 0 first. `None` if the entry is no
-    /// polynomial of this letter.
+    /// Coefficients of an entry as a polynomial in a single symbol, that of power 0 first. `known` are
+    /// the values of all other symbols. `None` if the entry is not a polynomial of degree 8 or less in
+    /// the symbol.
     pub fn polynomial<S: Numeric>(&mut self, entry: Expr, letter: Expr, known: &[(Expr, S)]) -> Option<Vec<S>> {
         let arena = &mut self.arena;
         let (symbols, values): (Vec<Expr>, Vec<S>) = known.iter().copied().unzip();

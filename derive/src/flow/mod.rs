@@ -1,8 +1,9 @@
-//! The motion of a mechanism as a system of first order, with its slopes and its symmetries: the basis of equilibria,
-//! steady motions and linearisations.
+//! Flow of a mechanism: the motion as a first-order system with its derivatives and symmetries. It
+//! is the basis of equilibria, steady motions and linearisations.
 //!
-//! The states x are the coordinates, then the generalized speeds. x' = f(x, r) with f(q, u) = (W u + w, u̇) by Kane's
-//! method and inputs r. If loops close the mechanism, f is meant on φ(q) = 0, which it leaves invariant.
+//! The states x are the coordinates, then the generalized speeds. x' = f(x, r) with f(q, u) = (W
+//! u + w, u̇) by Kane's method and inputs r. If loops close the mechanism, f is meant on φ(q) = 0,
+//! which it leaves invariant.
 
 mod balance;
 mod letters;
@@ -26,37 +27,41 @@ use crate::mechanics::{DeriveError, Equations, Formulation, Kinematics, Solved, 
 use crate::model::Model;
 use crate::prove::{Field, IntegralKind};
 
-/// Flow x' = f(x, r) of a mechanism, with its loops and symmetries.
+/// Flow x' = f(x, r) of a mechanism with states x and inputs r, and its loops and symmetries.
 #[derive(Clone)]
 pub struct Flow {
-    /// Store of all terms of the flow.
+    /// Arena of all terms of the flow.
     pub arena: Arena,
-    /// Definitions of the steps that compute f, in order; the last symbols are u̇.
+    /// Definitions that compute f, each after those that it uses; the last symbols are u̇.
     pub steps: Vec<Definition>,
-    /// Symbols of the parameters, including those of inputs.
+    /// Symbols of the parameters of the model, with its inputs.
     pub parameters: Vec<Expr>,
     /// Symbols of the states: coordinates q, then generalized speeds u.
     pub states: Vec<Expr>,
-    /// Right-hand side f: q̇, then u̇, in parameters, states and symbols of steps.
+    /// Right-hand side f: q̇, then u̇, in parameters, states and defined symbols.
     pub rates: Vec<Expr>,
-    /// Mass matrix M of M u̇ = F, in parameters and states.
+    /// Mass matrix M of Kane's equations M u̇ = F, as terms in parameters and states.
     pub inertia: Vec<Vec<Expr>>,
-    /// Forcing F of M u̇ = F, in parameters and states.
+    /// Forcing F of Kane's equations M u̇ = F, as terms in parameters and states.
     pub balances: Vec<Expr>,
-    /// Left sides φ of the loop equations, which are zero where the loops are closed.
+    /// Residuals φ of the loop equations, which are zero where the loops are closed.
     pub loops: Vec<Expr>,
-    /// Further terms that are zero where all loops are closed. They restrict no velocities that φ does not restrict.
+    /// Residuals of redundant loops, which are zero where all loops are closed. They restrict no
+    /// velocities that φ does not restrict.
     pub closed: Vec<Expr>,
-    /// Symmetries of the flow, proved: fields on the states that take solutions to solutions.
+    /// Symmetries of the flow, each proved: vector fields on the states along which solutions shift to
+    /// solutions.
     pub symmetries: Vec<Symmetry>,
-    /// Kinetic energy T and potential energy V in states, and the power of the forces that V leaves out.
+    /// Kinetic energy T (J), potential energy V (J), and power of the forces that V does not contain
+    /// (W), in states.
     pub energies: [Expr; 3],
-    /// Divisors of the kinematic equations: where one is zero, the speeds do not determine q̇.
+    /// Divisors of the kinematic equations. Where a divisor is zero, u does not determine q̇.
     pub divisors: Vec<Expr>,
 }
 
 impl Flow {
-    /// Derives and solves the equations of a model by Kane's method, and finds its symmetries.
+    /// Derives and solves the equations of a model by Kane's method, and finds the symmetries of the
+    /// flow.
     ///
     /// # Errors
     /// [`DeriveError`] if the model cannot be derived.
@@ -89,8 +94,8 @@ impl Flow {
         Ok(flow)
     }
 
-    /// Index of the shift of time among the symmetries; `None` if the model does not name time or its equations depend
-    /// on it.
+    /// Index of the shift of time among the symmetries. `None` if time is not a coordinate of the
+    /// model, or if its equations depend on time.
     #[must_use]
     pub fn by_time(&self, model: &Model) -> Option<usize> {
         let time = model.time()?;
@@ -109,7 +114,8 @@ impl Flow {
         })
     }
 
-    /// Terms in which values replace all symbols of steps. Common terms stay shared.
+    /// Replaces all defined symbols in terms by the terms that define them. Common subterms stay
+    /// shared.
     pub fn behind(&mut self, terms: &[Expr]) -> Vec<Expr> {
         let mut put = Substitution::default();
         for step in &self.steps {
@@ -119,8 +125,8 @@ impl Flow {
         terms.iter().map(|term| put.apply(&mut self.arena, *term)).collect()
     }
 
-    /// Term of a run, such as an output, in states and symbols of steps. The right-hand side f replaces rates and
-    /// accelerations; formulas replace energies.
+    /// Rewrites a term of a scene, such as an output, in states and defined symbols. Rates and
+    /// accelerations are replaced by f, and energies by their formulas.
     pub fn in_states(&mut self, model: &Model, term: Expr) -> Expr {
         let mut put = Substitution::default();
         let rates = model.q_dot().into_iter().chain(model.speeds.iter().map(|speed| speed.rate));

@@ -1,4 +1,4 @@
-//! Flow of a mechanism as a program: values and slopes along a direction, in numbers of any precision.
+//! Numeric program of a flow: values and directional derivatives, in numbers of any precision.
 
 use super::Flow;
 use crate::algebra::Expr;
@@ -7,47 +7,50 @@ use crate::algebra::term::calculus::Differential;
 use crate::algebra::term::steps::{Definition, fresh_symbol};
 use crate::algebra::value::evaluate::{Numeric, Tape, UnknownSymbol};
 
-/// Sizes of the inputs and results of a program.
+/// Numbers of parameters, states, inputs, loops, symmetries and outputs of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sizes {
-    /// Number of parameters.
+    /// Number of parameters of the flow.
     pub parameters: usize,
-    /// Number of states.
+    /// Number of states: coordinates and speeds.
     pub states: usize,
-    /// Number of inputs along which slopes can be computed.
+    /// Number of inputs by which derivatives can be computed.
     pub inputs: usize,
-    /// Number of loops; independent loops come first.
+    /// Number of loop equations; independent loops come first, redundant loops last.
     pub loops: usize,
-    /// Number of independent loops; the other loops follow from them.
+    /// Number of independent loop equations; the remaining loops depend on them.
     pub ties: usize,
-    /// Number of symmetries.
+    /// Number of symmetries of the flow.
     pub symmetries: usize,
-    /// Number of outputs.
+    /// Number of outputs that the program computes.
     pub outputs: usize,
 }
 
-/// A flow as a program, with its slopes along any direction of states and inputs.
+/// Flow as a numeric program, with its derivatives along any direction of states and inputs.
 #[derive(Clone)]
 pub struct Program {
+    /// Instructions of the program in double precision; the outputs are the values, then the
+    /// derivatives.
     tape: Tape,
     /// Numbers of the program's parameters, states, inputs, loops, symmetries and outputs.
     pub sizes: Sizes,
 }
 
-/// Results of a program: values, or slopes of the values along a direction.
+/// Results of a program: values at a state, or derivatives of the values along a direction.
 #[derive(Clone, Debug)]
 pub struct Rates<S> {
-    /// Rates f of the states, or their slopes.
+    /// Rates f of the states, one for each state, or their derivatives.
     pub flow: Vec<S>,
-    /// Residuals φ of the loops, or their slopes.
+    /// Residuals φ of the loops, one for each loop, or their derivatives.
     pub loops: Vec<S>,
-    /// Symmetries ζ, one list of components for each, or their slopes.
+    /// Components of each symmetry ζ, one inner list for each symmetry, or their derivatives.
     pub symmetries: Vec<Vec<S>>,
-    /// Outputs y of the program, or their slopes.
+    /// Outputs y of the program, one for each output, or their derivatives.
     pub outputs: Vec<S>,
 }
 
 impl<S: Clone> Rates<S> {
+    /// Splits a list of values into rates, loops, symmetries and outputs.
     pub(super) fn new(sizes: Sizes, values: &[S]) -> Self {
         let (flow, rest) = values.split_at(sizes.states);
         let (loops, rest) = rest.split_at(sizes.loops);
@@ -62,11 +65,12 @@ impl<S: Clone> Rates<S> {
 }
 
 impl Flow {
-    /// Program of this flow. Slopes can also be taken along the parameters `inputs`; the terms `outputs` in states are
-    /// its outputs.
+    /// Compiles this flow to a numeric program. `inputs` are parameters by which derivatives are also
+    /// possible; `outputs` are terms in states that it computes.
     ///
     /// # Errors
-    /// [`UnknownSymbol`] if an output contains a symbol that is no state, parameter or step.
+    /// [`UnknownSymbol`] if an output contains a symbol that is not a state, a parameter or a defined
+    /// symbol.
     pub fn program(&self, inputs: &[Expr], outputs: &[Expr]) -> Result<Program, UnknownSymbol> {
         let mut arena = self.arena.clone();
         let mut simplifier = Simplifier::default();
@@ -109,14 +113,14 @@ impl Flow {
 }
 
 impl Program {
-    /// Tape that computes the program in doubles; [`Tape::to`] converts it to other numbers.
+    /// Instructions of the program in double precision; [`Tape::to`] converts them to other numbers.
     #[must_use]
     pub fn tape(&self) -> &Tape {
         &self.tape
     }
 
-    /// Evaluates the program by a tape at a state `x`. Returns values, and slopes along each of the given directions of
-    /// states and inputs.
+    /// Evaluates the program with the instructions `tape` at a state `x`. Returns the values, and their
+    /// derivatives along each of the given directions (components for each state, then each input).
     #[must_use]
     pub fn evaluate<S: Numeric>(
         &self,
@@ -133,7 +137,8 @@ impl Program {
         (values, slopes)
     }
 
-    /// Values at a state `x`, and slopes along each state, then along each input.
+    /// Evaluates the program at a state `x`. Returns the values, and their derivatives by each state,
+    /// then by each input.
     #[must_use]
     pub fn all_slopes<S: Numeric>(&self, tape: &Tape<S>, parameters: &[S], x: &[S]) -> (Rates<S>, Vec<Rates<S>>) {
         let count = self.sizes.states + self.sizes.inputs;

@@ -1,8 +1,10 @@
-//! Conditions for rest along every motion that the constraints permit, with the constraint forces as multipliers.
+//! Balance of forces at rest along every motion that the constraints permit, with the constraint
+//! forces as multipliers.
 //!
-//! Chosen speeds u do not move a mechanism in their dead points: the balance along u holds there by itself. With the
-//! rates of all coordinates, rest needs f(q, 0) + Aᵀ λ = 0 for the applied forces f and the constraints A q̇ + a = 0,
-//! and a = 0 (H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition, 2002, §§ 1.4, 2.4).
+//! At a dead point, the chosen speeds u do not move the mechanism, so the balance along u holds
+//! there by itself. In the rates of all coordinates, rest needs f(q, 0) + Aᵀ λ = 0 and a = 0. Here
+//! f are the applied forces, and A q̇ + a = 0 the constraints (H. Goldstein, C. Poole & J. Safko,
+//! *Classical Mechanics*, 3rd edition, 2002, §§ 1.4, 2.4).
 
 use super::Flow;
 use crate::algebra::Expr;
@@ -11,14 +13,15 @@ use crate::algebra::term::steps::Definition;
 use crate::mechanics::{DeriveError, Formulation, Kinematics, derive_with};
 use crate::model::Model;
 
-/// Balance of forces at rest, in coordinates and multipliers.
+/// Balance of forces at rest, as conditions on the coordinates and the constraint multipliers.
 pub struct RestBalance {
-    /// Residuals in the form of a flow. The states are the coordinates, then the multipliers; the rates are the
-    /// unbalanced force along each coordinate, then the velocity that each constraint demands at rest.
+    /// Residuals in the form of a flow; they vanish at rest. The states are the coordinates, then the
+    /// multipliers. The rates are the unbalanced force along each coordinate, then the velocity that
+    /// each constraint demands at rest.
     pub residuals: Flow,
-    /// Number of multipliers, one for each motion constraint.
+    /// Number of constraint multipliers among the states, one for each motion constraint.
     pub multipliers: usize,
-    /// Generalized speeds at rest, in coordinates.
+    /// Generalized speeds at rest, as terms in the coordinates.
     pub speeds: Vec<Expr>,
 }
 

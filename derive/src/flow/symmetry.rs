@@ -1,8 +1,9 @@
-//! Symmetries of the flow of a mechanism: fields ζ(x) with [ζ, f] = 0. Displacement along ζ takes solutions to
-//! solutions.
+//! Symmetries of the flow of a mechanism: vector fields ζ(x) with [ζ, f] = 0. A shift along ζ takes
+//! solutions to solutions.
 //!
-//! A field ξ(q) on coordinates changes speeds too: u = J q̇ + d becomes u + ε η with η = ∂u/∂q ξ + J ξ̇. No momentum
-//! need be conserved for that: a rolling wheel may be moved on its plane, although the momenta along the plane change.
+//! A field ξ(q) on the coordinates also changes speeds: u = J q̇ + d becomes u + ε η with η = ∂u/∂q
+//! ξ + J ξ̇. No momentum need be conserved: a rolling wheel may be shifted on its plane, although
+//! the momenta along the plane change.
 
 use super::Flow;
 use crate::algebra::term::calculus::Differential;
@@ -14,32 +15,34 @@ use crate::model::Model;
 use crate::prove::{Field, IntegralKind, Pivot, rigid_motions};
 use nalgebra::DMatrix;
 
-/// A symmetry of a flow: a field on the states that commutes with the flow and keeps the loops closed.
+/// Symmetry of a flow: a vector field on the states that commutes with the flow and keeps the loops
+/// closed.
 #[derive(Clone, Debug)]
 pub struct Symmetry {
-    /// Kind of the motion along which the symmetry moves the mechanism.
+    /// Kind of the motion that the symmetry gives the mechanism, such as a translation.
     pub kind: IntegralKind,
-    /// Components of the field, one for each state, in parameters and states.
+    /// Components of the field, one for each state, as terms in parameters and states.
     pub along: Vec<Expr>,
 }
 
 impl Symmetry {
-    /// Description in words of the motion along the symmetry.
+    /// Description of the motion along the symmetry, in words.
     #[must_use]
     pub fn words(&self, model: &Model) -> String {
         self.kind.motion(model)
     }
 }
 
-/// Shift of time, as a candidate for a symmetry. It is one if the equations do not depend on time, as for a drive at a
-/// constant rate. `None` if the model does not name time.
+/// Shift of time, as a candidate for a symmetry. It is a symmetry if the equations do not depend on
+/// time, as with a drive at a constant rate. `None` if time is not a coordinate of the model.
 pub(super) fn of_time(model: &Model) -> Option<Field> {
     let time = model.time()?;
     let unit = |at| if at == time { Expr::ONE } else { Expr::ZERO };
     Some(Field { kind: IntegralKind::Coordinate(time), xi: (0..model.coordinates.len()).map(unit).collect() })
 }
 
-/// Fields that may be symmetries: along each coordinate, and the rigid motions of the mechanism and of each body.
+/// Lists vector fields on the coordinates that may be symmetries: along each coordinate except
+/// time, and the rigid motions of the mechanism and of each body.
 pub fn candidates(model: &Model, kinematics: &mut Kinematics) -> Vec<Field> {
     let n = model.coordinates.len();
     let unit = |i: usize| (0..n).map(|k| if k == i { Expr::ONE } else { Expr::ZERO }).collect();
@@ -51,7 +54,8 @@ pub fn candidates(model: &Model, kinematics: &mut Kinematics) -> Vec<Field> {
     list
 }
 
-/// Symmetries among the candidate fields, by exact tests.
+/// Selects the symmetries of the flow among candidate fields, by exact tests. Duplicates are left
+/// out.
 pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> Vec<Symmetry> {
     let rates = flow.rates.clone();
     let rates = flow.behind(&rates);
@@ -75,8 +79,9 @@ pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> 
     list
 }
 
-/// Symmetries among the candidate fields that are wanted and that turn states into one another, by exact tests. A field
-/// turns states if at least one of its components is not a number. Loops are not tested.
+/// Selects the symmetries among the candidate fields that `is_wanted` accepts and that turn states
+/// into one another. A field turns states if at least one of its components is not a number. The
+/// tests are exact; loops are not tested.
 pub fn turned(
     model: &Model,
     flow: &mut Flow,
@@ -98,8 +103,9 @@ pub fn turned(
     list
 }
 
-/// True if a field moves coordinates as a combination of the other fields does, at a random state. The coefficients may
-/// depend on the state, so the speeds may change otherwise.
+/// True if field number `at` moves the coordinates like a combination of the other fields, at a
+/// random state. The coefficients may depend on the state, so the speeds may still change
+/// differently. `count` is the number of coordinates.
 fn follows(flow: &mut Flow, list: &[Symmetry], count: usize, at: usize) -> bool {
     let fields: Vec<Expr> = list.iter().flat_map(|symmetry| symmetry.along[..count].iter().copied()).collect();
     let fields = flow.behind(&fields);
@@ -114,10 +120,10 @@ fn follows(flow: &mut Flow, list: &[Symmetry], count: usize, at: usize) -> bool 
     (others * shares - &own).norm() <= DEPENDENT * own.norm()
 }
 
-/// Relative remainder of a field below which it counts as a combination of others.
+/// Relative remainder below which a field counts as a combination of the other fields.
 const DEPENDENT: f64 = 1e-9;
 
-/// True if two fields on the states are equal.
+/// True if two vector fields on the states are equal in every component, by exact zero tests.
 fn is_same(flow: &mut Flow, a: &[Expr], b: &[Expr]) -> bool {
     a.iter().zip(b).all(|(a, b)| {
         let difference = flow.arena.sub(*a, *b);
@@ -125,7 +131,8 @@ fn is_same(flow: &mut Flow, a: &[Expr], b: &[Expr]) -> bool {
     })
 }
 
-/// Field (ξ, η) on the states: the field ξ on coordinates, and the change η of the generalized speeds along it.
+/// Extends a field ξ on the coordinates to the field (ξ, η) on the states, where η is the change of
+/// the generalized speeds.
 fn prolonged(model: &Model, flow: &mut Flow, xi: &[Expr]) -> Vec<Expr> {
     let arena = &mut flow.arena;
     let mut d_dt = Differential::along(&model.q().into_iter().zip(model.q_dot()).collect::<Vec<_>>());
@@ -143,7 +150,7 @@ fn prolonged(model: &Model, flow: &mut Flow, xi: &[Expr]) -> Vec<Expr> {
     xi.iter().copied().chain(eta.collect::<Vec<_>>()).collect()
 }
 
-/// True if the loops stay closed along a field on the states.
+/// True if all loop equations stay satisfied along a field on the states.
 fn closes(flow: &mut Flow, along: &[Expr]) -> bool {
     let mut moved = Differential::along(&pairs(flow, along));
     let arena = &mut flow.arena;
@@ -165,6 +172,7 @@ fn commutes(flow: &mut Flow, rates: &[Expr], along: &[Expr]) -> bool {
     })
 }
 
+/// Pairs of each state symbol with its value.
 fn pairs(flow: &Flow, values: &[Expr]) -> Vec<(Expr, Expr)> {
     flow.states.iter().copied().zip(values.iter().copied()).collect()
 }

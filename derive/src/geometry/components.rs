@@ -1,4 +1,4 @@
-//! Components of vectors in one frame.
+//! Components of vectors in one frame, and products of such vectors.
 
 use crate::algebra::{Arena, Expr};
 
@@ -13,18 +13,18 @@ pub fn cross_components(arena: &mut Arena, a: &Components, b: &Components) -> Co
     })
 }
 
-/// Product A · v of a tensor A and a vector v with components in one frame.
+/// Product A · v of a 3 × 3 tensor A and a vector v, both with components in one frame.
 pub fn apply_tensor(arena: &mut Arena, tensor: &[[Expr; 3]; 3], v: &Components) -> Components {
     tensor.map(|row| row_times(arena, &row, v))
 }
 
-/// Sum Σ row_i v_i, which is an entry of a matrix times a vector.
+/// Scalar product Σ row_i v_i of a matrix row and a vector of three components.
 pub(crate) fn row_times(arena: &mut Arena, row: &[Expr; 3], v: &Components) -> Expr {
     let products = [0, 1, 2].map(|i| arena.mul(row[i], v[i]));
     arena.sum(&products)
 }
 
-/// Transposed matrix of three rows.
+/// Transpose of a 3 × 3 matrix, given by its rows.
 pub fn transposed(rows: &[Components; 3]) -> [Components; 3] {
     std::array::from_fn(|i| std::array::from_fn(|j| rows[j][i]))
 }

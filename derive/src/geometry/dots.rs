@@ -1,17 +1,21 @@
-//! Sums of dot products of vectors.
+//! Weighted sums of dot products of vectors, collected before they are expanded. Mass matrices are
+//! built from them.
 
 use super::vector::{Frames, Part, Vector};
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashMap;
 
-/// Sum Σ weight · (a · b) of dot products, which becomes a term when all products are known.
+/// Weighted sum Σ weight · (a · b) of dot products, which becomes one term when all products are
+/// collected.
 ///
-/// Equal pairs of parts are collected first. Where a chain's bodies move alike, their masses add up to one factor of
-/// one dot product, Σ m_k (a · b) = (Σ m_k) (a · b). So a sum over n bodies takes n terms rather than n².
+/// Products of equal components are collected first. If bodies of a chain move alike, their masses
+/// add up to one factor of one dot product: Σ m_k (a · b) = (Σ m_k) (a · b). So a sum over n bodies
+/// takes n terms rather than n².
 #[derive(Default)]
 pub struct Dots {
+    /// Index in `list` of each pair of vector parts.
     places: FxHashMap<(Part, Part), usize>,
-    /// Pairs of parts in the order of first use, each with its weights.
+    /// Pairs of vector parts in the order of first use, each with its weights.
     list: Vec<((Part, Part), Vec<Expr>)>,
 }
 
@@ -29,7 +33,7 @@ impl Dots {
         }
     }
 
-    /// Sum of the collected products, as one term.
+    /// Sum of the collected products, as one term of the arena.
     pub fn sum(&self, arena: &mut Arena, frames: &mut Frames) -> Expr {
         let mut terms = Vec::with_capacity(self.list.len());
         for ((a, b), weights) in &self.list {
@@ -46,9 +50,10 @@ impl Dots {
     }
 }
 
-/// Symmetric matrix of sums of dot products, of which the upper triangle is collected.
+/// Symmetric matrix whose entries are weighted sums of dot products, such as a mass matrix. Only
+/// the upper triangle is collected.
 pub struct SymmetricDots {
-    /// Row r has the sums of columns r, r + 1, ….
+    /// Upper triangle of the matrix: row r has the sums of columns r, r + 1, ….
     rows: Vec<Vec<Dots>>,
 }
 
@@ -59,7 +64,7 @@ impl SymmetricDots {
         Self { rows: (0..n).map(|r| (r..n).map(|_| Dots::default()).collect()).collect() }
     }
 
-    /// Adds weight · (a_r · b_s) to entry (r, s) for each a_r and b_s, if the entry is in the upper triangle.
+    /// Adds weight · (a_r · b_s) to entry (r, s), for each indexed vector a_r and b_s with r ≤ s.
     pub fn add(&mut self, weight: Expr, a: &[(usize, Vector)], b: &[(usize, Vector)]) {
         for (r, x) in a {
             for (s, y) in b.iter().filter(|(s, _)| s >= r) {
@@ -68,7 +73,7 @@ impl SymmetricDots {
         }
     }
 
-    /// Matrix of the collected sums, with the lower triangle mirrored from the upper one.
+    /// Full n × n matrix of the collected sums; the lower triangle mirrors the upper triangle.
     pub fn sum(&self, arena: &mut Arena, frames: &mut Frames) -> Vec<Vec<Expr>> {
         let n = self.rows.len();
         let mut matrix = vec![vec![Expr::ZERO; n]; n];

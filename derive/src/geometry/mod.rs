@@ -1,4 +1,5 @@
-//! Frames, points and vectors: positions and motions, before anything has mass.
+//! Geometry of frames, points and vectors: positions, rotations and velocities, before any masses
+//! or forces.
 
 mod components;
 mod dots;
@@ -15,31 +16,32 @@ pub use vector::{Frames, Part, Vector};
 
 use crate::algebra::Expr;
 
-/// A reference frame, turned from its parent frame.
+/// A reference frame, rotated from its parent frame.
 #[derive(Clone, Debug)]
 pub struct Frame {
     /// Name of the frame in the model file.
     pub name: String,
-    /// Number of the parent frame, and the turn from it; `None` for the inertial frame.
+    /// Index of the parent frame and the rotation from it; `None` for the inertial frame.
     pub rotation: Option<(usize, Turn)>,
 }
 
-/// Position of a point from its parent point.
+/// Position of a point relative to its parent point.
 #[derive(Clone, Copy, Debug)]
 pub struct Placement {
-    /// Index of the parent point.
+    /// Index of the parent point in the model's list of points.
     pub parent: usize,
-    /// Index of the frame of the components.
+    /// Index of the frame in which `components` are given.
     pub frame: usize,
-    /// Components of the vector from the parent point to the point, m.
+    /// Components, in `frame`, of the vector from the parent point to this point, m.
     pub components: [Expr; 3],
 }
 
-/// A point, placed from its parent point.
+/// A point of the model, placed relative to its parent point.
 #[derive(Clone, Debug)]
 pub struct Point {
     /// Name of the point in the model file.
     pub name: String,
-    /// Position of the point from its parent point; `None` for the origin.
+    /// Position relative to the parent point; `None` for the origin, which is fixed in the inertial
+    /// frame.
     pub position: Option<Placement>,
 }

@@ -1,4 +1,5 @@
-//! Positions and velocities of frames and points along a motion.
+//! Motion of frames and points: their positions, angular velocities and velocities in the inertial
+//! frame.
 //!
 //! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.4 (addition theorem), 2.7, 2.8 (points
 //! fixed on a body, and moving on it).
@@ -8,18 +9,19 @@ use super::{Frame, Placement, Point};
 use crate::algebra::Arena;
 use crate::algebra::term::calculus::Differential;
 
-/// Positions of all points, and velocities of all frames and points in the inertial frame.
+/// Positions of all points, and velocities of all frames and points relative to the inertial frame.
 pub struct Motion {
-    /// Position p_OP of each point from the origin.
+    /// Position p_OP of each point from the origin of the inertial frame, m, by index of the point.
     pub positions: Vec<Vector>,
-    /// Angular velocity ω of each frame in the inertial frame.
+    /// Angular velocity ω of each frame in the inertial frame, rad/s, by index of the frame.
     pub angular: Vec<Vector>,
-    /// Velocity v of each point in the inertial frame.
+    /// Velocity v of each point in the inertial frame, m/s, by index of the point.
     pub linear: Vec<Vector>,
 }
 
 impl Motion {
-    /// Computes positions and velocities along a motion in which quantities change by these rates.
+    /// Computes positions and velocities in a motion. `rates` gives the time derivative of each
+    /// coordinate and other quantity.
     #[must_use]
     pub fn new(
         arena: &mut Arena,
@@ -33,8 +35,8 @@ impl Motion {
         Self { positions, angular, linear }
     }
 
-    /// Velocity, at a point P, of the material of a body: v_C + ω × p_CP. The body turns with `frame`, and the point
-    /// `centre`, C, is fixed in it.
+    /// Velocity in the inertial frame, m/s, of the body's material that is at `point`: v_C + ω × p_CP.
+    /// The body rotates with `frame`, and the point C, `centre`, is fixed in it.
     pub fn of_material(
         &self,
         arena: &mut Arena,
@@ -50,7 +52,8 @@ impl Motion {
     }
 }
 
-/// Angular velocity ω of each frame in the inertial frame, along a motion in which quantities change by these rates.
+/// Angular velocity ω of each frame in the inertial frame, rad/s. `rates` gives the time derivative
+/// of each coordinate and other quantity.
 #[must_use]
 pub fn angular_velocities(arena: &mut Arena, tree: &[Frame], rates: &mut Differential) -> Vec<Vector> {
     let mut angular: Vec<Vector> = Vec::new();
@@ -59,7 +62,8 @@ pub fn angular_velocities(arena: &mut Arena, tree: &[Frame], rates: &mut Differe
             angular.push(Vector::default());
             continue;
         };
-        // Addition theorem: ω_F = ω_parent + angular velocity of the turn, in the frame.
+        // Addition theorem: ω_F = ω_parent + angular velocity of frame F in its parent, with components in
+        // F.
         let own = turn.spin(arena, rates);
         let total = angular[*parent].add(arena, &Vector::in_frame(at, own));
         angular.push(total);
@@ -67,8 +71,9 @@ pub fn angular_velocities(arena: &mut Arena, tree: &[Frame], rates: &mut Differe
     angular
 }
 
-/// Positions of all points from the origin, and their velocities in the inertial frame, along a motion in which
-/// quantities change by these rates.
+/// Positions of all points from the origin, m, and their velocities in the inertial frame, m/s, as
+/// (positions, velocities). `rates` gives the time derivative of each coordinate and other
+/// quantity.
 #[must_use]
 pub fn linear_velocities(
     arena: &mut Arena,

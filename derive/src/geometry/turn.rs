@@ -1,4 +1,4 @@
-//! Turns: rotations from one frame to another.
+//! Turns: elementary rotations that lead from a frame to the next frame.
 
 use super::components::{Components, row_times, transposed};
 use crate::algebra::form::simplify::Simplifier;
@@ -6,50 +6,54 @@ use crate::algebra::term::calculus::Differential;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Rational};
 
-/// Rotation that leads from a frame to the next frame.
+/// Rotation that leads from a frame to the next frame of the chain.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Turn {
-    /// Turn about an axis that both frames share, 0, 1 or 2, by an angle in radians.
+    /// Rotation about a common axis of both frames: the axis (0, 1 or 2) and the angle, rad.
     About(usize, Expr),
-    /// Any other turn, given by its direction cosines.
+    /// General rotation, given by its direction cosines.
     Oriented(Box<Oriented>),
 }
 
-/// A turn that is given by its direction cosines.
+/// A general rotation from an old frame to a new frame, given by its direction cosines.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Oriented {
-    /// Direction cosines: (components in the new frame) = cosines · (components in the frame before).
+    /// Direction cosines, a 3 × 3 matrix: (components in the new frame) = cosines · (components in the
+    /// old frame).
     pub cosines: [Components; 3],
-    /// Angular velocity relative to the frame before, in the new frame, s⁻¹: each quantity that turns it, with the
-    /// factor of its rate. Empty for a constant turn.
+    /// Angular velocity of the new frame relative to the old one, rad/s, with components in the new
+    /// frame. It is the sum over the pairs (quantity, factor) of the quantity's rate times the factor.
+    /// Empty for a constant rotation.
     pub spins: Vec<(Expr, Components)>,
 }
 
-/// Direction in which a turn is taken.
+/// Direction in which a rotation between two frames is applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TurnSense {
-    /// From the frame before the turn to the frame after it.
+    /// From the frame before the rotation to the frame after the rotation.
     Forward,
-    /// From the frame after the turn to the frame before it.
+    /// From the frame after the rotation to the frame before the rotation.
     Back,
 }
 
 impl Turn {
-    /// True if the turn only exchanges components and changes their signs.
+    /// True if the rotation only permutes components and changes their signs: all its direction cosines
+    /// are 0, 1 or −1.
     pub(crate) fn is_exchange(&self) -> bool {
         let is_unit = |e: &Expr| [Expr::ZERO, Expr::ONE, Expr::MINUS_ONE].contains(e);
         matches!(self, Self::Oriented(turn) if turn.cosines.iter().flatten().all(is_unit))
     }
 
-    /// Turn by Euler parameters of any length but 0: the scalar ε₀ = cos θ/2 first, then ε = e sin θ/2 for a turn by θ
-    /// about e.
+    /// Rotation by four Euler parameters of any nonzero length, the scalar ε₀ first. For a rotation by
+    /// θ about the unit vector e they are ε₀ = cos θ/2 and ε = e sin θ/2.
     ///
-    /// T. R. Kane, P. W. Likins & D. A. Levinson, *Spacecraft Dynamics* (1983), §§ 1.3 and 1.13. Their cosines for
-    /// parameters of length 1 are divided by the square of the length. The result is a rotation for any length, with ω
-    /// = 2 (ε₀ ε' − ε₀' ε − ε × ε')/|ε|² in the frame.
+    /// Source: T. R. Kane, P. W. Likins & D. A. Levinson, *Spacecraft Dynamics* (1983), §§ 1.3 and
+    /// 1.13. Their cosines for parameters of length 1 are divided by the square of the length. So the
+    /// result is a rotation for any length, with ω = 2 (ε₀ ε' − ε₀' ε − ε × ε')/|ε|² in the new
+    /// frame.
     ///
     /// # Panics
-    /// If all four are 0.
+    /// If all four Euler parameters are 0.
     #[must_use]
     pub fn by_euler_parameters(arena: &mut Arena, [w, x, y, z]: [Expr; 4]) -> Self {
         let squares = [w, x, y, z].map(|e| arena.square(e));
@@ -87,12 +91,14 @@ impl Turn {
         Self::Oriented(Box::new(Oriented { cosines, spins }))
     }
 
-    /// Shortest turn that takes the axis a with number `axis` to a unit vector e, and the turn back; both are constant.
+    /// Shortest constant rotation that takes the unit vector a along axis `axis` to a unit vector e,
+    /// and the inverse rotation.
     ///
-    /// R = 1 + \[a × e\] + \[a × e\]²/(1 + a · e); if e is −a, half a turn about the next axis.
+    /// `R = 1 + [a × e] + [a × e]²/(1 + a · e)`. If e is −a, it is half a turn about the axis that
+    /// follows a cyclically.
     ///
     /// # Panics
-    /// Never: 1 + a · e is asked whether it is zero before it divides.
+    /// Never: the function tests whether 1 + a · e is zero before it divides.
     #[must_use]
     pub fn of_axis(arena: &mut Arena, axis: usize, unit: &Components) -> [Self; 2] {
         let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -118,7 +124,8 @@ impl Turn {
         [rows, back].map(|cosines| Self::Oriented(Box::new(Oriented { cosines, spins: Vec::new() })))
     }
 
-    /// All terms in the turn: its angle, or its cosines and spins.
+    /// All terms of the rotation: its angle, or its direction cosines, quantities and their factors of
+    /// angular velocity.
     #[must_use]
     pub fn terms(&self) -> Vec<Expr> {
         match self {
@@ -130,7 +137,7 @@ impl Turn {
         }
     }
 
-    /// Replaces every term in the turn by its value under `map`.
+    /// Replaces every term of the rotation by its value under `map`.
     pub fn rewrite(&mut self, map: &mut impl FnMut(Expr) -> Expr) {
         match self {
             Self::About(_, angle) => *angle = map(*angle),
@@ -144,7 +151,8 @@ impl Turn {
         }
     }
 
-    /// Quantities whose rates turn the new frame.
+    /// Quantities whose time derivatives rotate the new frame relative to the old one: the angle, or
+    /// the quantities of a general rotation.
     #[must_use]
     pub fn quantities(&self) -> Vec<Expr> {
         match self {
@@ -153,8 +161,8 @@ impl Turn {
         }
     }
 
-    /// Angular velocity of the turn relative to the frame before, in the new frame, s⁻¹, along a motion in which
-    /// quantities change by these rates.
+    /// Angular velocity of the new frame relative to the old frame, rad/s, with components in the new
+    /// frame. `rates` gives the time derivative of each quantity.
     pub fn spin(&self, arena: &mut Arena, rates: &mut Differential) -> Components {
         let mut components = [Expr::ZERO; 3];
         match self {
@@ -167,8 +175,8 @@ impl Turn {
                         arena.add(components[i], share)
                     });
                 }
-                // If the rates of Euler parameters are given by these components, simplification leaves the components
-                // alone.
+                // The rates of Euler parameters may themselves be formulas of these components. Simplification then
+                // leaves only the components.
                 let mut simplifier = Simplifier::default();
                 components = components.map(|e| simplifier.simplify(arena, e));
             }
@@ -176,7 +184,8 @@ impl Turn {
         components
     }
 
-    /// Components of a vector in the frame that the turn leads to, from its components `v` in the other frame.
+    /// Components of a vector in the frame that the rotation leads to, from its components `v` in the
+    /// other frame. `sense` selects which of both frames that is.
     pub fn apply(&self, arena: &mut Arena, v: &Components, sense: TurnSense) -> Components {
         match self {
             Self::About(axis, angle) => {

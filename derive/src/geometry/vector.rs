@@ -1,8 +1,8 @@
-//! Vectors as components in several frames at once, and rotations between frames.
+//! Vectors with components in several frames at once, and rotation matrices between frames.
 //!
-//! A vector keeps each contribution in the frame where it is short. Frames are joined only by a dot product, through
-//! the one rotation that lies between them. Turns about a common axis add their angles first, so a planar chain has
-//! cosines of sums, not sums of products.
+//! A vector keeps each contribution in the frame where its formula is short. Only dot products
+//! transform components, through one rotation between two frames. Rotations about a common axis add
+//! their angles first, so a planar chain has cosines of sums, not sums of products.
 
 use super::Frame;
 use super::components::{Components, cross_components, row_times, transposed};
@@ -13,16 +13,19 @@ use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
-/// Part of a vector in one frame: (number of the frame, components).
+/// Part of a vector in one frame: (index of the frame, components in that frame).
 pub type Part = (usize, Components);
 
-/// A vector: components by frame, frames ascending, no frame with all components zero.
+/// A vector as a sum of parts, each with components in its own frame. Frames ascend by index, and
+/// no part is zero.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Vector {
-    /// Parts of the vector, as (number of the frame, components).
+    /// Parts of the vector, as (index of the frame, components in that frame). Empty for the zero
+    /// vector.
     pub parts: Vec<Part>,
 }
 
+/// Components of the zero vector.
 const NOTHING: Components = [Expr::ZERO; 3];
 
 impl Vector {
@@ -33,7 +36,7 @@ impl Vector {
         Self { parts }
     }
 
-    /// True if every component is the literal 0.
+    /// True if the vector has no parts: all its components are the literal 0.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.parts.is_empty()
@@ -58,7 +61,7 @@ impl Vector {
         Self { parts }
     }
 
-    /// Vector with every component replaced by its value under `f`.
+    /// Vector with every component replaced by its value under `f`; parts that become zero are dropped.
     #[must_use]
     pub fn map(&self, mut f: impl FnMut(Expr) -> Expr) -> Self {
         let mut parts: Vec<_> = self.parts.iter().map(|(frame, c)| (*frame, c.map(&mut f))).collect();
@@ -72,28 +75,28 @@ impl Vector {
         self.map(|e| arena.mul(k, e))
     }
 
-    /// The opposite vector.
+    /// Opposite vector −v.
     #[must_use]
     pub fn neg(&self, arena: &mut Arena) -> Self {
         self.map(|e| arena.neg(e))
     }
 
-    /// Vector with symbols replaced in every component.
+    /// Vector with symbols replaced by other terms in every component.
     #[must_use]
     pub fn substitute(&self, arena: &mut Arena, substitution: &mut Substitution) -> Self {
         self.map(|e| substitution.apply(arena, e))
     }
 
-    /// Derivative of every component, with basis vectors held fixed: a partial derivative, or the time derivative of a
-    /// vector whose components all are in the frame it is observed from.
+    /// Derivative of every component, with basis vectors held fixed. It is a partial derivative, or the
+    /// time derivative of a vector observed from the frame of its components.
     #[must_use]
     pub fn differentiate(&self, arena: &mut Arena, along: &mut Differential) -> Self {
         self.map(|e| along.apply(arena, e))
     }
 
-    /// Derivatives of the vector along each variable on which it depends by form, as (number of the variable,
-    /// derivative), in order. Basis vectors are held fixed. For a velocity and the motion variables, these are the
-    /// partial velocities.
+    /// Derivatives of the vector with respect to each variable that occurs in it, as ascending (index
+    /// of the variable, derivative). Basis vectors are held fixed. For a velocity and generalized
+    /// speeds, these are the partial velocities.
     #[must_use]
     pub fn slopes(&self, arena: &mut Arena, gradient: &mut Gradient) -> Vec<(usize, Self)> {
         let mut by_variable: BTreeMap<usize, Self> = BTreeMap::new();
@@ -113,19 +116,24 @@ impl Vector {
         by_variable.into_iter().collect()
     }
 
-    /// Vector with every component simplified.
+    /// Vector with the formula of every component simplified.
     #[must_use]
     pub fn simplify(&self, arena: &mut Arena, simplifier: &mut Simplifier) -> Self {
         self.map(|e| simplifier.simplify(arena, e))
     }
 }
 
-/// Frames as a tree, with the rotations between them.
+/// Tree of the model's frames, with the rotation matrices between them, which are remembered once
+/// computed.
 pub struct Frames {
+    /// Frames by index, each with its parent.
     tree: Vec<Frame>,
+    /// Rotation matrices computed so far, by (from, to).
     rotations: FxHashMap<(usize, usize), [[Expr; 3]; 3]>,
+    /// Dot products computed so far, by the pair of vector parts.
     dots: FxHashMap<(Part, Part), Expr>,
-    /// True if vectors are carried from frame to frame, and growing terms are named.
+    /// True for large models: vectors are transformed frame by frame, and growing terms get names.
+    /// False if one rotation matrix joins two frames.
     pub(crate) carries: bool,
 }
 
@@ -136,7 +144,7 @@ impl Frames {
         Self { tree: frames.to_vec(), rotations: FxHashMap::default(), dots: FxHashMap::default(), carries: false }
     }
 
-    /// Frames from `frame` up to the inertial frame, `frame` first.
+    /// Frames on the path from `frame` up to the inertial frame, by index, with `frame` first.
     pub(crate) fn ancestors(&self, frame: usize) -> Vec<usize> {
         let mut path = vec![frame];
         while let Some((parent, _)) = &self.tree[path[path.len() - 1]].rotation {
@@ -145,23 +153,23 @@ impl Frames {
         path
     }
 
-    /// The name of a frame.
+    /// Name of a frame in the model file.
     pub(crate) fn name(&self, frame: usize) -> &str {
         &self.tree[frame].name
     }
 
-    /// Frame that a frame is turned from; `None` for the inertial frame.
+    /// Parent of a frame, by index; `None` for the inertial frame.
     pub(crate) fn parent(&self, frame: usize) -> Option<usize> {
         self.tree[frame].rotation.as_ref().map(|(parent, _)| *parent)
     }
 
-    /// Turn that leads into a frame from its parent; `None` for the inertial frame.
+    /// Rotation that leads from the parent frame to a frame; `None` for the inertial frame.
     pub(crate) fn turned_into(&self, frame: usize) -> Option<&Turn> {
         self.tree[frame].rotation.as_ref().map(|(_, turn)| turn)
     }
 
-    /// Number of turns between two frames for which `counts` is true. Consecutive turns about one axis count as one, a
-    /// turn given by cosines as three.
+    /// Number of rotations on the path between two frames for which `counts` is true. Consecutive
+    /// rotations about one axis count as one, and a rotation given by cosines as three.
     pub(crate) fn axes_between(&self, from: usize, to: usize, counts: impl Fn(&Turn) -> bool) -> usize {
         let (up, down) = (self.ancestors(from), self.ancestors(to));
         let apart = |path: &[usize], other: &[usize]| -> Vec<usize> {
@@ -178,14 +186,14 @@ impl Frames {
         turns
     }
 
-    /// True if every frame is turned directly from the inertial frame. Its cosines are then short, and so are their
-    /// products.
+    /// True if the parent of every frame is the inertial frame. Direction cosines and their products
+    /// are then short.
     pub(crate) fn are_near(&self) -> bool {
         self.tree.iter().all(|frame| frame.rotation.as_ref().is_none_or(|(parent, _)| *parent == 0))
     }
 
-    /// Turns that lead from the axes of `from` to those of `to`, each with the sense in which it is taken. Adjacent
-    /// turns about one axis are merged.
+    /// Rotations that lead from the axes of frame `from` to those of frame `to`, each with the
+    /// direction in which it is applied. Adjacent rotations about one axis are merged.
     fn turns(&self, arena: &mut Arena, from: usize, to: usize) -> Vec<(Turn, TurnSense)> {
         let (up, down) = (self.ancestors(from), self.ancestors(to));
         let mut shared = 0;
@@ -214,7 +222,7 @@ impl Frames {
         turns
     }
 
-    /// Rotation matrix R with (components in `to`) = R · (components in `from`).
+    /// Rotation matrix R, 3 × 3, with (components in frame `to`) = R · (components in frame `from`).
     pub fn rotation(&mut self, arena: &mut Arena, from: usize, to: usize) -> [[Expr; 3]; 3] {
         if let Some(done) = self.rotations.get(&(from, to)) {
             return *done;
@@ -229,7 +237,7 @@ impl Frames {
         matrix
     }
 
-    /// Components of a whole vector in one frame.
+    /// Three components of a vector in one frame, summed over all its parts.
     pub fn express(&mut self, arena: &mut Arena, v: &Vector, frame: usize) -> Components {
         if self.carries {
             return self.carry(arena, v, frame, "x", &self.tree[frame].name);
@@ -247,7 +255,7 @@ impl Frames {
         sums.map(|terms| arena.sum(&terms))
     }
 
-    /// Component of a whole vector along the axis 0, 1 or 2 of one frame.
+    /// Component of a vector along the axis 0, 1 or 2 of one frame, summed over all its parts.
     pub fn component(&mut self, arena: &mut Arena, v: &Vector, frame: usize, axis: usize) -> Expr {
         if self.carries {
             return self.carry(arena, v, frame, "x", &self.tree[frame].name)[axis];
@@ -260,7 +268,7 @@ impl Frames {
         arena.sum(&products)
     }
 
-    /// Dot product a · b of two vectors.
+    /// Dot product a · b of two vectors, as one term.
     pub fn dot(&mut self, arena: &mut Arena, a: &Vector, b: &Vector) -> Expr {
         if self.carries {
             let home = self.home([a, b]);
@@ -276,8 +284,8 @@ impl Frames {
         arena.sum(&terms)
     }
 
-    /// Dot product of two parts, each in one frame. Results are remembered: bodies of a chain share parts of their
-    /// velocities.
+    /// Dot product of two vector parts, each in its own frame. Results are remembered, because bodies
+    /// of a chain share parts of their velocities.
     pub(super) fn dot_of_parts(&mut self, arena: &mut Arena, a: Part, b: Part) -> Expr {
         // A fixed order needs half the rotations, and makes equal products equal terms.
         let (a, b) = if b.0 < a.0 { (b, a) } else { (a, b) };
@@ -304,7 +312,7 @@ impl Frames {
         product
     }
 
-    /// Cross product a × b, with each part of b in its own frame.
+    /// Cross product a × b of two vectors. Each part of b stays in its own frame.
     pub fn cross(&mut self, arena: &mut Arena, a: &Vector, b: &Vector) -> Vector {
         let mut result = Vector::default();
         for (frame, y) in &b.parts {
@@ -315,7 +323,8 @@ impl Frames {
         result
     }
 
-    /// Time derivative of a vector, seen from the inertial frame: ᴺdv/dt = Σ_F (ᶠdv/dt + ω_F × v), part by part.
+    /// Time derivative of a vector in the inertial frame: ᴺdv/dt = Σ_F (ᶠdv/dt + ω_F × v), part by
+    /// part. `angular_velocities` has the ω_F by index of the frame.
     pub fn time_derivative(
         &mut self,
         arena: &mut Arena,

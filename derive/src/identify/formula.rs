@@ -1,9 +1,9 @@
-//! Formulas for factors in the known parameters, found from their residues. They are sums of products of lengths, and
-//! of sines and cosines of constant angles. The coefficients are a or, if square roots occur, a + b √n, where a and b
-//! are rational.
+//! Formulas for factors in known parameters, found from their residues modulo a prime. A formula is
+//! a sum of products of lengths, and of sines and cosines of constant angles. The coefficients are
+//! rational or, if square roots occur, a + b √n with rational a and b.
 //!
-//! The unit of a factor excludes most products. A formula must agree with the residues at more points than it has
-//! unknowns, and is proved afterwards.
+//! The unit of a factor excludes most products. A formula must agree with the residues at more
+//! points than it has unknowns, and is proved afterwards.
 
 use super::Factor;
 use super::letters::{Letters, Powers, STAGES};
@@ -15,19 +15,22 @@ use crate::mechanics::Column;
 use crate::model::Unit;
 use rustc_hash::FxHashSet;
 
-/// Number of points at which factors are computed first. `BEYOND` is the number of points, beyond the number of
-/// unknowns, at which a formula must agree.
+/// Number of random points at which factors are computed first.
 const FIRST: usize = 6;
+/// Number of points, beyond the number of unknown coefficients, at which a formula must agree.
 const BEYOND: usize = 4;
+/// Value of a product of powers of atoms modulo a prime, from the residues of the atoms; `None` if
+/// it divides by zero.
 fn value(f: Field, atoms: &[u64], powers: &Powers) -> Option<u64> {
     powers.iter().try_fold(1, |product, (at, n)| Some(f.mul(product, f.power(atoms[*at], *n)?)))
 }
 
-/// Index of a dependent column, and the pivot columns of which it is a sum: index of each among the pivots, and its
-/// factor.
+/// Dependent column of a regressor as a sum of pivot columns: its index, and pairs of a pivot's
+/// number and its factor.
 pub type Made = (usize, Vec<(usize, Factor)>);
 
-/// Finds the factors of all dependent columns of a regressor, as formulas if possible.
+/// Finds the factors by which all dependent columns of a regressor depend on the pivot columns, as
+/// formulas if possible.
 pub fn factors(table: &mut Table<'_>, arena: &mut Arena, letters: &Letters, columns: &[Column]) -> Vec<Made> {
     let Some(mut known) = Known::new(table, letters) else {
         let unknown = |support: &[usize]| support.iter().map(|pivot| (*pivot, Factor::Unknown)).collect();
@@ -48,23 +51,25 @@ pub fn factors(table: &mut Table<'_>, arena: &mut Arena, letters: &Letters, colu
     made
 }
 
-/// Place of a factor among those of all dependent columns.
+/// Position of a factor in a row of factors of all dependent columns.
 #[derive(Clone, Copy)]
 struct Entry {
-    /// Index of the column among the dependent columns.
+    /// Index of the column in the list of dependent columns.
     k: usize,
-    /// Index of the factor among those of the column.
+    /// Index of the factor in the list of the column's factors.
     i: usize,
 }
 
-/// Residues of the factors at random points, that is, random values of the letters.
+/// Residues of the factors at random points, which are random values of the known parameters.
 struct Known {
+    /// Residues at points where all parameters have random values, one row for each point.
     rows: Vec<Row>,
-    /// Residues at the first point with the value of one letter changed: one row for each letter.
+    /// Residues at the first point with a single parameter changed, one row for each parameter.
     beside: Vec<Row>,
 }
 
 impl Known {
+    /// Computes the factors at the first points; `None` if a point gives no values.
     fn new(table: &mut Table<'_>, letters: &Letters) -> Option<Self> {
         let first = table.seed();
         let mut rows = vec![table.at(first, None)?];
@@ -81,6 +86,7 @@ impl Known {
         Some(Self { rows, beside })
     }
 
+    /// Searches a formula for a factor, stage by stage. `Factor::Unknown` if no stage finds one.
     fn formula(
         &mut self,
         table: &mut Table<'_>,
@@ -112,8 +118,8 @@ impl Known {
         Factor::Unknown
     }
 
-    /// Residues of the coefficients with which the products add up to a factor at all points; `None` if no coefficients
-    /// do.
+    /// Solves for the coefficients with which the products add up to a factor at all points. Returns
+    /// their residues; `None` if there are no such coefficients.
     fn sum(&self, f: Field, products: &[Powers], entry: Entry) -> Option<Vec<u64>> {
         let Entry { k, i } = entry;
         let rows: Option<Vec<Vec<u64>>> = self
@@ -128,7 +134,8 @@ impl Known {
     }
 }
 
-/// Formula from products and the residues of their coefficients; `None` if a coefficient is not found.
+/// Builds a formula from products and the residues of their coefficients; `None` if a residue
+/// belongs to no simple number.
 fn formula_of<'p>(
     arena: &mut Arena,
     letters: &Letters,

@@ -1,15 +1,15 @@
-//! Known quantities in the columns of a regressor: parameters as letters, and products of these that a factor may
-//! contain.
+//! Known parameters in the columns of a regressor (letters), and the products of them that a factor
+//! may contain.
 
 use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::Column;
 use crate::model::{Model, Unit};
 use rustc_hash::FxHashSet;
 
-/// Largest number of products of which a sum is searched.
+/// Largest number of products in the sums that are tried for a factor.
 const MOST: usize = 240;
-/// Stages of the search for a factor, in this order. A model file may state lengths as plain numbers, so the last
-/// stages ignore units.
+/// Stages of the search for a factor, in this order. A model file may state lengths as plain
+/// numbers, so the last stages ignore units.
 pub const STAGES: [Stage; 6] = [
     Stage { degree: 1, divides: false, by_unit: true },
     Stage { degree: 2, divides: false, by_unit: true },
@@ -20,50 +20,54 @@ pub const STAGES: [Stage; 6] = [
 ];
 /// Largest number of constant angles, given as numbers, whose sines and cosines are tried.
 const MOST_FIXED: usize = 2;
-/// Largest powers of the sine and of the cosine of one angle. `MOST_TURNS` is the largest total power of all angles.
+/// Largest powers of the sine and of the cosine of a single angle in a product.
 const TURNS: [i32; 2] = [1, 2];
+/// Largest total power of sines and cosines of all angles in a product.
 const MOST_TURNS: i32 = 4;
 
-/// Set of products that one stage of the search for a factor tries.
+/// Set of products that a stage of the search for a factor tries.
 #[derive(Clone, Copy)]
 pub struct Stage {
-    /// Largest total degree of a product in the letters.
+    /// Largest total degree of a product in the known parameters.
     degree: i32,
-    /// True if letters may be divisors.
+    /// True if a product may divide by known parameters; false if no exponent is negative.
     divides: bool,
-    /// True if products must have the unit of the factor that is sought.
+    /// True if a product must have the unit of the factor; false if units are ignored.
     by_unit: bool,
 }
 
-/// A parameter whose value counts as known in the search for factors.
+/// Parameter whose value counts as known in the search for factors.
 pub struct Letter {
-    /// Symbol of the parameter.
+    /// Symbol of the known parameter.
     pub symbol: Expr,
+    /// Unit of the known parameter.
     unit: Unit,
-    /// Index of the parameter among the atoms. `turned` has the indices of its sine and its cosine, if it occurs inside
-    /// functions.
+    /// Index of the parameter in the list of atoms.
     plain: usize,
+    /// Indices of its sine and its cosine among the atoms; `None` if it occurs in no function.
     turned: Option<[usize; 2]>,
 }
 
-/// Known parameters in the columns of a regressor, with the atoms from which formulas for factors are built.
+/// Known parameters in the columns of a regressor, with the atoms of which formulas for factors
+/// consist.
 pub struct Letters {
-    /// Known parameters, in the order of the model.
+    /// Known parameters that occur in the columns, in the order of the model.
     pub list: Vec<Letter>,
+    /// Atoms of formulas: parameters, and sines and cosines of angles.
     atoms: Vec<Expr>,
-    /// Indices, among the atoms, of the sine and the cosine of each numeric angle.
+    /// Indices among the atoms of the sine and the cosine of each constant angle that is a number.
     fixed: Vec<[usize; 2]>,
-    /// True if square roots occur in the columns.
+    /// True if square roots occur in the columns, so that coefficients may contain roots.
     pub has_roots: bool,
     /// Symbols that change during a motion: coordinates, speeds, accelerations and inputs.
     pub moving: FxHashSet<Expr>,
 }
 
-/// A product of powers of atoms: the index of each atom and its exponent.
+/// Product of powers of atoms: pairs of the index of an atom and its exponent.
 pub type Powers = Vec<(usize, i32)>;
 
 impl Letters {
-    /// Collects the letters and atoms of columns of a regressor.
+    /// Collects the known parameters and the atoms in columns of a regressor.
     pub fn of(model: &Model, arena: &mut Arena, columns: &[Column]) -> Self {
         let inputs = model.parameters.iter().filter(|p| p.is_input).map(|p| p.symbol);
         let moving: FxHashSet<Expr> =
@@ -105,17 +109,19 @@ impl Letters {
         letters
     }
 
+    /// Adds a term to the list of atoms, and returns its index.
     fn atom(&mut self, e: Expr) -> usize {
         self.atoms.push(e);
         self.atoms.len() - 1
     }
 
-    /// Terms from which formulas for factors are built: letters, and sines and cosines of angles.
+    /// Atoms of formulas for factors: known parameters, and sines and cosines of angles.
     pub fn atoms(&self) -> &[Expr] {
         &self.atoms
     }
 
-    /// Products of these letters that a stage tries for a factor of this unit; empty if there are too many.
+    /// Lists the products of the given parameters that a stage tries for a factor of this unit. Empty
+    /// if there would be more than `MOST`.
     pub fn products(&self, letters: &[usize], unit: &Unit, stage: Stage) -> Vec<Powers> {
         let plain = self.plain_products(letters, unit, stage);
         let circles = self.circles(letters);
@@ -125,7 +131,8 @@ impl Letters {
         plain.iter().flat_map(|p| circles.iter().map(move |c| [p.clone(), c.clone()].concat())).collect()
     }
 
-    /// Products of powers of these letters, without sines and cosines.
+    /// Lists the products of powers of the given parameters, without sines and cosines. Empty if there
+    /// would be too many.
     fn plain_products(&self, letters: &[usize], unit: &Unit, stage: Stage) -> Vec<Powers> {
         let mut list: Vec<(Powers, i32, Unit)> = vec![(Vec::new(), stage.degree, Unit::default())];
         for letter in letters.iter().map(|at| &self.list[*at]) {
@@ -147,7 +154,8 @@ impl Letters {
         list.into_iter().filter(|(.., u)| !stage.by_unit || u == unit).map(|(powers, ..)| powers).collect()
     }
 
-    /// Products of sines and cosines of angles. A sine has at most power 1: its square is 1 less that of the cosine.
+    /// Lists the products of sines and cosines of angles. A sine has at most power 1, because its
+    /// square is 1 less that of the cosine.
     fn circles(&self, letters: &[usize]) -> Vec<Powers> {
         let mut circles: Vec<(Powers, i32)> = vec![(Vec::new(), MOST_TURNS)];
         let turned = letters.iter().filter_map(|at| self.list[*at].turned).chain(self.fixed.iter().copied());
@@ -166,6 +174,7 @@ impl Letters {
         circles.into_iter().map(|(powers, _)| powers).collect()
     }
 
+    /// Builds the term of a product of powers of atoms; `None` if a power does not exist.
     pub fn term(&self, arena: &mut Arena, powers: &Powers) -> Option<Expr> {
         let mut factors = Vec::new();
         for (at, n) in powers {

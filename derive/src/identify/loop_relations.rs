@@ -1,5 +1,6 @@
-//! Relations between columns of a regressor that hold only where the loops of a mechanism are closed. They are found in
-//! doubles, at the parameter values of the model file, since closed poses are known in numbers only.
+//! Relations between columns of a regressor that hold only where the loops of a mechanism are
+//! closed. They are found in double precision, at the parameter values of the model file, because
+//! closed poses are known only as numbers.
 
 use super::{Base, Factor, Identification};
 use crate::algebra::Expr;
@@ -8,50 +9,62 @@ use crate::model::Model;
 use crate::model::constraints::closed_poses::{Chance, Poses, reach};
 use nalgebra::{DMatrix, DVector};
 
-/// Numbers of closed poses, tried in turn until dependent and independent columns differ clearly. `STATES` is the
-/// number of states in each pose: half of these find the relations, half confirm them.
+/// Numbers of closed poses in a sample. They are tried in turn until dependent and independent
+/// columns differ clearly.
 const POSES: [usize; 3] = [12, 24, 48];
+/// Number of states (speeds and accelerations) in each pose: half of them find the relations, half
+/// confirm them.
 const STATES: usize = 16;
-/// Ratio of the forces in a pose to those in most poses above which the pose is near a dead point of the speeds. Such a
-/// pose is left out: its rounding errors would hide the other poses.
+/// Ratio of the forces in a pose to those in most poses above which the pose counts as near a dead
+/// point of the speeds. Such a pose is left out, because its rounding errors would hide the other
+/// poses.
 const NEAR_DEAD: f64 = 10.0;
-/// Largest absolute value of the speeds and accelerations of the states, 1/s and 1/s² for angles.
+/// Largest absolute value of the speeds (1/s for angles) and accelerations (1/s²) of the sampled
+/// states.
 const FAST: f64 = 3.0;
-/// Remainder of a column of length 1 above which it is independent, after earlier columns are projected out. Below
-/// `DEPENDENT` it is dependent.
+/// Remainder of a column of length 1, after earlier columns are projected out, above which the
+/// column is independent.
 const INDEPENDENT: f64 = 1e-6;
+/// Remainder of a column of length 1, after earlier columns are projected out, below which the
+/// column is dependent.
 const DEPENDENT: f64 = 1e-9;
-/// Least ratio between the remainders of independent and of dependent columns that is a clear gap.
+/// Smallest ratio between the remainders of independent and of dependent columns that counts as a
+/// clear gap.
 const GAP: f64 = 1e6;
-/// Remainder that rounding leaves in any case.
+/// Remainder of a column of length 1 that rounding always leaves.
 const ROUNDING: f64 = 1e-15;
-/// Fraction of the largest factor below which a factor counts as zero.
+/// Fraction of the largest factor of a column below which a factor counts as zero.
 const NONE: f64 = 1e-8;
 
-/// Sample of closed states by which relations on loops were found.
+/// Sample of closed states from which relations between parameters on loops were found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnLoops {
     /// Number of closed poses in the sample, at the parameter values of the model file.
     pub poses: usize,
-    /// Smallest remainder of an independent column of length 1, after earlier columns are projected out.
+    /// Smallest remainder of an independent column, scaled to length 1, after earlier columns are
+    /// projected out.
     pub independent: f64,
-    /// Largest remainder of a dependent column of length 1, after independent columns are projected out.
+    /// Largest remainder of a dependent column, scaled to length 1, after independent columns are
+    /// projected out.
     pub dependent: f64,
-    /// True if the remainders of dependent and independent columns differ clearly. Otherwise, the base parameters are
-    /// not grouped, and their number may be too large.
+    /// True if the remainders of dependent and independent columns differ clearly. If false, base
+    /// parameters are not grouped, and their number may be too large.
     pub is_clear: bool,
 }
 
-/// Base parameters that act as parts of others in closed poses: the kept ones by their indices, and for each of the
-/// others its index and its factors of the kept ones.
+/// Linear relations between base parameters in closed poses: the independent parameters, and the
+/// others as their combinations.
 struct Relations {
+    /// Indices of the independent base parameters, which are kept.
     kept: Vec<usize>,
+    /// Dependent base parameters: the index of each, and its factors of the kept parameters.
     shares: Vec<(usize, DVector<f64>)>,
 }
 
-/// Groups base parameters that act as one in closed poses. Returns the sample of closed states. `None`, with unchanged
-/// base parameters, if no closed pose is found or a parameter has no value. The base parameters are also unchanged if
-/// the sample shows no clear gap.
+/// Groups base parameters that act only together in closed poses, and returns the sample of closed
+/// states. They stay unchanged if the sample shows no clear gap.
+///
+/// `None`, with unchanged base parameters, if no closed pose is found or a parameter has no value.
 pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
     let mut seen = None;
     for most in POSES {
@@ -70,8 +83,8 @@ pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
     seen
 }
 
-/// Finds the columns that depend on earlier columns in the first sample, and confirms them in the second. The relations
-/// are `None` if there is no clear gap.
+/// Finds the columns that depend on earlier columns in the first matrix, and confirms them in the
+/// second. The relations are `None` if there is no clear gap, or if the second matrix refutes them.
 fn relations([rows, elsewhere]: &[DMatrix<f64>; 2], poses: usize) -> (Option<Relations>, OnLoops) {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut kept: Vec<usize> = Vec::new();
@@ -118,7 +131,7 @@ fn relations([rows, elsewhere]: &[DMatrix<f64>; 2], poses: usize) -> (Option<Rel
     (Some(Relations { kept, shares }), seen)
 }
 
-/// Adds the dependent base parameters to those that are kept.
+/// Adds each dependent base parameter, with its factors, to those that are kept.
 fn regroup(found: &mut Identification, Relations { kept, shares }: &Relations) {
     let mut base: Vec<Base> = kept.iter().map(|at| found.base[*at].clone()).collect();
     for (at, factors) in shares {
@@ -134,9 +147,11 @@ fn regroup(found: &mut Identification, Relations { kept, shares }: &Relations) {
     found.base = base;
 }
 
-/// Values of the base columns in at most `most` closed poses, for two samples of states: a row for each speed of each
-/// state. Also the number of poses, without those near a dead point of the speeds. Rows are scaled to one size, so that
-/// every state counts alike. `None` if a parameter has no value or no closed pose is found.
+/// Evaluates the columns of the base parameters in at most `most` closed poses, as two matrices
+/// with a row for each speed of each state. Rows are scaled to equal size, so that every state
+/// counts alike. Also returns the number of poses, without those near a dead point of the speeds.
+///
+/// `None` if a parameter has no value or no closed pose is found.
 fn rows(model: &Model, found: &mut Identification, most: usize) -> Option<([DMatrix<f64>; 2], usize)> {
     let regressor = &mut found.regressor;
     let time = model.time();
@@ -170,7 +185,8 @@ fn rows(model: &Model, found: &mut Identification, most: usize) -> Option<([DMat
     for q in &poses {
         let mut samples = [Vec::new(), Vec::new()];
         for state in 0..STATES {
-            // All speeds and accelerations are independent numbers: a pattern among them would look like a relation.
+            // Speeds and accelerations are independent random numbers, because a pattern among them would look
+            // like a relation.
             let moving: Vec<f64> = (0..2 * speeds).map(|_| FAST * chance.draw()).collect();
             let known = of_poses.iter().map(|(_, x)| *x).chain(q.iter().copied());
             let forces = tape.evaluate(&known.chain(moving).collect::<Vec<f64>>());
@@ -205,7 +221,7 @@ fn rows(model: &Model, found: &mut Identification, most: usize) -> Option<([DMat
     is_some.then(|| (samples.map(|rows| DMatrix::from_rows(&rows)), of_pose.len()))
 }
 
-/// Median, over poses, of the size of each column; 1 for a column that is zero in most poses.
+/// Median over the poses of the length of each column; 1 for a column that is zero in most poses.
 fn usual_sizes(of_pose: &[[DMatrix<f64>; 2]]) -> Vec<f64> {
     let columns = of_pose.first().map_or(0, |pose| pose[0].ncols());
     let usual = (0..columns).map(|column| {

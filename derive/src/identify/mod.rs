@@ -1,16 +1,17 @@
-//! Parameters that can be identified from motion. The force M u̇ − f is linear in the inertial parameters. Some
-//! parameters have no effect. The base parameters are the fewest combinations of the others that determine all motions
-//! and all forces.
+//! Identification of inertial parameters from motion. The generalized force M u̇ − f is linear in
+//! the inertial parameters. Some parameters have no effect. The base parameters are the fewest
+//! combinations of the others that determine all motions and all forces.
 //!
-//! The dependent columns of the regressor Y are found at random states modulo a prime, with all other parameters as
-//! letters. The zero test ([`crate::algebra::value::modular`]) then proves the relations, and that no force is left
-//! over. The rank proves that no smaller set suffices: a minor that is not 0 modulo a prime is not 0. Where loops are
-//! closed, a smaller set may suffice. It is found in doubles ([`OnLoops`]), and only if the sample decides clearly.
+//! The dependent columns of the regressor Y are found at random states modulo a prime, with all
+//! other parameters as symbols. The zero test ([`crate::algebra::value::modular`]) then proves the
+//! relations, and that no force remains. The rank proves that no smaller set suffices: a minor that
+//! is not 0 modulo a prime is not 0. Where loops are closed, a smaller set may suffice. It is found
+//! in double precision ([`OnLoops`]), and only if the sample decides clearly.
 //!
-//! H. Mayeda, K. Yoshida & K. Osuka, "Base parameters of manipulator dynamic models", IEEE Trans. Robotics and
-//! Automation 6 (1990) 312–321; M. Gautier & W. Khalil, "Direct calculation of minimum set of inertial parameters of
-//! serial robots", ibid. 368–373; W. Khalil & E. Dombre, *Modeling, Identification and Control of Robots* (2002),
-//! § 9.4.
+//! H. Mayeda, K. Yoshida & K. Osuka, "Base parameters of manipulator dynamic models", IEEE Trans.
+//! Robotics and Automation 6 (1990) 312–321; M. Gautier & W. Khalil, "Direct calculation of minimum
+//! set of inertial parameters of serial robots", ibid. 368–373; W. Khalil & E. Dombre, *Modeling,
+//! Identification and Control of Robots* (2002), § 9.4.
 
 mod formula;
 mod letters;
@@ -26,58 +27,62 @@ use crate::model::Model;
 use letters::Letters;
 use table::Table;
 
-/// A base parameter: a combination of inertial parameters that is identified in place of a single one.
+/// Base parameter: a combination of inertial parameters that motion can determine, where single
+/// parameters cannot be told apart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Base {
-    /// Index of the column whose parameter names the base parameter.
+    /// Index of the regressor's column whose parameter has the factor 1 and names the base parameter.
     pub column: usize,
-    /// Other parameters that are added to the named one: index of the column, and factor.
+    /// Parameters that are added to the first, each as the index of its column and its factor.
     pub with: Vec<(usize, Factor)>,
 }
 
-/// Factor with which one inertial parameter is added to another in a base parameter.
+/// Factor with which an inertial parameter is added to another in a base parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Factor {
-    /// A proved formula in the parameters that have no columns in the regressor.
+    /// Proved formula in the parameters that have no columns in the regressor.
     Exact(Expr),
-    /// A number that holds in closed poses, at the parameter values of the model file.
+    /// Number that holds only in closed poses, at the parameter values of the model file.
     Number(f64),
-    /// A factor for which no closed form was found.
+    /// Unknown factor: no formula for it was found.
     Unknown,
 }
 
-/// Degree of certainty that the base parameters are complete.
+/// Certainty that the base parameters determine all forces: Σ Y_b π_b equals M u̇ − f.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Complete {
-    /// The difference M u̇ − f less Σ Y_b π_b is identically zero. The probability that this is wrong is below 2 to
-    /// minus this number.
+    /// Proved: M u̇ − f − Σ Y_b π_b is identically zero. The probability that this is wrong is below 2
+    /// to the power of minus this number.
     Proved(f64),
-    /// The difference M u̇ − f less Σ Y_b π_b is zero at every tested random state modulo a prime, but a factor has no
-    /// closed form.
+    /// Tested only: M u̇ − f − Σ Y_b π_b is zero at every tested random state modulo a prime, but a
+    /// factor has no formula, so there is no proof.
     AtPoints,
-    /// The zero test cannot decide: the difference contains functions that the test does not know.
+    /// Undecided: M u̇ − f − Σ Y_b π_b contains functions that the zero test does not know.
     Undecided,
-    /// The difference is not zero, so that two derivations disagree.
+    /// Refuted: M u̇ − f − Σ Y_b π_b is not zero, so that two derivations disagree. This is a fault of
+    /// the program.
     No,
 }
 
-/// Identifiable parameters of a model.
+/// Identifiable parameters of a model, with the regressor from which they were found.
 pub struct Identification {
-    /// Regressor of M u̇ − f, with a column for each inertial parameter.
+    /// Regressor of M u̇ − f, with a column for each parameter.
     pub regressor: Regressor,
-    /// Base parameters, which determine all motions and forces.
+    /// Base parameters, which together determine all motions and forces.
     pub base: Vec<Base>,
-    /// Indices of the columns whose parameters have no effect.
+    /// Indices of the regressor's columns whose parameters have no effect on forces.
     pub without_effect: Vec<usize>,
     /// Number of random states at which the columns of the regressor were evaluated.
     pub states: usize,
-    /// Certainty that the base parameters are complete, before closed poses grouped them ([`Self::before_grouping`]).
+    /// Certainty that the base parameters are complete, before closed poses grouped them
+    /// ([`Self::before_grouping`]).
     pub complete: Complete,
-    /// Dependent base parameters that in closed poses act only as parts of others, each with its own combination.
+    /// Base parameters that in closed poses act only as parts of others, each with its own combination.
     pub grouped: Vec<Base>,
-    /// Sample of closed states by which relations on loops were found; `None` without loops, or if there is no sample.
+    /// Sample of closed states from which relations on loops were found; `None` without loops, or if
+    /// there is no sample.
     pub on_loops: Option<OnLoops>,
-    /// True if loops close the mechanism.
+    /// True if the mechanism of the model has loops.
     has_loops: bool,
     /// Number of base parameters before closed poses grouped them.
     ungrouped: usize,
@@ -87,7 +92,7 @@ impl Identification {
     /// Finds the base parameters of a model.
     ///
     /// # Errors
-    /// [`DeriveError`] if the model cannot be derived.
+    /// [`DeriveError`] if the model cannot be derived, or if a body has an added mass.
     pub fn new(model: &Model, varied: Varied) -> Result<Self, DeriveError> {
         let mut regressor = Regressor::new(model, varied)?;
         let letters = Letters::of(model, &mut regressor.arena, &regressor.columns);
@@ -118,7 +123,7 @@ impl Identification {
         Ok(found)
     }
 
-    /// Makes base parameters of the pivot columns; dependent columns are added to them with their factors.
+    /// Makes a base parameter of each pivot column, and adds the dependent columns with their factors.
     fn take(&mut self, pivots: &[usize], made: Vec<formula::Made>) {
         self.base = pivots.iter().map(|column| Base { column: *column, with: Vec::new() }).collect();
         let mut is_left: Vec<bool> = (0..self.regressor.columns.len()).map(|at| !pivots.contains(&at)).collect();
@@ -131,25 +136,27 @@ impl Identification {
         self.without_effect = (0..is_left.len()).filter(|at| is_left[*at]).collect();
     }
 
-    /// True if the number of base parameters is certain: no smaller set suffices. With loops, closed poses must show a
-    /// clear gap between dependent and independent parameters.
+    /// True if no smaller set of base parameters suffices. With loops, this needs a clear gap between
+    /// dependent and independent parameters in closed poses.
     #[must_use]
     pub fn is_minimal(&self) -> bool {
         !self.has_loops || self.on_loops.is_some_and(|seen| seen.is_clear)
     }
 
-    /// Number of base parameters before closed poses grouped them, for which [`Self::complete`] holds; `None` if closed
-    /// poses grouped none.
+    /// Number of base parameters before closed poses grouped them, for which [`Self::complete`] holds.
+    /// `None` if closed poses grouped none.
     #[must_use]
     pub fn before_grouping(&self) -> Option<usize> {
         (self.ungrouped > self.base.len()).then_some(self.ungrouped)
     }
 
+    /// True if every factor in the base parameters is known.
     fn has_closed_forms(&self) -> bool {
         self.base.iter().flat_map(|base| &base.with).all(|(_, factor)| *factor != Factor::Unknown)
     }
 
-    /// Columns of base parameters to which no other parameter is added.
+    /// Indices of the columns whose parameter is a base parameter by itself, with no other parameter
+    /// added.
     pub fn alone(&self) -> impl Iterator<Item = usize> + '_ {
         self.base.iter().filter(|base| base.with.is_empty()).map(|base| base.column)
     }

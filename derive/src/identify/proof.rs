@@ -1,4 +1,4 @@
-//! Proof that the base parameters are complete: M u̇ − f less their combinations is zero.
+//! Proof that the base parameters are complete: M u̇ − f less the sum over their columns is zero.
 
 use super::{Base, Complete, Factor};
 use crate::algebra::Expr;
@@ -6,9 +6,11 @@ use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
 use crate::mechanics::Regressor;
 
-/// Proves two statements in one. First, each column is the stated sum of base columns, so that Σ π_k Y_k = Σ π_b Y_b
-/// for all π. Second, M u̇ − f by Kane's method is Σ π_b Y_b and the rest, with the π of the model. Each entry is
-/// multiplied by a letter of its own, so that the sum is zero only if all entries are.
+/// Proves two statements at once. First, each column is the stated sum of base columns, so Σ π_k
+/// Y_k = Σ π_b Y_b for all π. Second, M u̇ − f by Kane's method is Σ π_b Y_b + rest, with the π of
+/// the model.
+///
+/// Each entry is multiplied by a separate symbol, so that the sum is zero only if all entries are.
 pub fn proved(regressor: &mut Regressor, base: &[Base]) -> Complete {
     let Regressor { arena, columns, rest, required, .. } = regressor;
     let values: Vec<Expr> = (0..columns.len()).map(|at| fresh_symbol(arena, &format!("pi_{at}"))).collect();

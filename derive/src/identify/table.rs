@@ -8,40 +8,49 @@ use crate::algebra::{Arena, Expr};
 use crate::mechanics::Column;
 use rustc_hash::FxHashSet;
 
-/// Number of further states at which the rank of the columns must stay unchanged.
+/// Number of additional states at which the rank of the columns must stay unchanged.
 const STILL: usize = 2;
-/// Number of attempts to draw a state in which all terms have a value.
+/// Number of random draws for each state, in search of values at which all terms are defined.
 const TRIES: usize = 20;
 
-/// Linear relations between the columns of a regressor, with their factors at points of the letters.
+/// Linear relations between the columns of a regressor. Their factors can be computed at random
+/// values of the known parameters.
 pub struct Table<'a> {
+    /// Source of random values, and evaluator of the columns and atoms.
     sampler: Sampler<'a>,
+    /// Finite field (integers modulo a prime) of all residues.
     field: Field,
+    /// Symbols that change during a motion; they get new values for each state.
     moving: &'a FxHashSet<Expr>,
+    /// Number of generalized speeds, which is the number of rows of the regressor.
     speeds: usize,
+    /// Number of columns of the regressor.
     columns: usize,
-    /// Indices of the columns that are independent of earlier columns.
+    /// Indices of the regressor's columns that do not depend linearly on earlier columns.
     pub pivots: Vec<usize>,
-    /// Other nonzero columns, each with the indices, among the pivots, of the columns of which it is a sum.
+    /// Dependent nonzero columns, each with the pivot columns of which it is a sum, as numbers among
+    /// the pivots.
     pub dependent: Vec<(usize, Vec<usize>)>,
     /// Number of random states at which the rank of the columns was found.
     pub states: usize,
 }
 
-/// Residues at one point, that is, at one choice of values of the letters.
+/// Residues of factors and atoms at a point. A point is a choice of random values for the known
+/// parameters.
 pub struct Row {
-    /// Residues of the factors of each dependent column, in the order of the pivots of its sum.
+    /// Factors of each dependent column, as residues, in the order of the pivots of its sum.
     pub factors: Vec<Vec<u64>>,
-    /// Residues of the atoms at this point, in the order of [`Letters::atoms`].
+    /// Values of the atoms, as residues, in the order of [`Letters::atoms`].
     pub atoms: Vec<u64>,
 }
 
-/// Letters whose values differ from those of the point's seed, and the seed of their other values; `None` if none
-/// differ.
+/// Parameters that differ from the values of a point's seed, with the seed of their own values;
+/// `None` if none differ.
 pub type Moved<'s> = Option<(&'s FxHashSet<Expr>, u64)>;
 
 impl<'a> Table<'a> {
-    /// Finds the dependent columns for general values of the letters; `None` if the columns have no values.
+    /// Finds the dependent columns for general values of the known parameters. `None` if the columns
+    /// have no values.
     pub fn new(arena: &'a Arena, columns: &[Column], letters: &'a Letters) -> Option<Self> {
         let terms = columns.iter().flat_map(|column| &column.forces).chain(letters.atoms()).copied().collect();
         let mut sampler = Sampler::new(arena, terms);
@@ -72,7 +81,8 @@ impl<'a> Table<'a> {
         Some(table)
     }
 
-    /// Raises the number of states until the rank of the columns stays the same; `None` if terms have no values.
+    /// Raises the number of states until the rank of the columns stays constant. `None` if terms have
+    /// no values.
     fn settle(&mut self, seed: u64) -> Option<()> {
         self.states = self.columns.div_ceil(self.speeds.max(1)).max(1);
         let rank =
@@ -88,6 +98,8 @@ impl<'a> Table<'a> {
         }
     }
 
+    /// Adds the pivots on which each dependent column depends at a point. `None` if terms have no
+    /// values there.
     fn add_supports(&mut self, seed: u64) -> Option<()> {
         let mut rows = self.rows(seed, None, self.states)?.0;
         let pivots = reduced(self.field, &mut rows);
@@ -105,18 +117,18 @@ impl<'a> Table<'a> {
         Some(())
     }
 
-    /// Draws a seed for another point, that is, for other values of the letters.
+    /// Draws a seed for another point, which has other random values of the known parameters.
     pub fn seed(&mut self) -> u64 {
         self.sampler.seed()
     }
 
-    /// Finite field of all residues of the table.
+    /// Finite field (integers modulo a prime) of all residues of the table.
     pub fn field(&self) -> Field {
         self.field
     }
 
-    /// Residues of the forces at this number of states, a row for each speed of each state, and of the atoms; `None` if
-    /// terms have no values.
+    /// Evaluates the columns at a number of random states, with a row for each speed of each state, and
+    /// the atoms. All values are residues. `None` if terms have no values.
     fn rows(&self, seed: u64, moved: Moved<'_>, states: usize) -> Option<(Vec<Vec<u64>>, Vec<u64>)> {
         let mut rows = Vec::new();
         let mut left = states;
@@ -135,7 +147,7 @@ impl<'a> Table<'a> {
         None
     }
 
-    /// Factors of the dependent columns at the point of a seed; `None` if they have no values there.
+    /// Factors of the dependent columns at the point of a seed. `None` if they have no values there.
     pub fn at(&self, seed: u64, moved: Moved<'_>) -> Option<Row> {
         let (rows, atoms) = self.rows(seed, moved, self.states)?;
         let factors = self.dependent.iter().map(|(column, support)| {

@@ -1,21 +1,25 @@
-//! Limits of the cost of a derivation, by counts that are the same on every machine.
+//! Limits on the size of a derivation. They count links and terms, so they are equal on every
+//! machine.
 
 use super::error::DeriveError;
 use crate::algebra::Arena;
 use crate::geometry::Frames;
 use crate::model::Model;
 
-/// Most links that are derived: frames and points between a body and the ground, added up over all bodies. The mass
-/// matrix of such a model has about as many entries.
+/// Largest number of links of a model whose equations are derived. A link is a frame or point
+/// between a body and the ground, counted once for each body. The mass matrix of such a model has
+/// about as many entries.
 const MOST_LINKS: usize = 25_000;
 
-/// Most terms of a store. A derivation with more terms, about a gigabyte, is given up.
+/// Largest number of terms in the arena. A derivation that needs more terms (about a gigabyte) is
+/// refused.
 const MOST_TERMS: usize = 6_000_000;
 
-/// Refuses a model with more than `MOST_LINKS` links.
+/// Refuses a model with more than `MOST_LINKS` links (frames and points between each body and the
+/// ground).
 ///
 /// # Errors
-/// [`DeriveError::TooLarge`].
+/// [`DeriveError::TooLarge`] for such a model.
 pub(super) fn check_tree(model: &Model) -> Result<(), DeriveError> {
     let frames = Frames::new(&model.frames);
     let links = |centre: usize, frame: Option<usize>| {
@@ -27,14 +31,16 @@ pub(super) fn check_tree(model: &Model) -> Result<(), DeriveError> {
     refuse(model, count, MOST_LINKS, "frames and points between its bodies and the ground")
 }
 
-/// Refuses a derivation whose store has more than `MOST_TERMS` terms.
+/// Refuses a derivation whose arena has more than `MOST_TERMS` terms.
 ///
 /// # Errors
-/// [`DeriveError::TooLarge`].
+/// [`DeriveError::TooLarge`] for such a derivation.
 pub(super) fn check_terms(model: &Model, arena: &Arena) -> Result<(), DeriveError> {
     refuse(model, arena.len(), MOST_TERMS, "terms")
 }
 
+/// Returns `DeriveError::TooLarge` if `count` exceeds `most`. `what` is the noun for the counted
+/// items.
 fn refuse(model: &Model, count: usize, most: usize, what: &'static str) -> Result<(), DeriveError> {
     let (bodies, coordinates) = (model.bodies.len(), model.coordinates.len());
     if count > most { Err(DeriveError::TooLarge { bodies, coordinates, count, what, most }) } else { Ok(()) }

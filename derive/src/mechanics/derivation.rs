@@ -1,4 +1,5 @@
-//! Derives a model: one formulation, one formulation with its steps, or all formulations over one store of terms.
+//! Derives a model by one formulation, with or without its intermediate steps, or by all
+//! formulations in one arena.
 
 use super::budget::check_terms;
 use super::equations::{Equations, complete};
@@ -14,42 +15,48 @@ use crate::algebra::{Arena, Expr};
 use crate::model::Model;
 use rustc_hash::FxHashSet;
 
-/// One formulation of a model, with the store of its terms.
+/// Equations of motion of a model by one formulation, with the arena that holds their terms.
 #[derive(Clone)]
 pub struct Derivation {
-    /// Store of the terms of `equations`.
+    /// Arena that holds the terms of `equations`.
     pub arena: Arena,
-    /// Equations of motion by one formulation.
+    /// Equations of motion by the chosen formulation.
     pub equations: Equations,
 }
 
 impl Derivation {
-    /// Gives the named terms of the equations the names that every document about the model uses. For a formulation
-    /// other than Kane's, only terms that Kane's equations lack are named after it.
+    /// Gives the named terms of the equations the names that every document about the model uses. Terms
+    /// that Kane's equations also have get plain names. Other terms get a name with the formulation's
+    /// name in it.
     pub fn write_names(&mut self) {
         write_names(&mut self.arena, self.equations.formulation, &self.equations);
     }
 }
 
-/// One formulation of a model as a textbook shows it, with the store of its terms.
+/// Equations of motion by one formulation, with the steps that a textbook shows, and the arena of
+/// all terms.
 #[derive(Clone)]
 pub struct DerivationInSteps {
-    /// Store of the terms of `equations` and `steps`.
+    /// Arena that holds the terms of `equations` and `steps`.
     pub arena: Arena,
-    /// Equations of motion by one formulation.
+    /// Equations of motion by the chosen formulation.
     pub equations: Equations,
-    /// Steps from which the equations come, in the order of the derivation.
+    /// Intermediate results that lead to `equations`, such as velocities and energies, in the order of
+    /// the derivation.
     pub steps: Vec<Step>,
 }
 
-/// Most nodes of M, f, T, V and the definitions together in equations that are shown in closed form: some two pages.
+/// Largest number of expression nodes of M, f, T, V and all definitions together for display in
+/// closed form: about two pages.
 const MOST_IN_ALL: usize = 2_000;
 
-/// Most nodes of one formula in equations that are shown in closed form: some twenty lines.
+/// Largest number of expression nodes of a single formula for display in closed form: about twenty
+/// lines.
 const MOST_IN_ONE: usize = 500;
 
 impl DerivationInSteps {
-    /// True if M, f, T, V and the definitions are short enough to be read without names.
+    /// True if M, f, T, V and the definitions are short enough to read in closed form, without names
+    /// for subterms.
     fn is_short(&self) -> bool {
         let Self { arena, equations: e, .. } = self;
         let scalars = [e.kinetic_energy, e.potential_energy];
@@ -61,26 +68,29 @@ impl DerivationInSteps {
     }
 }
 
-/// Formulations of a model over one store of terms, so that they can be compared.
+/// Equations of a model by several formulations in one arena, so that their terms can be compared.
 pub struct Derivations {
-    /// Kinematics that all formulations share, with the store of all terms.
+    /// Kinematics that all formulations share; it owns the arena of all terms.
     pub kinematics: Kinematics,
-    /// Each formulation with its equations, or the reason why it cannot be derived.
+    /// Formulations in the order in which they were derived, each with its equations, or with the
+    /// reason why it cannot be derived.
     pub list: Vec<(Formulation, Result<Equations, DeriveError>)>,
 }
 
 impl Derivations {
-    /// Equations by one formulation; `None` if the formulation cannot be derived for this model.
+    /// Equations by the given formulation; `None` if it is not in the list or cannot be derived for
+    /// this model.
     #[must_use]
     pub fn get(&self, formulation: Formulation) -> Option<&Equations> {
         self.result(formulation).ok()
     }
 
-    /// Derives the model by a further formulation, and lists its equations after the others. A formulation that the
-    /// model does not support is listed with its reason.
+    /// Derives the model by a further formulation and appends the result to the list. Does nothing if
+    /// the formulation is already listed. A formulation that the model does not support is listed with
+    /// its error.
     ///
     /// # Errors
-    /// [`DeriveError`] if the model is wrong.
+    /// [`DeriveError`] if the model itself is wrong.
     pub fn add(&mut self, model: &Model, formulation: Formulation) -> Result<(), DeriveError> {
         if self.list.iter().any(|(listed, _)| *listed == formulation) {
             return Ok(());
@@ -94,8 +104,8 @@ impl Derivations {
         }
     }
 
-    /// Gives the named terms of all equations the names that every document about the model uses. Kane's terms are
-    /// named first, then the terms that only other formulations have.
+    /// Gives the named terms of all equations the names that every document about the model uses.
+    /// Kane's terms are named first, then the terms that only other formulations have.
     pub fn write_names(&mut self) {
         for (formulation, equations) in &self.list {
             if let Ok(equations) = equations {
@@ -104,28 +114,32 @@ impl Derivations {
         }
     }
 
-    /// Equations by one formulation.
+    /// Equations by the given formulation.
     ///
     /// # Errors
-    /// [`DeriveError`] if the formulation cannot be derived for this model.
+    /// [`DeriveError`] if the formulation cannot be derived for this model; `DeriveError::NotLinear`
+    /// if it is not listed.
     pub fn result(&self, formulation: Formulation) -> Result<&Equations, DeriveError> {
         let found = self.list.iter().find(|(f, _)| *f == formulation);
         found.map_or(Err(DeriveError::NotLinear), |(_, equations)| equations.as_ref().map_err(Clone::clone))
     }
 }
 
-/// Derives the equations of motion of a model.
+/// Derives the equations of motion of a model by one formulation.
 ///
 /// # Errors
-/// [`DeriveError`]; [`DeriveError::is_unsupported`] tells whether another formulation may succeed.
+/// [`DeriveError`] if there are no equations. If [`DeriveError::is_unsupported`] is true, another
+/// formulation may succeed.
 pub fn derive(model: &Model, formulation: Formulation) -> Result<Derivation, DeriveError> {
     let mut kinematics = Kinematics::new(model)?;
     let equations = derive_with(model, &mut kinematics, formulation)?;
     Ok(Derivation { arena: kinematics.arena, equations })
 }
 
-/// Derives the equations of motion of a model for a reader, with the steps that lead to them. If no form is given, they
-/// are in closed form if M, f, T and V then fit some two pages, else in named terms.
+/// Derives the equations of motion of a model for display, with the steps that lead to them.
+///
+/// `form` chooses closed form or named terms. With `None`, the closed form is used if M, f, T and V
+/// then fit about two pages, else named terms.
 ///
 /// # Errors
 /// [`DeriveError`], for the same reasons as [`derive()`].
@@ -148,7 +162,10 @@ pub fn derive_in_steps(
     }
 }
 
-/// Derives the equations of motion of a model in a given form, with the steps that lead to them.
+/// Derives equations of motion and their steps in the given form: closed, or with named terms.
+///
+/// # Errors
+/// `DeriveError` if the formulation cannot be derived.
 fn shown(model: &Model, formulation: Formulation, form: Form) -> Result<DerivationInSteps, DeriveError> {
     let mut kinematics = Kinematics::in_form(model, form)?;
     let equations = derive_with(model, &mut kinematics, formulation)?;
@@ -165,7 +182,8 @@ fn shown(model: &Model, formulation: Formulation, form: Form) -> Result<Derivati
     Ok(written_down(arena, &equations, steps))
 }
 
-/// Store of the terms of all formulations up to this one, with the names that every document about the model uses.
+/// Derives all formulations up to and including the given one, and returns their arena. In it, the
+/// named terms have the names that every document about the model uses.
 fn with_names(model: &Model, formulation: Formulation, form: Form) -> Result<Arena, DeriveError> {
     let mut kinematics = Kinematics::in_form(model, form)?;
     let mut list = Vec::new();
@@ -177,10 +195,12 @@ fn with_names(model: &Model, formulation: Formulation, form: Form) -> Result<Are
     Ok(all.kinematics.arena)
 }
 
-/// Formulation whose named terms have plain names in every document. Other formulations put their own name before.
+/// Formulation whose named terms have plain names in every document: Kane. Other formulations put
+/// their own name before.
 const REFERENCE: Formulation = Formulation::Kane;
 
-/// Gives the named terms of one formulation's equations their names.
+/// Gives the named terms of one formulation's equations their names: plain for Kane, else after the
+/// formulation's name.
 fn write_names(arena: &mut Arena, formulation: Formulation, equations: &Equations) {
     // Inverse dynamics is written only in code, so documents do not show it.
     let equations = Equations { required: Vec::new(), ..equations.clone() };
@@ -192,7 +212,8 @@ fn write_names(arena: &mut Arena, formulation: Formulation, equations: &Equation
     }
 }
 
-/// Equations and steps with a symbol for each named term; the terms themselves are among the definitions.
+/// Puts a symbol in place of each named term of the equations and steps. The definitions of the
+/// equations then list each symbol with its term.
 fn written_down(mut arena: Arena, equations: &Equations, mut steps: Vec<Step>) -> DerivationInSteps {
     let mut equations = equations.written(&mut arena);
     let lines = || steps.iter().flat_map(|step| step.lines.iter());
@@ -210,12 +231,14 @@ fn written_down(mut arena: Arena, equations: &Equations, mut steps: Vec<Step>) -
 /// Derives the equations of motion of a model by the standard formulations.
 ///
 /// # Errors
-/// [`DeriveError`] if the model is wrong; a formulation that this model does not support is listed with its reason.
+/// [`DeriveError`] if the model itself is wrong. A formulation that this model does not support is
+/// listed with its error.
 pub fn derive_all(model: &Model) -> Result<Derivations, DeriveError> {
     derive_all_with(model, Kinematics::new(model)?)
 }
 
-/// [`derive_all`] from given kinematics, whose terms are named or not: [`Kinematics::in_form`].
+/// Derives a model by the standard formulations, like [`derive_all`], from given kinematics.
+/// [`Kinematics::in_form`] chooses whether their terms are named.
 ///
 /// # Errors
 /// [`DeriveError`], for the same reasons as [`derive_all`].
@@ -227,7 +250,11 @@ pub fn derive_all_with(model: &Model, kinematics: Kinematics) -> Result<Derivati
     Ok(derivations)
 }
 
-/// Equations of one formulation, from kinematics that several formulations may share.
+/// Derives the equations of one formulation from kinematics that several formulations may share.
+///
+/// # Errors
+/// `DeriveError` if the formulation fails, the arena grows too large, or the matrix is singular
+/// everywhere.
 pub(crate) fn derive_with(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -242,7 +269,8 @@ pub(crate) fn derive_with(
     }
 }
 
-/// Error for a matrix that is singular in every configuration because this row depends on the rows before it.
+/// Returns the error for a matrix that is singular in every configuration. `row` is the first row
+/// that depends on the rows before it.
 fn singular(model: &Model, row: &RowName) -> DeriveError {
     match row {
         RowName::Balance(_) | RowName::Power(_) | RowName::Law { .. } => DeriveError::ReactionsDependent,

@@ -1,4 +1,5 @@
-//! Equations of motion, by any method.
+//! Equations of motion in the form matrix · unknowns = forcing, from a formulation, a publication
+//! or a reduction.
 
 use super::error::DeriveError;
 use super::formulations::formulation::Formulation;
@@ -12,113 +13,120 @@ use crate::algebra::text::definitions::written;
 use crate::algebra::{Arena, Expr};
 use crate::model::{Model, MotionConstraintKind};
 
-/// Most definitions of a system that may be solved in closed form.
+/// Largest number of definitions of a system that is solved in closed form.
 const MOST_WRITTEN_OUT: usize = 40;
 
-/// Equations of motion  matrix · unknowns = forcing,  q̇ = `coordinate_rates`.
+/// Equations of motion: matrix · unknowns = forcing, and q̇ = `coordinate_rates`.
 #[derive(Clone, Debug)]
 pub struct Equations {
     /// Origin of the equations: a formulation, a publication or a reduction.
     pub by: EquationsOrigin,
-    /// Distance that stands for one of the coordinates; `None` if every coordinate is the model's own.
+    /// Distance from a fixed value that replaces one coordinate; `None` if all coordinates are the
+    /// model's own.
     pub distance: Option<Distance>,
-    /// Formulation whose motion variables and unknowns these equations have.
+    /// Formulation that chose the motion variables v (speeds u or rates q̇) and the unknowns of these
+    /// equations.
     pub formulation: Formulation,
-    /// Symbols that stand for terms in the other fields, in parameters, q and v. A definition comes after the
-    /// definitions
-    /// that it uses. Empty except in reduced equations, and where named terms were written down ([`Self::written`]).
+    /// Definitions symbol = term, in parameters, q and v; the symbols occur in the other fields. A
+    /// definition comes after the definitions that it uses. Empty except in reduced equations and after
+    /// [`Self::written`].
     pub definitions: Vec<Definition>,
-    /// Symbols of the generalized coordinates q, or of the distance that stands for a coordinate
+    /// Symbols of the generalized coordinates q. A distance may replace one of them
     /// ([`super::in_distance`]).
     pub coordinates: Vec<Expr>,
-    /// Symbols of the motion variables v that are integrated beside q: u, or q̇ for Lagrange.
+    /// Symbols of the motion variables v, which are integrated together with q: u, or q̇ for Lagrange.
     pub variables: Vec<Expr>,
-    /// Symbols of the unknowns: v̇, then the reactions or the multipliers.
+    /// Symbols of the unknowns: the accelerations v̇, then the reactions or the constraint multipliers.
     pub unknowns: Vec<Expr>,
-    /// Name of each row: the speed, coordinate, constraint or balance that it belongs to.
+    /// Names of the rows: each row belongs to a speed, a coordinate, a constraint or a balance.
     pub rows: Vec<RowName>,
     /// Square matrix of the equations, one column for each unknown; in parameters, q and v.
     pub matrix: Vec<Vec<Expr>>,
-    /// Right-hand side of the equations, one entry for each row; in parameters, q and v.
+    /// Right-hand side of the equations, one entry for each row, in parameters, q and v.
     pub forcing: Vec<Expr>,
-    /// True if the matrix is symmetric by construction, and positive definite where it is regular.
+    /// True if the matrix is symmetric by construction, and positive definite wherever it is regular.
     pub symmetric: bool,
-    /// Multipliers of the rows, one list for each motion variable: the partial velocities. They cancel the reactions
-    /// and
-    /// leave a symmetric, positive definite system. Empty without reactions.
+    /// Multipliers of the rows, one list for each generalized speed, with one entry for each row: the
+    /// partial velocities. They cancel the reactions and leave a symmetric, positive definite system.
+    /// Empty without reactions and multipliers.
     pub projection: Vec<Vec<Expr>>,
-    /// Map from the free accelerations to v̇. Present if motion constraints leave fewer free accelerations than v has
-    /// variables; the projection then leaves a system for the free accelerations.
+    /// Map from the free accelerations to v̇. `Some` if motion constraints leave fewer free
+    /// accelerations than v has entries; the projected system then determines the free accelerations.
     pub embedding: Option<Embedding>,
-    /// Rates q̇ of the coordinates, in q and v.
+    /// Rates q̇ of the generalized coordinates, one for each, as terms in q and v (speeds u, or q̇
+    /// itself).
     pub coordinate_rates: Vec<Expr>,
-    /// Inverse dynamics M v̇ − f: the generalized forces that the accelerations v̇ require in addition to the loads. In
-    /// parameters, q, v and v̇. Empty until computed, and where reactions or multipliers are among the unknowns.
+    /// Inverse dynamics M v̇ − f: the generalized forces that the accelerations v̇ require in addition
+    /// to the loads. In parameters, q, v and v̇. Empty if not computed, or if reactions or multipliers
+    /// are among the unknowns.
     pub required: Vec<Expr>,
-    /// Function of the bodies' accelerations that v̇ minimizes (Gauss's principle): a second way to v̇, for large
-    /// systems.
+    /// Function of the bodies' accelerations that v̇ minimizes (Gauss's principle): a second way to v̇
+    /// for large systems. `None` if not derived.
     pub gauss: Option<Sum>,
-    /// Symbols of the generalized speeds u; fewer than motion variables where constraints tie these.
+    /// Symbols of the generalized speeds u. Constraints may leave fewer of them than there are motion
+    /// variables v.
     pub speeds: Vec<Expr>,
-    /// Generalized speeds u, in q and v.
+    /// Generalized speeds u, one term in q and the motion variables v for each.
     pub generalized_speeds: Vec<Expr>,
-    /// Rates u̇ of the generalized speeds, in q, v and v̇.
+    /// Rates u̇ of the generalized speeds as terms in q, v and v̇.
     pub generalized_speed_rates: Vec<Expr>,
-    /// Motion variables v, in q and u.
+    /// Motion variables v (u, or q̇ for Lagrange), one term in q and u for each.
     pub motion_variables: Vec<Expr>,
-    /// Kinetic energy T, in q and v.
+    /// Kinetic energy T of all bodies, J, as a term in q and the motion variables v.
     pub kinetic_energy: Expr,
-    /// Potential energy V of gravity and of the applied loads that have a potential, in q.
+    /// Potential energy V of gravity and of all applied loads that have a potential, as a term in q, J.
     pub potential_energy: Expr,
-    /// Power of the forces without a potential in V, in q and v: d(T + V)/dt. It is 0 in reduced equations, which have
-    /// their own T and V.
+    /// Power d(T + V)/dt of the forces that V does not contain, as a term in q and v, W. It is 0 in
+    /// reduced equations, which have their own T and V.
     pub power: Expr,
-    /// Divisors of the kinematic equations, in q.
+    /// Divisors of the kinematic equations q̇ = W u + w, as terms in q. The equations are singular
+    /// where a divisor is zero.
     pub divisors: Vec<Expr>,
-    /// Constraints that are zero in every motion and drift in a run: the loops of the model, and its motion constraints
-    /// where the variables may break them.
+    /// Constraints that are zero in every exact motion but drift in a numeric run. These are the loops
+    /// of the model, and its motion constraints if v can violate them.
     pub constraints: Vec<Constrained>,
 }
 
-/// A constraint that a run may break, and that is therefore enforced.
+/// Constraint that rounding in a run may violate, so that each step must correct the state.
 #[derive(Clone, Debug)]
 pub struct Constrained {
     /// Name of the constraint in the model file, with a prime if it is the rate of a loop.
     pub name: String,
-    /// Residual of the constraint, in q and v; zero where the constraint holds.
+    /// Residual of the constraint as a term in q and v; zero where the constraint holds.
     pub value: Expr,
-    /// Partial derivatives of the residual along each q, then along each v.
+    /// Partial derivatives of the residual by each q, then by each v. The slope by time is set to zero.
     pub slopes: Vec<Expr>,
 }
 
 impl Equations {
-    /// Name of the equations in files: `kane`, `kane@q2-90deg`, `printed:ID`.
+    /// Name of the equations in files, such as `kane`, `kane@q2-90deg` or `printed:ID`.
     #[must_use]
     pub fn name(&self, model: &Model) -> String {
         self.by.name_in(self.distance, model)
     }
 
-    /// Title of the equations for a heading.
+    /// Title of the equations for a heading, such as `Kane's method`, with the distance that replaces a
+    /// coordinate, if any.
     #[must_use]
     pub fn title(&self, model: &Model) -> String {
         let title = self.by.title();
         self.distance.map_or_else(|| title.clone(), |distance| format!("{title} in {}", distance.title(model)))
     }
 
-    /// Names of the rows, in plain text.
+    /// Names of the rows in plain text, such as the name of a speed or of a balance.
     #[must_use]
     pub fn row_names(&self, model: &Model) -> Vec<String> {
         self.rows.iter().map(|row| row.text(model)).collect()
     }
 
-    /// True if the equations have too many named terms to be solved in closed form.
+    /// True if the equations have more than 40 definitions, which is too many to solve them in closed
+    /// form.
     pub(super) fn is_large(&self) -> bool {
         self.definitions.len() > MOST_WRITTEN_OUT
     }
 
-    /// The equations in the form that is solved, differentiated and written as code. A symbol replaces every named
-    /// term,
-    /// and the definitions contain the symbols.
+    /// Returns the equations in the form that is solved, differentiated and written as code. A symbol
+    /// replaces every named term, and `definitions` lists each symbol with its term.
     #[must_use]
     pub fn written(&self, arena: &mut Arena) -> Self {
         let mut result = self.clone();
@@ -132,14 +140,14 @@ impl Equations {
         result
     }
 
-    /// Lists all terms of the equations, definitions included.
+    /// Lists all terms of the equations in a fixed order, with the definitions last.
     pub(super) fn terms(&self, arena: &mut Arena) -> Vec<Expr> {
         let mut terms = Vec::new();
         self.clone().visit(&mut |e, _| terms.push(*e), arena);
         terms
     }
 
-    /// Changes every expression in place. Drops the function of Gauss's principle, which consists of other terms.
+    /// Applies `change` to every expression in place. Drops `gauss`, whose terms would no longer match.
     pub(crate) fn visit(&mut self, change: &mut dyn FnMut(&mut Expr, &mut Arena), arena: &mut Arena) {
         self.gauss = None;
         let vectors = [
@@ -163,10 +171,12 @@ impl Equations {
     }
 }
 
-/// Completes the rows of a formulation to equations, with q̇ and u in its motion variables and every entry simplified.
+/// Completes the rows of a formulation to full equations: adds q̇, u, energies, power and
+/// constraints. Every entry is simplified.
 ///
 /// # Errors
-/// [`DeriveError::NoZeroOfPotential`].
+/// [`DeriveError::NoZeroOfPotential`] if V has no value at the configuration where the model sets
+/// it to zero.
 pub(super) fn complete(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -220,7 +230,8 @@ pub(super) fn complete(
     Ok(equations)
 }
 
-/// Constraints that a run by this formulation can break.
+/// Lists the constraints that a run by this formulation can violate, with their slopes: loops, and
+/// motion constraints if v = q̇.
 fn constraints(model: &Model, kinematics: &mut Kinematics, formulation: Formulation) -> Vec<Constrained> {
     let loops = model.loops.iter().map(|c| (c.name.clone(), c.equation));
     let of_motion = model
@@ -247,7 +258,7 @@ fn constraints(model: &Model, kinematics: &mut Kinematics, formulation: Formulat
     loops.chain(of_motion).map(&mut constrained).collect()
 }
 
-/// Time derivatives of terms in q and q̇, in q, q̇ and q̈.
+/// Differentiates terms in q and q̇ by time. The results contain q, q̇ and q̈.
 fn along_rates(model: &Model, arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
     let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
     rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));

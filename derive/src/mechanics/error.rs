@@ -1,130 +1,136 @@
-//! Reasons why equations cannot be derived, with help.
+//! Reasons why the equations of a model cannot be derived, each with advice for the user.
 
 use super::unsolved::Unsolved;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::Model;
 use std::fmt;
 
-/// Reason why a formulation cannot be derived.
+/// Reason why equations of motion cannot be derived.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DeriveError {
-    /// The inertia of a body, stated in a frame that the body turns in, is not constant in the body.
+    /// A body's inertia is stated in a frame that moves relative to the body, and is not constant in
+    /// the body.
     InertiaNotConstant {
-        /// Name of the body.
+        /// Name of the body whose inertia is not constant.
         body: String,
-        /// Name of the frame in which the inertia is stated.
+        /// Name of the frame in which the model states the inertia.
         frame: String,
         /// Name of the frame that is fixed in the body.
         body_frame: String,
     },
-    /// A reaction does work in a permitted motion.
+    /// A constraint reaction does work in a motion that the constraints permit.
     ReactionWorks {
-        /// Name of the reaction.
+        /// Name of the reaction that does work.
         reaction: String,
-        /// Rate of a coordinate, or the speed, along which the reaction works.
+        /// Name of the generalized speed, or of a coordinate with a prime (its rate), along which the
+        /// reaction does work.
         motion: String,
-        /// Power of the reaction for each unit of `motion`.
+        /// Formula of the power of the reaction for each unit of `motion`.
         rate: String,
     },
     /// A force or torque divides by a velocity that is zero at all times.
     LoadDividesByZero {
-        /// Name of the force or torque.
+        /// Name of the force or torque that divides by zero.
         load: String,
-        /// Term that divides by zero, with the velocities put in.
+        /// Formula that divides by zero after the velocities are substituted.
         term: String,
     },
-    /// The direction of a reaction is no unit vector, so the value of the reaction would not be the force.
+    /// The direction of a reaction is not a unit vector, so the value of the reaction would not be the
+    /// force.
     DirectionNotUnit {
-        /// Name of the reaction.
+        /// Name of the reaction whose direction is wrong.
         reaction: String,
-        /// Square of the length of the direction.
+        /// Formula of the squared length of the direction; it should be 1.
         square: String,
     },
-    /// The potential energy has no value in the configuration `zero_at`, where the model puts its zero.
+    /// The potential energy has no value at the configuration `zero_at`, where the model sets it to
+    /// zero.
     NoZeroOfPotential {
-        /// Term that divides by zero.
+        /// Formula that divides by zero at the configuration where the model sets V to zero.
         term: String,
     },
-    /// A speed moves no mass: the mass matrix has a zero row.
+    /// A generalized speed moves no mass: its row of the mass matrix is zero or depends on other rows.
     NoInertia {
-        /// Name of the generalized speed, or of the coordinate with a prime.
+        /// Name of the generalized speed that moves no mass, or of a coordinate with a prime (its rate).
         speed: String,
     },
-    /// A speed moves no mass at the parameter values of a scene.
+    /// A generalized speed moves no mass at the parameter values of a scene.
     NoInertiaAt {
-        /// Name of the generalized speed.
+        /// Name of the generalized speed that moves no mass.
         speed: String,
         /// Names of the parameters that are 0 in the scene.
         zero: Vec<String>,
     },
-    /// An acceleration did not come out linear: cannot happen for a checked model.
+    /// An acceleration does not enter the equations linearly. This is a defect of the program.
     NotLinear,
-    /// The linear equations for the accelerations have no solution that can be used.
+    /// The linear equations for the accelerations have no usable solution.
     Unsolved(Unsolved),
-    /// The number of reactions differs from the number of Newton–Euler equations less the number of speeds.
+    /// Newton–Euler needs as many reactions as equations less speeds, but the model has another number.
     ReactionCount {
-        /// Number of equations that are not 0 = 0.
+        /// Number of Newton–Euler equations that are not 0 = 0.
         equations: usize,
-        /// Number of generalized speeds.
+        /// Number of generalized speeds of the model.
         speeds: usize,
-        /// Number of reactions that the model names.
+        /// Number of reactions that the model has, stated or found by the program.
         reactions: usize,
-        /// Number of equations of all bodies. No more reactions than `all` − `speeds` can be needed.
+        /// Number of balance equations of all bodies, with those that are 0 = 0. At most `all` − `speeds`
+        /// reactions can be needed.
         all: usize,
-        /// Components in which the bodies feel a load, body by body: `disk force b1, b2`.
+        /// Components in which the bodies feel a load, one text for each body: `disk force b1, b2`.
         felt: Vec<String>,
     },
-    /// The equations do not determine the reactions one by one, because the reactions are not independent.
+    /// The Newton–Euler equations do not determine each reaction, because the reactions are linearly
+    /// dependent.
     ReactionsDependent,
-    /// The program found the reaction itself, and it cannot be shown that the reaction does no work.
+    /// It cannot be shown that a reaction which the program found by itself does no work.
     ReactionNotShown {
-        /// Name of the reaction.
+        /// Name of the reaction that the program found.
         reaction: String,
     },
-    /// A torque acts on a frame without a body, so no moment balance contains the torque.
+    /// A torque acts on a frame without a body, so that no body's moment balance contains it.
     TorqueOnNothing {
-        /// Name of the torque.
+        /// Name of the torque without a body.
         torque: String,
     },
-    /// The program does not know a potential as forces and torques between bodies.
+    /// A potential cannot be written as forces and torques between bodies, which Newton–Euler needs.
     PotentialOnNothing {
-        /// Name of a potential in the model file.
+        /// Name of the potential in the model file.
         potential: String,
     },
-    /// The equations have more links or terms than are derived.
+    /// The model has more links, or the derivation more terms, than the limits allow.
     TooLarge {
         /// Number of bodies of the model.
         bodies: usize,
         /// Number of coordinates of the model.
         coordinates: usize,
-        /// Number of links or terms that the derivation has.
+        /// Number of links or terms that was counted.
         count: usize,
-        /// Noun for the counted items: links or terms.
+        /// Noun for the counted items in the message: links or terms.
         what: &'static str,
-        /// Largest number of links or terms for which equations are derived.
+        /// Largest number of links or terms that is allowed.
         most: usize,
     },
-    /// A body has an added mass, whose parameters are not identified.
+    /// A body has an added mass (of a surrounding fluid), whose parameters cannot be identified.
     AddedMass {
-        /// Name of the body.
+        /// Name of the body that has an added mass.
         body: String,
     },
-    /// A mechanism has loops, which its reduced equations would not keep closed.
+    /// A mechanism has loops. Its reduced equations would not keep them closed, so none are derived.
     LoopsReduced {
-        /// Name of one of the loops.
+        /// Name of a loop of the mechanism.
         name: String,
     },
-    /// The constraints of a mechanism leave no speed, so it has no reduced equations.
+    /// The constraints of a mechanism leave no free speed, so that there are no reduced equations.
     NothingMoves,
-    /// The reduced equations of a scene are not proved equivalent to the model's equations.
+    /// The reduced equations of a scene could not be proved equivalent to the model's equations.
     ReductionNotProved {
-        /// Statement that is not proved.
+        /// Statement about the reduced equations whose proof failed, in words.
         what: String,
     },
 }
 
 impl DeriveError {
-    /// True if the model is right and only this formulation cannot be derived.
+    /// True if the model is right and only the chosen formulation cannot be derived for it.
     #[must_use]
     pub fn is_unsupported(&self) -> bool {
         matches!(
@@ -137,7 +143,8 @@ impl DeriveError {
         )
     }
 
-    /// Name in the model file that the error is about, and advice what to do.
+    /// Returns the name in the model file that the error is about, or `None`, and advice for the
+    /// user.
     fn place_and_help(&self) -> (Option<&str>, &'static str) {
         match self {
             Self::InertiaNotConstant { body, .. } => (
@@ -299,7 +306,7 @@ impl fmt::Display for DeriveError {
 }
 
 impl Model {
-    /// Diagnostics that show the error at its place in the model file.
+    /// Returns diagnostics that show a derivation error at its place in the model file, with advice.
     #[must_use]
     pub fn diagnose(&self, error: &DeriveError) -> Diagnostics {
         let (name, help) = error.place_and_help();

@@ -1,29 +1,31 @@
-//! Origin of a set of equations of motion, as data. The names and titles of equations are made only here.
+//! Origin of a set of equations of motion. The names and titles of equations are made only in this
+//! file.
 
 use super::formulations::formulation::Formulation;
 use crate::model::Model;
 
-/// Origin of a set of equations of motion.
+/// Origin of a set of equations of motion: derived, printed in a publication, or reduced for a
+/// scene.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum EquationsOrigin {
-    /// Derived by the program, with this formulation.
+    /// Equations that the program derived with this formulation.
     Derived(Formulation),
-    /// Equations of a published system or listing, as printed.
+    /// Equations of a publication or listing, exactly as printed.
     Printed {
-        /// Id of the system or listing in the publication file.
+        /// Identifier of the system or listing in the publication file.
         id: String,
         /// Formulation that the publication states for the system.
         formulation: Formulation,
     },
-    /// The reduced equations of a scene.
+    /// Reduced equations of a scene.
     Reduced,
 }
 
-/// Prefix of the id of printed equations.
+/// Prefix before the identifier of printed equations on the command line.
 const PRINTED: &str = "printed:";
 
 impl EquationsOrigin {
-    /// Name of the equations on the command line and in files: `kane`, `printed:ID`, `reduced`.
+    /// Name of the equations on the command line and in files: `kane`, `printed:ID` or `reduced`.
     #[must_use]
     pub fn name(&self) -> String {
         match self {
@@ -33,7 +35,7 @@ impl EquationsOrigin {
         }
     }
 
-    /// Title of the equations for a heading.
+    /// Title of the equations for a heading, such as `Kane's method` or `Reduced equations`.
     #[must_use]
     pub fn title(&self) -> String {
         match self {
@@ -43,31 +45,33 @@ impl EquationsOrigin {
         }
     }
 
-    /// Name in generated code, with the distance if there is one: `kane@q2-90deg`.
+    /// Name of the equations in generated code. If a distance replaces a coordinate, it is part of the
+    /// name: `kane@q2-90deg`.
     #[must_use]
     pub fn name_in(&self, distance: Option<Distance>, model: &Model) -> String {
         distance.map_or_else(|| self.name(), |distance| format!("{}@{}", self.name(), distance.name(model)))
     }
 
-    /// Formulation of derived equations; `None` for printed and reduced equations.
+    /// Formulation by which the equations were derived; `None` for printed and reduced equations.
     #[must_use]
     pub fn formulation(&self) -> Option<Formulation> {
         if let Self::Derived(formulation) = self { Some(*formulation) } else { None }
     }
 
-    /// Id of printed equations; `None` for derived and reduced equations.
+    /// Identifier of printed equations; `None` for derived and reduced equations.
     #[must_use]
     pub fn printed_id(&self) -> Option<&str> {
         if let Self::Printed { id, .. } = self { Some(id) } else { None }
     }
 
-    /// True for the reduced equations of a scene.
+    /// True if the equations are the reduced equations of a scene.
     #[must_use]
     pub fn is_reduced(&self) -> bool {
         *self == Self::Reduced
     }
 
-    /// Id in an argument such as `printed:ID`; `None` if the argument does not ask for printed equations.
+    /// Returns `ID` of a command-line argument `printed:ID`; `None` if the argument does not ask for
+    /// printed equations.
     #[must_use]
     pub fn asked_id(argument: &str) -> Option<&str> {
         argument.strip_prefix(PRINTED)
@@ -80,34 +84,36 @@ impl From<Formulation> for EquationsOrigin {
     }
 }
 
-/// Distance of a coordinate from a multiple of a quarter turn, which replaces the coordinate.
+/// Angle of a coordinate from a multiple of 90°, which replaces the coordinate in the equations
+/// near that angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Distance {
-    /// Index of the replaced coordinate, from 0.
+    /// Index of the replaced coordinate, counted from 0.
     pub coordinate: usize,
-    /// Angle at which the distance is zero, in quarter turns: 1 for 90°.
+    /// Value of the coordinate at which the distance is zero, in quarter turns: 1 for 90°.
     pub quarter_turns: i32,
 }
 
 impl Distance {
-    /// Angle at which the distance is zero, degrees.
+    /// Value of the coordinate at which the distance is zero, in degrees.
     #[must_use]
     pub fn degrees(self) -> i64 {
         90 * i64::from(self.quarter_turns)
     }
 
-    /// Name of the distance for names of equations: `q2-90deg`.
+    /// Name of the distance in the names of equations, such as `q2-90deg`.
     #[must_use]
     pub fn name(&self, model: &Model) -> String {
         self.with_unit(model, "deg")
     }
 
-    /// Title of the distance for a heading: `q2-90°`.
+    /// Title of the distance for a heading, such as `q2-90°`.
     #[must_use]
     pub fn title(&self, model: &Model) -> String {
         self.with_unit(model, "°")
     }
 
+    /// Writes coordinate, sign and degrees, followed by the given text of the unit.
     fn with_unit(self, model: &Model, unit: &str) -> String {
         let sign = if self.quarter_turns < 0 { '+' } else { '-' };
         format!("{}{sign}{}{unit}", model.coordinates[self.coordinate].name, self.degrees().abs())

@@ -1,24 +1,25 @@
-//! Names of derived quantities in publication files, as data.
+//! Quantities that a publication file can name, such as `v(P) @ B [1]`, as data.
 
 use crate::algebra::text::parse::{VelocityOf, velocity_name};
 use crate::model::Model;
 use std::fmt;
 
-/// Kind of object to which a vector quantity belongs.
+/// Kind of model object to which a vector quantity belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Owner {
-    /// A point of the model.
+    /// Vector belongs to a point of the model, such as a velocity.
     Point,
-    /// A frame of the model.
+    /// Vector belongs to a frame of the model, such as an angular velocity.
     Frame,
-    /// A body or particle.
+    /// Vector belongs to a body or particle, such as a weight.
     Body,
-    /// A rigid body, not a particle.
+    /// Vector belongs to a rigid body, not to a particle, such as an angular momentum.
     RigidBody,
 }
 
 impl Owner {
-    /// Word for the owner in a form such as `v(POINT) @ FRAME [COMPONENT]`.
+    /// Placeholder for the owner in the text of a form, such as `POINT` in `v(POINT) @ FRAME
+    /// [COMPONENT]`.
     pub(crate) const fn placeholder(self) -> &'static str {
         match self {
             Self::Point => "POINT",
@@ -28,10 +29,10 @@ impl Owner {
     }
 }
 
-/// A vector that the model determines.
+/// Vector that the model determines, such as a velocity or a force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum VectorName {
-    /// Position p of a point, from the origin, m.
+    /// Position p of a point from the origin, m.
     Position,
     /// Velocity v of a point in the inertial frame, m/s.
     Velocity,
@@ -43,7 +44,7 @@ pub enum VectorName {
     AngularAcceleration,
     /// Angular momentum H = I · ω of a body about its mass centre, kg m²/s.
     AngularMomentum,
-    /// Rate dH/dt of the angular momentum of a body in the inertial frame, N m.
+    /// Rate dH/dt, in the inertial frame, of a body's angular momentum about its mass centre, N m.
     MomentumRate,
     /// Rate m a of the linear momentum of a body, N.
     LinearMomentumRate,
@@ -53,14 +54,14 @@ pub enum VectorName {
     InertiaTorque,
     /// Weight m g of a body, N.
     Weight,
-    /// Sum of all forces on a body, N, weight and reactions included.
+    /// Sum of all forces on a body, N, including weight and reactions.
     Force,
-    /// Moment of all loads on a body about its mass centre, N m, reactions included.
+    /// Moment of all loads on a body about its mass centre, N m, including reactions.
     Moment,
 }
 
 impl VectorName {
-    /// All vectors in the order of the variants, each with its name in publication files.
+    /// All kinds of vectors in the order of the variants, each with its name in publication files.
     pub(crate) const ALL: [(Self, &'static str); 13] = [
         (Self::Position, "p"),
         (Self::Velocity, "v"),
@@ -77,7 +78,7 @@ impl VectorName {
         (Self::Moment, "moment"),
     ];
 
-    /// Kind of object to which the vector belongs.
+    /// Kind of model object (point, frame or body) to which the vector belongs.
     #[must_use]
     pub const fn owner(self) -> Owner {
         match self {
@@ -88,19 +89,20 @@ impl VectorName {
         }
     }
 
-    /// Letter or word for the vector in publication files.
+    /// Letter or word for the vector in publication files, such as `v` or `Hdot`.
     #[must_use]
     pub fn name(self) -> &'static str {
         Self::ALL[self as usize].1
     }
 
-    /// Vector and its owner without a frame, in plain text: `v(P)`.
+    /// Text of the vector with its owner but without a frame, such as `v(P)`. `of` is the index of the
+    /// owner.
     #[must_use]
     pub fn text(self, model: &Model, of: usize) -> String {
         format!("{}({})", self.name(), self.owner_name(model, of))
     }
 
-    /// Name of the point, frame or body at a position of the model's list.
+    /// Name of the vector's owner: the point, frame or body with the index `of` in the model.
     #[must_use]
     pub fn owner_name(self, model: &Model, of: usize) -> &str {
         match self.owner() {
@@ -111,33 +113,38 @@ impl VectorName {
     }
 }
 
-/// Row of Kane's equations F + F* = 0, or M u̇ = f, or of Lagrange's equations E q̈ = A, d/dt ∂L/∂q̇ − ∂L/∂q = Q.
+/// Kind of a column of row values that equations of motion consist of, with a row for each speed or
+/// coordinate.
+///
+/// The equations are Kane's F + F* = 0 or M u̇ = f, and Lagrange's E q̈ = A or d/dt ∂L/∂q̇ − ∂L/∂q
+/// = Q.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Row {
-    /// Generalized active force F of a speed.
+    /// Generalized active force F of a generalized speed.
     ActiveForce,
-    /// Generalized inertia force F* = −(M u̇ + …) of a speed.
+    /// Generalized inertia force F* = −(M u̇ + …) of a generalized speed.
     InertiaForce,
-    /// Forcing f of Kane's equations.
+    /// Forcing f of Kane's equations M u̇ = f.
     Forcing,
-    /// Right-hand side A of Lagrange's equations.
+    /// Right-hand side A of Lagrange's equations E q̈ = A.
     LagrangeForcing,
-    /// Terms C q̇ in products of rates, of M q̈ + C q̇ + g = τ.
+    /// Velocity terms C q̇, quadratic in the rates, of M q̈ + C q̇ + g = τ.
     VelocityTerms,
-    /// Slope ∂V/∂q of the potential energy, g of M q̈ + C q̇ + g = τ.
+    /// Derivative ∂V/∂q of the potential energy, which is g in M q̈ + C q̇ + g = τ.
     PotentialSlope,
-    /// Generalized momentum ∂L/∂q̇, with no constraint put in.
+    /// Generalized momentum ∂L/∂q̇. Constraints are not substituted in L.
     Momentum,
     /// Rate d/dt ∂L/∂q̇ of the generalized momentum along the motion, linear in q̈.
     MomentumRate,
-    /// Slope ∂/∂t ∂L/∂q̇ of the generalized momentum in the time alone, with q and q̇ held.
+    /// Partial derivative ∂/∂t ∂L/∂q̇ of the generalized momentum by time alone, with q and q̇
+    /// constant.
     HeldMomentumRate,
-    /// Slope ∂L/∂q of the Lagrangian, with q̇ held.
+    /// Partial derivative ∂L/∂q of the Lagrangian, with q̇ constant.
     LagrangianSlope,
 }
 
 impl Row {
-    /// All rows in the order of the variants, each with its name in publication files.
+    /// All kinds of rows in the order of the variants, each with its name in publication files.
     pub(crate) const ALL: [(Self, &'static str); 10] = [
         (Self::ActiveForce, "F"),
         (Self::InertiaForce, "Fstar"),
@@ -151,39 +158,40 @@ impl Row {
         (Self::LagrangianSlope, "dL_dq"),
     ];
 
-    /// True if the rows belong to coordinates, false if they belong to speeds.
+    /// True if there is a row for each coordinate, false if there is a row for each generalized speed.
     pub(crate) const fn is_of_coordinates(self) -> bool {
         !matches!(self, Self::ActiveForce | Self::InertiaForce | Self::Forcing)
     }
 }
 
-/// Kind of an energy, J.
+/// Kind of an energy of the whole model, J.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Energy {
-    /// Kinetic energy T.
+    /// Kinetic energy T of all bodies.
     Kinetic,
-    /// Kinetic energy of translation, Σ ½ m v·v.
+    /// Kinetic energy of translation of all bodies, Σ ½ m v·v.
     Translation,
-    /// Kinetic energy of rotation, Σ ½ ω·I·ω.
+    /// Kinetic energy of rotation of all bodies, Σ ½ ω·I·ω.
     Rotation,
-    /// Potential energy V of gravity and of the applied loads that have a potential.
+    /// Potential energy V of gravity and of all applied loads that have a potential.
     Potential,
-    /// Potential energy of gravity alone, zero where the model puts its zero.
+    /// Potential energy of gravity alone; zero at the configuration that the model states.
     Gravity,
-    /// Lagrangian L = T − V.
+    /// Lagrangian L = T − V, kinetic less potential energy.
     Lagrangian,
-    /// Total energy T + V.
+    /// Total energy T + V, kinetic and potential.
     Total,
 }
 
 impl Energy {
-    /// True if the energy is defined up to an additive constant.
+    /// True if the energy contains V, and so has an arbitrary additive constant. False for kinetic
+    /// energies.
     #[must_use]
     pub const fn has_a_zero(self) -> bool {
         matches!(self, Self::Potential | Self::Gravity | Self::Lagrangian | Self::Total)
     }
 
-    /// All energies in the order of the variants, each with its name in publication files.
+    /// All kinds of energies in the order of the variants, each with its name in publication files.
     pub(crate) const ALL: [(Self, &'static str); 7] = [
         (Self::Kinetic, "T"),
         (Self::Translation, "T_translation"),
@@ -195,88 +203,91 @@ impl Energy {
     ];
 }
 
-/// Kind of a quantity, with its indices. Indices of points, frames, bodies, speeds, coordinates, rows and axes count
-/// from 0.
+/// Scalar quantity that the model determines, with its indices. All indices (points, frames,
+/// bodies, speeds, coordinates, rows, axes) count from 0.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum QuantityKind {
-    /// Entry of the rotation matrix R with (components in `to`) = R · (components in `from`).
+    /// Entry of the rotation matrix R, where components along frame `to` = R · components along frame
+    /// `from`.
     Rotation {
-        /// Index of the frame whose components are turned.
+        /// Index of the frame `from`, whose components R multiplies.
         from: usize,
-        /// Index of the frame of the turned components.
+        /// Index of the frame `to`, whose components result.
         to: usize,
-        /// Row and column of the entry.
+        /// Row and column of the entry of R.
         entry: (usize, usize),
     },
     /// Component of a vector along an axis of a frame.
     Component {
-        /// Name of the vector.
+        /// Kind of the vector, such as a velocity or a force.
         vector: VectorName,
         /// Index of the point, frame or body to which the vector belongs.
         of: usize,
-        /// Index of the frame of the component.
+        /// Index of the frame along whose axis the component is taken.
         frame: usize,
-        /// Axis of the component: 0, 1 or 2.
+        /// Axis of the frame: 0, 1 or 2.
         axis: usize,
     },
     /// Component of the velocity, in the inertial frame, of a body's material at a point, m/s.
     MaterialVelocity {
-        /// Index of the body.
+        /// Index of the body whose material moves.
         body: usize,
-        /// Index of the point.
+        /// Index of the point at which the material is.
         point: usize,
-        /// Index of the frame of the component.
+        /// Index of the frame along whose axis the component is taken.
         frame: usize,
-        /// Axis of the component: 0, 1 or 2.
+        /// Axis of the frame: 0, 1 or 2.
         axis: usize,
     },
-    /// Component of a partial velocity, the derivative of a velocity along a speed.
+    /// Component of a partial velocity: the derivative of a velocity by a generalized speed.
     Partial {
-        /// Kind of the vector: velocity or angular velocity.
+        /// Kind of the vector: velocity of a point, or angular velocity of a frame.
         vector: VectorName,
         /// Index of the point or frame to which the velocity belongs.
         of: usize,
-        /// Index of the frame of the component.
+        /// Index of the frame along whose axis the component is taken.
         frame: usize,
-        /// Axis of the component: 0, 1 or 2.
+        /// Axis of the frame: 0, 1 or 2.
         axis: usize,
-        /// Index of the speed.
+        /// Index of the generalized speed.
         speed: usize,
     },
-    /// Entry of the central inertia of a body, kg m².
+    /// Entry of a body's inertia tensor about its mass centre, kg m².
     Inertia {
-        /// Index of the body.
+        /// Index of the body in the model.
         body: usize,
-        /// Index of the frame of the components.
+        /// Index of the frame along whose axes the tensor is written.
         frame: usize,
-        /// Row and column of the entry.
+        /// Row and column of the entry of the tensor.
         entry: (usize, usize),
     },
-    /// Entry of a list with one row for each speed or coordinate, with the index of the row.
+    /// Entry of a column with a row for each speed or coordinate: the kind of the column, and the index
+    /// of the row.
     Row(Row, usize),
-    /// Entry of Kane's mass matrix M, at a row and column.
+    /// Entry of Kane's mass matrix M, at (row, column).
     MassMatrix(usize, usize),
-    /// Entry of Lagrange's matrix E, at a row and column.
+    /// Entry of the matrix E of Lagrange's equations E q̈ = A, at (row, column).
     LagrangeMatrix(usize, usize),
-    /// Entry of the matrix C of C q̇ by Christoffel symbols, at a row and column.
+    /// Entry of the matrix C in the velocity terms C q̇, by Christoffel symbols, at (row, column).
     Christoffel(usize, usize),
-    /// Rate of an entry of the mass matrix ∂²T/∂q̇∂q̇ along the motion, at a row and column.
+    /// Time derivative of an entry of the mass matrix ∂²T/∂q̇∂q̇ along the motion, at (row, column).
     MassRate(usize, usize),
-    /// Energy of the model.
+    /// Energy of the model, J.
     Energy(Energy),
-    /// Generalized speed, by its definition.
+    /// Generalized speed with this index, by its definition in q and q̇.
     Speed(usize),
-    /// Time derivative of a coordinate, in terms of the speeds.
+    /// Time derivative q̇ of the coordinate with this index, as a term in q and u.
     Rate(usize),
-    /// Time derivative of a speed from the solved equations, in q and u.
+    /// Time derivative u̇ of the speed with this index from the solved equations, as a term in q and u.
     SpeedRate(usize),
-    /// Second time derivative of a coordinate from the solved equations, in q and u.
+    /// Second time derivative q̈ of the coordinate with this index from the solved equations, as a term
+    /// in q and u.
     SecondRate(usize),
 }
 
 impl QuantityKind {
-    /// Full name of the quantity, with numbers for components and rows. Two quantities are equal if and only if their
-    /// names are.
+    /// Canonical name of the quantity, such as `v(Cstar) @ B [1]`. Two quantities are equal if and only
+    /// if their names are equal.
     #[must_use]
     pub fn name(&self, model: &Model) -> String {
         let component = |vector: VectorName, of: usize, frame: usize, axis: usize| {
@@ -312,7 +323,8 @@ impl QuantityKind {
     }
 }
 
-/// A quantity that the model determines, such as `v(Cstar) @ B [1]`. Displays as its canonical name.
+/// Scalar quantity that the model determines, such as `v(Cstar) @ B [1]`. It displays as its
+/// canonical name.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Quantity {
     kind: QuantityKind,
@@ -320,17 +332,17 @@ pub struct Quantity {
 }
 
 impl Quantity {
-    /// Quantity of a model, with its canonical name.
+    /// Creates the quantity of a kind in a model, with its canonical name.
     ///
     /// # Panics
-    /// If an index is outside the model's lists.
+    /// Panics if an index is outside the model's lists.
     #[must_use]
     pub fn new(kind: QuantityKind, model: &Model) -> Self {
         let name = kind.name(model);
         Self { kind, name }
     }
 
-    /// Kind of the quantity, with its indices.
+    /// Kind of the quantity, such as a velocity component, with its indices.
     #[must_use]
     pub fn kind(&self) -> &QuantityKind {
         &self.kind

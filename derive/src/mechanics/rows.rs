@@ -1,86 +1,91 @@
-//! Result of a method of derivation: rows, and the steps that lead to them. Names are data, from which their text is
-//! made.
+//! Result of a method of derivation: rows of a linear system, and the steps that lead to them.
+//! Names of rows and steps are data, from which text is made.
 
 use super::quantity::{QuantityKind, VectorName};
 use crate::algebra::Expr;
 use crate::algebra::solve::least::Sum;
 use crate::model::Model;
 
-/// Rows of a linear system, as a method of derivation states them. The other fields of [`super::Equations`] follow from
-/// the model.
+/// Rows of the linear system matrix · unknowns = forcing that a method of derivation gives. The
+/// other fields of [`super::Equations`] follow from the model.
 pub struct Rows {
-    /// Name of each row: the speed, coordinate, constraint or balance that it belongs to.
+    /// Names of the rows: each row belongs to a speed, a coordinate, a constraint or a balance.
     pub names: Vec<RowName>,
-    /// Matrix of the system, one column for each unknown; in parameters, q and v.
+    /// Matrix of the system, with a column for each unknown, in parameters, q and v.
     pub matrix: Vec<Vec<Expr>>,
     /// Right-hand side of the system, one entry for each row; in parameters, q and v.
     pub forcing: Vec<Expr>,
-    /// Multipliers of the rows, one list for each motion variable, which cancel the reactions; empty without reactions.
+    /// Multipliers of the rows that cancel the reactions, one list for each generalized speed, one
+    /// entry for each row. Empty without reactions and multipliers.
     pub projection: Vec<Vec<Expr>>,
-    /// Map from the free accelerations to v̇; present if constraints tie the motion variables.
+    /// Map from the free accelerations to v̇. `Some` if motion constraints tie the motion variables.
     pub embedding: Option<Embedding>,
-    /// Kinetic energy T, in q and v.
+    /// Kinetic energy T of all bodies, J, as a term in q and the motion variables v.
     pub kinetic_energy: Expr,
-    /// Forces M v̇ − f along the motion variables, beside the loads, that v̇ requires. `None` if the method has no form
-    /// of its own for them.
+    /// Inverse dynamics M v̇ − f: the generalized forces that the accelerations v̇ require in addition
+    /// to the loads. `None` if the method does not derive them separately.
     pub required: Option<Vec<Expr>>,
-    /// Function of the bodies' accelerations that v̇ minimizes; present if the accelerations are named.
+    /// Function of the bodies' accelerations that v̇ minimizes (Gauss's principle). `Some` if
+    /// accelerations have named subterms.
     pub gauss: Option<Sum>,
 }
 
-/// Map v̇ = W s + x from the accelerations s that constraints leave free to all accelerations v̇.
+/// Linear map v̇ = W s + x from the accelerations s that motion constraints leave free to all
+/// accelerations v̇.
 #[derive(Clone, Debug)]
 pub struct Embedding {
-    /// Symbols of the free accelerations s, the rates of the generalized speeds.
+    /// Symbols of the free accelerations s: the rates of the generalized speeds.
     pub free: Vec<Expr>,
-    /// Matrix W, one row for each motion variable.
+    /// Matrix W, with a row for each motion variable and a column for each free acceleration.
     pub matrix: Vec<Vec<Expr>>,
-    /// Remaining acceleration x, in q and v, one entry for each motion variable.
+    /// Remaining acceleration x as a term in q and v, one entry for each motion variable.
     pub rest: Vec<Expr>,
 }
 
-/// Name of a row of equations of motion, as data. Indices count from 0.
+/// Name of a row of equations of motion, as data. All indices count from 0.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum RowName {
-    /// Row of a generalized speed.
+    /// Row of the generalized speed with this index.
     Speed(usize),
-    /// Row of a generalized coordinate.
+    /// Row of the generalized coordinate with this index.
     Coordinate(usize),
-    /// Row of a motion constraint, differentiated in time.
+    /// Row of the motion constraint with this index, differentiated by time.
     Constraint(usize),
-    /// Component of the balance of one body.
+    /// Row of a component of a body's force or moment balance.
     Balance(BalanceName),
-    /// Condition that the shared reactions together do no work along a speed.
+    /// Row that states: all shared reactions together do no work along the speed with this index. A
+    /// shared reaction works alone, but the powers cancel.
     Power(usize),
-    /// Condition that the shared reactions between a body and its holder together do no work along the rate of a
-    /// coordinate, as the law of a screw says.
+    /// Row that states: the shared reactions of a connection with its own law (such as a screw)
+    /// together do no work along the rate of a coordinate.
     Law {
-        /// Index of the body.
+        /// Index of the body that the connection holds.
         body: usize,
-        /// Index of the coordinate.
+        /// Index of the coordinate along whose rate the powers cancel.
         coordinate: usize,
     },
-    /// Row of a motion variable of a scene's reduced equations, with the name of the variable.
+    /// Row of a motion variable of a scene's reduced equations, by the name of the variable.
     Along(String),
-    /// Row of a published system, with its index.
+    /// Row of a published system of equations, by its index.
     Printed(usize),
 }
 
-/// Component of Newton's or Euler's equation of one body. Indices count from 0.
+/// Name of a component of a body's force balance (Newton) or moment balance (Euler). All indices
+/// count from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct BalanceName {
-    /// Index of the body.
+    /// Index of the body in the model.
     pub body: usize,
     /// True for a balance of moments about the mass centre, false for a balance of forces.
     pub moments: bool,
-    /// Index of the frame of the component.
+    /// Index of the frame along whose axis the component is taken.
     pub frame: usize,
-    /// Axis of the component: 0, 1 or 2.
+    /// Axis of the frame: 0, 1 or 2.
     pub axis: usize,
 }
 
 impl RowName {
-    /// Name of the row in plain text: `u1`, `q1`, `disk force b1`.
+    /// Name of the row in plain text, such as `u1`, `q1` or `disk force b1`.
     #[must_use]
     pub fn text(&self, model: &Model) -> String {
         match self {
@@ -101,7 +106,7 @@ impl RowName {
         }
     }
 
-    /// Name of a balance without its direction: `disk force`. For other rows, the whole name.
+    /// Name of a balance without its direction, such as `disk force`. For other rows, the whole name.
     #[must_use]
     pub fn subject(&self, model: &Model) -> String {
         match self {
@@ -113,43 +118,43 @@ impl RowName {
     }
 }
 
-/// Step of a derivation, for display: named quantities and their values.
+/// Step of a derivation, for display: a list of named quantities with their values.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// Stage of the derivation that the step shows.
+    /// Stage of the derivation to which the step belongs; it gives the heading.
     pub stage: Stage,
-    /// Quantities of the step, each with its value.
+    /// Quantities of the step in order, each with its value.
     pub lines: Vec<(LineName, Expr)>,
 }
 
-/// Stage of a derivation, with its vector, frame or body. Indices count from 0.
+/// Stage of a derivation, such as the velocities of a body. All indices count from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
-    /// Definitions of the speeds, and the rates of the coordinates.
+    /// Definitions of the generalized speeds, and the rates q̇ in terms of the speeds.
     KinematicEquations,
-    /// Components of a velocity, with its partial velocities.
+    /// Components of a velocity, followed by its partial velocities.
     Velocities {
-        /// Kind of the vector: velocity or angular velocity.
+        /// Kind of the vector: velocity of a point, or angular velocity of a frame.
         vector: VectorName,
         /// Index of the point or frame to which the velocity belongs.
         of: usize,
-        /// Index of the frame of the components.
+        /// Index of the frame along whose axes the components are taken.
         frame: usize,
     },
-    /// Accelerations of a body.
+    /// Acceleration of the mass centre, and angular acceleration, of the body with this index.
     Accelerations(usize),
-    /// The energies T and V.
+    /// Kinetic energy T and potential energy V of the model.
     Energies,
-    /// Kane's generalized active forces.
+    /// Generalized active forces F of Kane's method.
     ActiveForces,
-    /// Lagrange's generalized forces.
+    /// Generalized forces Q of Lagrange's method that are not in V.
     GeneralizedForces,
-    /// Stage that one method alone has, with its heading.
+    /// Stage that only one method of derivation has, by its heading.
     Titled(&'static str),
 }
 
 impl Stage {
-    /// Heading of the stage, in plain text.
+    /// Heading of the stage in plain text, such as `Energies`.
     #[must_use]
     pub fn title(self, model: &Model) -> String {
         match self {
@@ -167,21 +172,23 @@ impl Stage {
     }
 }
 
-/// Quantity on the left-hand side of a line of a step. Indices count from 0.
+/// Name of the quantity on the left-hand side of a line in a derivation step. All indices count
+/// from 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LineName {
-    /// Quantity that publication files can also name.
+    /// Quantity that publication files can also name, such as a velocity component.
     Quantity(QuantityKind),
-    /// Generalized active force of a speed.
+    /// Generalized active force of the speed with this index.
     ActiveForce(usize),
-    /// Generalized force of a coordinate, without gravity.
+    /// Generalized force of the coordinate with this index, without the forces that V contains.
     GeneralizedForce(usize),
-    /// Scalar that one method alone has, by its symbol.
+    /// Scalar that only one method of derivation has, by its symbol, such as `S`.
     Symbol(&'static str),
 }
 
 impl LineName {
-    /// Name of the quantity in plain text: `v(P) @ B [1]`, `d v(P) @ B [1]/d u2`, `F[u1]`, `Q[q1]`.
+    /// Name of the quantity in plain text, such as `v(P) @ B [1]`, `d v(P) @ B [1]/d u2`, `F[u1]` or
+    /// `Q[q1]`.
     #[must_use]
     pub fn text(&self, model: &Model) -> String {
         match self {
@@ -193,7 +200,8 @@ impl LineName {
     }
 }
 
-/// First step of every derivation: definitions of the speeds and rates of the coordinates.
+/// First step of every derivation: definitions of the generalized speeds, and the rates q̇ of the
+/// coordinates.
 pub(super) fn kinematic_step(model: &Model) -> Step {
     let speeds = model.speeds.iter().enumerate().map(|(at, s)| (QuantityKind::Speed(at), s.definition));
     let rates = model.kinematic_equations.rates.iter().enumerate().map(|(at, e)| (QuantityKind::Rate(at), *e));
@@ -201,7 +209,7 @@ pub(super) fn kinematic_step(model: &Model) -> Step {
     Step { stage: Stage::KinematicEquations, lines }
 }
 
-/// Components of a vector in a frame, one line for each.
+/// Lines of a derivation step for the three components of a vector along a frame, one line each.
 pub(super) fn component_lines(
     vector: VectorName,
     of: usize,

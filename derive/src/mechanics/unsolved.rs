@@ -3,16 +3,17 @@
 use crate::algebra::solve::linear::Singular;
 use std::fmt;
 
-/// A result that a check did not confirm.
+/// Result computed from equations of motion that an exact check did not confirm.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Unproved {
-    /// The accelerations do not satisfy this row of the equations; rows count from 0.
+    /// The accelerations do not satisfy this row of the equations of motion; rows count from 0.
     Accelerations(usize),
-    /// The Jacobian is not the derivative of the rates in this row; rows count from 0, first q̇, then the equations.
+    /// The Jacobian is not the derivative in this row. Rows count from 0: first q̇, then the equations
+    /// of motion.
     Jacobian(usize),
     /// Inverse dynamics is not M v̇ − f in this row; rows count from 0.
     InverseDynamics(usize),
-    /// No random state was found at which all terms have a value.
+    /// No random state was found at which all terms of the check have a value.
     NoPoint,
 }
 
@@ -29,12 +30,13 @@ impl fmt::Display for Unproved {
     }
 }
 
-/// Reason why accelerations cannot be used.
+/// Reason why no accelerations can be computed from equations of motion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Unsolved {
-    /// The equations do not determine the accelerations in any configuration.
+    /// Equations of motion that determine the accelerations in no configuration.
     Singular(Singular),
-    /// The accelerations were found, but a check did not confirm them: a fault of this library.
+    /// Accelerations were found, but an exact check did not confirm them. This is a fault of the
+    /// program.
     Unproved(Unproved),
 }
 
@@ -60,7 +62,7 @@ impl fmt::Display for Unsolved {
 }
 
 impl Unsolved {
-    /// Advice for the user, one line.
+    /// Advice for the user about the failure, in a single line.
     #[must_use]
     pub fn help(&self) -> &'static str {
         match self {

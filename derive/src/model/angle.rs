@@ -1,36 +1,37 @@
-//! Angles among plain numbers: a term without a dimension, or with that of a frequency, may be an angle or its rate.
+//! Angle units: decides whether a dimensionless term, or a term in 1/s, is an angle (rad, °) or its
+//! rate.
 
 use super::{Model, Unit};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 
-/// Names of units of mechanics, by their exponents of m, kg and s.
+/// Names of derived units of mechanics, by their exponents of m, kg and s.
 const NAMED: [([i64; 3], &str); 3] = [([1, 1, -2], "N"), ([2, 1, -2], "N*m"), ([2, 1, -3], "W")];
 
-/// Measure of an angle, or of its rate.
+/// Measure of an angle or of its rate: radians, or radians divided by π.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Measure {
-    /// An angle in radians.
+    /// Angle in radians.
     Radians,
-    /// An angle in radians over π. With the factor 180 it is in degrees.
+    /// Angle in radians divided by π; times 180 it is in degrees.
     HalfTurns,
 }
 
-/// Role of a term in an angle: a multiple of a measure (radians, degrees), a constant, or neither.
+/// Role of a term: a multiple of an angle in a measure, a constant, or neither.
 #[derive(Clone, Debug)]
 enum Kind {
-    /// An angle in this measure, times a factor.
+    /// Angle in the given measure, times the given factor.
     Angle(Measure, Rational),
-    /// A term without coordinates, speeds and their rates.
+    /// Term without coordinates, speeds and their rates.
     Constant,
-    /// Any other term: no angle.
+    /// Any other term, which is no angle.
     Other,
 }
 
 impl Model {
-    /// Unit of a term for an axis or a column: `rad`, `rad/s`, `°`, `m`, `N`, … Angles are told from other plain
-    /// numbers: a multiple of an angle is in radians, and q·180/π is in degrees; sin q is a plain number. `None` if
-    /// units do not fit or are not known.
+    /// Unit of a term as a label for an axis or a column: `rad`, `rad/s`, `°`, `m`, `N`, …. A multiple
+    /// of an angle is in rad, q·180/π is in °, and sin q is a plain number. `None` if the units of the
+    /// term's parts do not fit or are not known.
     #[must_use]
     pub fn unit_label(&self, arena: &Arena, e: Expr) -> Option<String> {
         let unit = self.unit_of(arena, e)?;
@@ -45,11 +46,12 @@ impl Model {
             Kind::Angle(Measure::HalfTurns, factor) if factor == Rational::integer(180) => "°",
             _ => return Some(unit.to_string()),
         };
-        // A plain number in the place of 1.
+        // The label replaces the 1 of the plain number.
         Some(unit.to_string().replacen('1', word, 1))
     }
 
-    /// The kind of a term, from its operands upwards.
+    /// Role of a term (a multiple of an angle, a constant, or neither), found from its operands
+    /// upwards.
     fn kind(&self, arena: &Arena, e: Expr) -> Kind {
         let coordinates = self.coordinates.iter().map(|c| (vec![c.symbol, c.rate, c.second_rate], c.unit.is_plain()));
         let speeds = self.speeds.iter().map(|s| (vec![s.symbol, s.rate], s.unit.is_of_time()));
@@ -84,7 +86,8 @@ impl Model {
     }
 }
 
-/// A sum is an angle if all its terms that move are angles in one measure. Degrees have one factor.
+/// Role of a sum: an angle if all its varying terms are angles in one measure. For degrees, all
+/// terms must have the same factor.
 fn sum(terms: impl Iterator<Item = (Kind, Rational)>) -> Kind {
     let mut found = Kind::Constant;
     for (kind, factor) in terms {
@@ -101,15 +104,17 @@ fn sum(terms: impl Iterator<Item = (Kind, Rational)>) -> Kind {
     found
 }
 
-/// Power of a term in a product.
+/// Factor of a product: a base with an integer exponent.
 struct Factor<'a> {
+    /// Base of the power.
     base: &'a Node,
-    /// Kind of the base.
+    /// Role of the base: a multiple of an angle, a constant, or neither.
     kind: Kind,
+    /// Exponent of the power.
     exponent: i32,
 }
 
-/// A product is an angle if exactly one factor is, and the others are constant.
+/// Role of a product: an angle if exactly one factor is an angle and the others are constant.
 fn product<'a>(factors: impl Iterator<Item = Factor<'a>>) -> Kind {
     let (mut angle, mut per_pi) = (None, false);
     for Factor { base, kind, exponent } in factors {

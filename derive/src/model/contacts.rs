@@ -1,48 +1,51 @@
-//! Contacts of bodies that the model file states, other than reactions: rolling, friction, and equations that compare
-//! two bodies.
+//! Contacts of bodies that the model file states, other than reactions: rolling, friction, and
+//! constraints that compare the motions of two bodies.
 
 use crate::algebra::text::parse::VelocityOf;
 
-/// Component of a velocity that one constraint states.
+/// Velocity component that a constraint states alone.
 #[derive(Clone, Debug)]
 pub struct StatedVelocity {
-    /// Point, frame or material whose velocity is stated.
+    /// Point, frame or material of a body whose velocity is stated, by index.
     pub of: VelocityOf<usize>,
-    /// Index of the frame that has the axis of the component.
+    /// Index of the frame along whose axis the component is taken.
     pub frame: usize,
     /// Axis of the component: 0, 1 or 2.
     pub axis: usize,
 }
 
-/// Velocities, places and bodies that one constraint of the model file ties together. The bodies may touch.
+/// Velocities, positions and bodies that a constraint of the model file relates. The bodies may
+/// touch.
 #[derive(Clone, Debug)]
 pub struct Compared {
-    /// Name of the constraint.
+    /// Name of the constraint in the model file.
     pub name: String,
-    /// Velocity that the constraint states alone; `None` if the constraint contains other velocities, rates or speeds.
+    /// Velocity component that the constraint states alone; `None` if the constraint contains other
+    /// velocities, rates or speeds.
     pub alone: Option<StatedVelocity>,
-    /// Velocities and places that the constraint names.
+    /// Velocities and positions that occur by name in the constraint.
     pub named: Vec<VelocityOf<usize>>,
-    /// Indices of bodies whose own coordinates, or their rates, the constraint contains, in the order of the model
-    /// file. Empty if the constraint contains several named velocities or a speed.
+    /// Indices of bodies whose own coordinates or rates occur in the constraint, in the order of the
+    /// model file. Empty if the constraint contains several named velocities or a speed.
     pub own: Vec<usize>,
-    /// Indices of bodies whose own coordinates, or their rates, the constraint contains once terms replace its names.
-    /// In the order of the model file.
+    /// Indices of bodies whose own coordinates or rates occur in the constraint once terms replace
+    /// named velocities. In the order of the model file.
     pub moved: Vec<usize>,
-    /// True if the constraint stays true while everything that it ties moves together: it then compares bodies.
+    /// True if the constraint stays satisfied when all related bodies move together: it then compares
+    /// bodies with one another.
     pub is_difference: bool,
 }
 
 /// Contacts of bodies that the model file states, other than reactions.
 #[derive(Clone, Debug, Default)]
 pub struct Contacts {
-    /// Names of the contacts where bodies roll, in the order of the model file.
+    /// Names of the rolling contacts, in the order of the model file.
     pub rolling: Vec<String>,
-    /// Bodies on which friction acts, each with the body against which it rubs; `None` is the ground.
+    /// Bodies on which friction acts, as (body, body against which it rubs); `None` is the ground.
     pub rubbing: Vec<(usize, Option<usize>)>,
-    /// Bodies and velocities that each constraint of the model file ties.
+    /// Bodies and velocities that each constraint of the model file relates.
     pub compared: Vec<Compared>,
-    /// Bodies on which the ground, or the body they touch, exerts only the forces that the model file names. Other
-    /// connections carry these bodies.
+    /// Indices of bodies on which the ground, or the body they touch, exerts only forces that the model
+    /// file states. Other connections support these bodies.
     pub idle: Vec<usize>,
 }

@@ -1,4 +1,4 @@
-//! Instants at which a drive of a mechanism has a corner or a jump.
+//! Corners of drives: instants at which a prescribed motion or load has a kink or a jump in time.
 
 use super::Model;
 use crate::algebra::term::calculus::{Differential, Substitution};
@@ -8,9 +8,10 @@ use rustc_hash::FxHashSet;
 use tripos_traits::Real;
 
 impl Model {
-    /// Instants at which absolute values of time have a corner or signs of time jump: the instant, s, and true for a
-    /// jump. Only arguments that are linear in t are found, at the given parameters. An integrator that steps across
-    /// such an instant loses its order. If the parameters carry slopes, the instants carry them too.
+    /// Instants at which an absolute value of a function of time has a kink or a sign jumps, as
+    /// (instant in s, true for a jump). Only arguments linear in t are found, at the given parameter
+    /// values. An integrator that steps across such an instant loses its order. Derivatives of the
+    /// parameters pass on to the instants.
     #[must_use]
     pub fn corners<S: Numeric + Real>(&self, parameters: &[S]) -> Vec<(S, bool)> {
         let Some(time) = self.time().map(|at| self.coordinates[at].symbol) else { return Vec::new() };
@@ -24,7 +25,7 @@ impl Model {
         let mut corners = Vec::new();
         for (argument, jumps) in cornered {
             let line = [at_rest.apply(arena, argument), along.apply(arena, argument)];
-            // An argument that needs more than parameters is not linear in time.
+            // An argument that contains more than parameters is not linear in time.
             let Ok(tape) = Tape::new(arena, &symbols, &line) else { continue };
             if let [value, slope] = tape.to::<S>().evaluate(parameters)[..] {
                 corners.push((-value / slope, jumps));
@@ -34,7 +35,7 @@ impl Model {
         corners
     }
 
-    /// Formulas, as text, whose sign the model takes and that depend on the state, not on time alone.
+    /// Arguments of signs in the model that depend on the state and not only on time, as text.
     #[must_use]
     pub fn signs_of_states(&self) -> Vec<String> {
         let time = self.time();
@@ -47,7 +48,8 @@ impl Model {
     }
 }
 
-/// Argument of an absolute value or a sign, and true if the term jumps, as a sign does; `None` for other terms.
+/// Argument of an absolute value or a sign, with true for a sign, which jumps, and false for a
+/// kink. `None` for other terms.
 fn cornered(node: &Node) -> Option<(Expr, bool)> {
     match node {
         Node::Apply(Function::Abs, argument) => Some((*argument, false)),

@@ -1,9 +1,9 @@
-//! Inputs: signals that drive loads, and the formulas that scenes give to them.
+//! Inputs of a model: signals that drive loads, and formulas that scenes give to them.
 
 use super::Unit;
 use crate::algebra::Expr;
 
-/// A signal that loads name.
+/// An input: a signal that occurs by name in loads.
 #[derive(Clone, Debug)]
 pub struct Input {
     /// Name of the input in the model file.
@@ -12,17 +12,18 @@ pub struct Input {
     pub unit: Unit,
     /// Description of the input in words; empty if the model file gives none.
     pub about: String,
-    /// Symbol of the parameter that has the input's name, or the input's formula, in SI, if it has one.
+    /// Symbol of the parameter with the input's name, or the term of the input's formula in SI units.
     pub value: Expr,
-    /// True if the input is a parameter, false if it has a formula.
+    /// True if the input is a parameter, whose value may change between steps; false if it has a
+    /// formula.
     pub is_parameter: bool,
 }
 
-/// A formula that replaces an input in one scene.
+/// Formula that replaces an input of the model in a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Binding {
     /// Name of the input that the formula replaces.
     pub input: String,
-    /// Formula for the input, in t, coordinates, q', speeds and parameters.
+    /// Text of the formula, in t, coordinates, q', speeds and parameters.
     pub formula: String,
 }

@@ -1,4 +1,4 @@
-//! A mechanism as the model file states it, checked.
+//! Model of a mechanism as its model file states it, read and checked.
 
 mod angle;
 mod bodies;
@@ -42,26 +42,27 @@ use rustc_hash::FxHashMap;
 use std::ops::Range;
 use units::unit_of;
 
-/// A quantity that stays fixed during a motion, or an input.
+/// Parameter of a model: a quantity that is constant during a motion, or a numeric input.
 #[derive(Clone, Debug)]
 pub struct Parameter {
     /// Name of the parameter in the model file.
     pub name: String,
-    /// Symbol of the parameter in formulas.
+    /// Symbol of the parameter in the model's arena.
     pub symbol: Expr,
     /// Unit of the parameter, in SI.
     pub unit: Unit,
     /// Default value of the parameter, in SI; `None` if the model file gives none.
     pub value: Option<Rational>,
-    /// True if the model file states that the parameter is positive.
+    /// True if the model file states that the parameter is positive; false if it states nothing.
     pub positive: bool,
-    /// True if the parameter is an input, which drives loads and may change from one step to the next.
+    /// True if the parameter is an input, which drives loads and may change between steps.
     pub is_input: bool,
     /// Description of the parameter in words; empty if the model file gives none.
     pub about: String,
 }
 
-/// A configuration variable q, with the symbols of its derivatives. Time is the last one if formulas name it.
+/// Generalized coordinate q, with the symbols of its derivatives. Time is the last coordinate if
+/// formulas contain it.
 #[derive(Clone, Debug)]
 pub struct Coordinate {
     /// Name of the coordinate in the model file.
@@ -72,15 +73,15 @@ pub struct Coordinate {
     pub rate: Expr,
     /// Symbol of the second time derivative q̈ of the coordinate, named `q''`.
     pub second_rate: Expr,
-    /// Unit of the coordinate, in SI; radians count as 1.
+    /// Unit of the coordinate in SI; radians count as 1.
     pub unit: Unit,
     /// Description of the coordinate in words; empty if the model file gives none.
     pub about: String,
 }
 
 impl Coordinate {
-    /// True if an angle q of more than one turn was probably meant in degrees: it has at most two decimals. Multiples
-    /// of π have more decimals.
+    /// True if an angle q, in rad, was probably meant in degrees: it exceeds one turn and has at most
+    /// two decimals. Multiples of π have more decimals.
     #[must_use]
     pub fn looks_like_degrees(&self, q: f64) -> bool {
         let is_short = (q - (100.0 * q).round() / 100.0).abs() <= f64::EPSILON * q.abs();
@@ -88,7 +89,7 @@ impl Coordinate {
     }
 }
 
-/// A generalized speed u, with its definition in q and q̇.
+/// Generalized speed u, with its definition in q and q̇.
 #[derive(Clone, Debug)]
 pub struct Speed {
     /// Name of the speed in the model file.
@@ -97,29 +98,31 @@ pub struct Speed {
     pub symbol: Expr,
     /// Symbol of the time derivative u̇ of the speed, named `u'`.
     pub rate: Expr,
-    /// Definition of the speed in terms of q and q̇, linear in q̇.
+    /// Definition of the speed as a term in q and q̇, linear in q̇.
     pub definition: Expr,
-    /// Unit of the speed, that of its definition.
+    /// Unit of the speed in SI: the unit of its definition.
     pub unit: Unit,
 }
 
-/// A speed of a joint that constraints make dependent: it follows from the generalized speeds of the model.
+/// A speed of a joint that is not independent: constraints determine it from the generalized
+/// speeds.
 #[derive(Clone, Debug)]
 pub struct DependentSpeed {
     /// Name of the dependent speed.
     pub name: String,
-    /// Definition of the dependent speed in terms of q and q̇.
+    /// Definition of the dependent speed as a term in q and q̇.
     pub definition: Expr,
-    /// True if the model file names the dependent speed, false if it has the joint's default name.
+    /// True if the model file states the speed's name; false if it is the default name of its joint.
     pub is_stated: bool,
 }
 
-/// The inertia of a rigid body about its mass centre.
+/// Inertia of a rigid body about its mass centre.
 #[derive(Clone, Debug)]
 pub struct Inertia {
-    /// Index of the frame of the tensor's components. The tensor is constant in the body.
+    /// Index of the frame in which the tensor's components are given. The tensor is constant in the
+    /// body.
     pub frame: usize,
-    /// Components of the symmetric inertia tensor about the mass centre, kg m².
+    /// Symmetric 3 × 3 inertia tensor about the mass centre, kg m².
     pub tensor: [[Expr; 3]; 3],
 }
 
@@ -132,202 +135,220 @@ pub struct Body {
     pub centre: usize,
     /// Mass of the body, kg.
     pub mass: Expr,
-    /// Index of the body's frame, and inertia of the body; `None` for a particle.
+    /// Index of the frame fixed in the body, and inertia of the body; `None` for a particle.
     pub rigid: Option<(usize, Inertia)>,
 }
 
-/// Added mass of a rigid body: the kinetic energy ½ νᵀ M_A ν of the fluid that moves with it.
+/// Added mass of a rigid body: the surrounding fluid has the kinetic energy ½ νᵀ M_A ν, with ν =
+/// (v, ω) of the body.
 ///
-/// The fluid has the impulse p and the moment of impulse h with (p, h) = M_A ν. The added mass acts on the body with
-/// the force −dp/dt and, about the mass centre, the moment −(dh/dt + v × p), rates being those in the inertial frame
-/// (T. I. Fossen, *Handbook of Marine Craft Hydrodynamics and Motion Control* (2011), §6.3; H. Lamb, *Hydrodynamics*
-/// (1932), §124).
+/// The fluid has the impulse p and the moment of impulse h with (p, h) = M_A ν. The added mass acts
+/// on the body with the force −dp/dt and, about the mass centre, with the moment −(dh/dt + v × p).
+/// Time derivatives are taken in the inertial frame.
+///
+/// Sources: T. I. Fossen, *Handbook of Marine Craft Hydrodynamics and Motion Control* (2011), §6.3;
+/// H. Lamb, *Hydrodynamics* (1932), §124.
 #[derive(Clone, Debug)]
 pub struct AddedMass {
-    /// Index of the body.
+    /// Index of the body that the fluid surrounds.
     pub body: usize,
-    /// Symmetric matrix M_A for ν = (v, ω), in the frame of the body: v of the mass centre; kg, kg m, kg m².
+    /// Symmetric 6 × 6 matrix M_A for ν = (v, ω) with components in the body's frame, v of the mass
+    /// centre; blocks in kg, kg m and kg m².
     pub tensor: [[Expr; 6]; 6],
 }
 
 /// Uniform gravity, which acts on every body.
 #[derive(Clone, Debug)]
 pub struct Gravity {
-    /// Index of the frame of the acceleration's components: the inertial frame.
+    /// Index of the frame in which the acceleration's components are given: the inertial frame.
     pub frame: usize,
     /// Components of the acceleration of free fall, m/s².
     pub acceleration: [Expr; 3],
-    /// Coordinates and their values where the potential energy is zero. Coordinates that are not listed are 0 there.
+    /// Coordinates, as (symbol, value), at which the potential energy is zero. Coordinates that are not
+    /// listed are 0 there.
     pub zero_at: Vec<(Expr, Expr)>,
 }
 
-/// A body that a joint carries, with the body or ground that holds it.
+/// A body that a joint places by its coordinates (a tree joint), with the body or ground to which
+/// the joint attaches it.
 #[derive(Clone, Copy, Debug)]
 pub struct CarriedBody {
-    /// Index of the body that the joint carries.
+    /// Index of the body that the joint places.
     pub body: usize,
-    /// Index of the body that holds the carried body; `None` for the ground.
+    /// Index of the body to which the joint attaches the placed body; `None` for the ground.
     pub on: Option<usize>,
-    /// Index of the carried body's point at the joint.
+    /// Index of the joint's point on the placed body.
     pub point: usize,
 }
 
-/// A condition of the domain in which the model holds.
+/// Condition of the domain in which the model holds: a term must be positive.
 #[derive(Clone, Debug)]
 pub struct Condition {
     /// Name of the condition in the model file.
     pub name: String,
     /// Inequality of the condition, as the model file writes it.
     pub text: String,
-    /// Expression in parameters, q, q̇, u and reactions that is positive inside the domain.
+    /// Term in parameters, q, q̇, u and reactions that is positive inside the domain.
     pub positive: Expr,
 }
 
-/// The solved kinematic equations q̇ = W u + w.
+/// Kinematic equations q̇ = W u + w, solved for the rates of the coordinates.
 #[derive(Clone, Debug, Default)]
 pub struct KinematicEquations {
-    /// Rates q̇ of the generalized coordinates, in q and u: q̇ = W(q) u + w(q). W has a row for each coordinate and a
-    /// column for each speed.
+    /// Rates q̇ of the n coordinates as terms in q and u: q̇ = W(q) u + w(q), where W is n × p for p
+    /// generalized speeds.
     pub rates: Vec<Expr>,
-    /// Divisors of the solution: where one of them is zero, the speeds do not determine q̇.
+    /// Divisors of the solution: where a divisor is zero, the generalized speeds do not determine q̇.
     pub divisors: Vec<Expr>,
 }
 
-/// An equation of rolling or of a joint that follows from other constraints, so that it restricts no velocity.
+/// Redundant equation of rolling or of a joint: it follows from other constraints and restricts no
+/// velocity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Repeated {
-    /// Name of the repeated equation.
+    /// Name of the redundant equation.
     pub name: String,
-    /// True if the repeated equation is one of a joint, between coordinates.
+    /// True if the redundant equation is one of a joint between coordinates; false if it is one between
+    /// velocities.
     pub is_of_loop: bool,
-    /// Component of a slip that the repeated equation sets to zero; `None` if it is not one of rolling.
+    /// Slip component that the equation sets to zero, if it is an equation of rolling; otherwise
+    /// `None`.
     pub rolled: Option<Rolled>,
-    /// Expression in q and q̇ that is zero, if the equation does not follow from other constraints in every pose. It
-    /// follows in the poses where the other constraints are independent. `None` if it follows in every pose.
+    /// Left side of the redundant equation, a term in q and q̇, if it follows only in poses where the
+    /// other constraints are independent. `None` if it follows in every pose.
     pub elsewhere: Option<Expr>,
 }
 
 impl Repeated {
-    /// A repeated equation between coordinates, of a joint, that follows in every pose.
+    /// Creates a redundant equation of a joint between coordinates, which follows in every pose.
     fn of_loop(name: String) -> Self {
         Self { name, is_of_loop: true, rolled: None, elsewhere: None }
     }
 
-    /// A repeated equation that others imply: in every pose, or with `elsewhere` only where those others are
-    /// independent.
+    /// Creates a redundant equation of the given kind. With `elsewhere`, a term in q and q̇, it follows
+    /// only in poses where the other constraints are independent; otherwise in every pose.
     fn of(name: String, kind: MotionConstraintKind, elsewhere: Option<Expr>) -> Self {
         let rolled = if let MotionConstraintKind::Rolling(rolled) = kind { Some(rolled) } else { None };
         Self { name, is_of_loop: matches!(kind, MotionConstraintKind::Loop(_)), rolled, elsewhere }
     }
 }
 
-/// A mechanism, checked: every name is resolved, and frames and points are in order, parents first.
+/// Model of a mechanism, checked: every name is resolved, and frames and points are listed after
+/// their parents.
 #[derive(Clone)]
 pub struct Model {
     /// Title of the model.
     pub title: String,
-    /// Source of the problem, as the model file cites it.
+    /// Source of the problem, as the model file cites it; empty if it cites none.
     pub reference: String,
-    /// Text of the model file, with its name.
+    /// Text of the model file, with its path.
     pub source: Source,
-    /// Store of every expression of the model.
+    /// Arena that stores every term of the model.
     pub arena: Arena,
     /// Parameters, in the order of the model file.
     pub parameters: Vec<Parameter>,
-    /// Generalized coordinates, in the order of the model file, and last [`TIME`] if formulas name it. Constrained
-    /// configuration variables are not among them.
+    /// Generalized coordinates in the order of the model file, with [`TIME`] last if formulas contain
+    /// it. Variables that constraints determine are left out.
     pub coordinates: Vec<Coordinate>,
-    /// Number of configuration variables: generalized coordinates and constrained variables, without time.
+    /// Number of configuration variables: generalized coordinates and variables that constraints
+    /// determine, without time.
     pub configuration_variables: usize,
-    /// Generalized speeds u, in the order of the model file: n for n coordinates, less one for each motion constraint.
+    /// Generalized speeds u in the order of the model file. Their number is that of the coordinates
+    /// less that of the motion constraints.
     pub speeds: Vec<Speed>,
-    /// Motion constraints, those of [`Self::loops`] first.
+    /// Motion constraints; the rates of [`Self::loops`] come first.
     pub motion_constraints: Vec<MotionConstraint>,
-    /// Frames, the inertial one first.
+    /// Reference frames, parents first; the inertial frame has index 0.
     pub frames: Vec<Frame>,
-    /// Points, the origin first.
+    /// Points, parents first; the origin has index 0.
     pub points: Vec<Point>,
     /// Bodies and particles, in the order of the model file.
     pub bodies: Vec<Body>,
-    /// Gravity; `None` if the model file states none.
+    /// Uniform gravity; `None` if the model file states none.
     pub gravity: Option<Gravity>,
-    /// Inputs: the signals that drive loads.
+    /// Inputs: signals that drive loads.
     pub inputs: Vec<Input>,
-    /// Formulas that a scene gives to inputs, in the order of the scene.
+    /// Formulas that a scene gives to inputs, in the order of the scene file; empty without a scene.
     pub bindings: Vec<Binding>,
-    /// Names of inputs whose formula has a parameter of the same name added to it ([`Self::with_varied`]).
+    /// Names of inputs to whose formula a parameter of the same name is added ([`Self::with_varied`]).
     pub varied: Vec<String>,
     /// Applied forces, including those of springs and friction.
     pub forces: Vec<Force>,
     /// Applied torques, including those of friction about axes.
     pub torques: Vec<Torque>,
-    /// Added masses of bodies, at most one for each.
+    /// Added masses of bodies, at most one for each body.
     pub added_masses: Vec<AddedMass>,
     /// Potential energies that the model file states.
     pub potentials: Vec<Potential>,
-    /// All potentials as forces and torques between bodies. Empty if there is no potential, or if none are found.
+    /// All potentials as forces and torques between bodies. Empty without potentials, or if no such
+    /// forces are found.
     pub efforts: Vec<Effort>,
-    /// Velocities and positions that the components of forces, torques and other formulas name.
+    /// Velocities and positions that occur by name in forces, torques and other formulas.
     pub velocities: Vec<NamedVelocity>,
-    /// Reactions: first those of the model file, then those that were found.
+    /// Reactions: first those that the model file states, then those found automatically.
     pub reactions: Vec<Reaction>,
-    /// Reactions of joints along directions that are held otherwise as well. They are taken as zero.
+    /// Reactions of joints along directions in which other connections hold as well. They are taken as
+    /// zero.
     pub redundant: Vec<JointReaction>,
     /// Contacts of bodies that the model file states, other than reactions.
     pub contacts: Contacts,
-    /// Holonomic constraints that are solved for a coordinate.
+    /// Holonomic constraints that are solved for a configuration variable.
     pub constraints: Vec<Constraint>,
-    /// Motions along the coordinates that equations of closed joints fix, as if these joints were open.
+    /// Motions that closed joints would permit if each alone were open; reactions are computed from
+    /// them.
     pub openings: Vec<Opening>,
-    /// Holonomic constraints that are solved for no coordinate.
+    /// Holonomic constraints that are not solved for a configuration variable, and are independent.
     pub loops: Vec<Loop>,
-    /// Loops whose rates follow from those of [`Self::loops`] wherever all loops are closed. They restrict no further
-    /// velocity.
+    /// Redundant loops: their rates follow from those of [`Self::loops`] wherever all loops are closed.
+    /// They restrict no further velocity.
     pub closed: Vec<Loop>,
-    /// Constraints that depend on others in the closed poses.
+    /// Constraints that follow from other constraints in all poses in which the loops are closed.
     pub dependent: Vec<DependentConstraint>,
-    /// Speeds of joints that follow from [`Self::speeds`] by the constraints.
+    /// Speeds of joints that the constraints determine from [`Self::speeds`].
     pub dependent_speeds: Vec<DependentSpeed>,
-    /// Branch of closed poses on which dependence was decided, if loops are to be closed and closed poses were found.
+    /// Assembly branch in which redundancy was decided; `None` without loops, or if no closed pose was
+    /// found.
     pub branch: Option<Branch>,
-    /// Conditions of the domain in which the model holds.
+    /// Conditions of the domain in which the model holds, each a term that must be positive.
     pub domain: Vec<Condition>,
-    /// Bodies that joints carry, each with its holder.
+    /// Bodies that joints place, each with the body to which the joint attaches it.
     pub carried: Vec<CarriedBody>,
-    /// Shapes of the parts that the model file states.
+    /// Shapes of the bodies for views, as the model file states them.
     pub shapes: Vec<Shape>,
-    /// Rates q̇ in terms of the speeds u.
+    /// Kinematic equations: rates q̇ as terms in the generalized speeds u.
     pub kinematic_equations: KinematicEquations,
-    /// Equations of rolling and of joints that follow from other constraints, and do not count as constraints.
+    /// Redundant equations of rolling and of joints, which do not count as constraints.
     pub repeated: Vec<Repeated>,
-    /// Parameters, expressions, inputs, frames and points that the model file declares and never uses: noun of the
-    /// kind, and name.
+    /// Parameters, expressions, inputs, frames and points that the model file declares and never uses,
+    /// as (kind in words, name).
     pub unused: Vec<(&'static str, String)>,
-    /// Byte range in the model file of each name's declaration, for diagnostics.
+    /// Byte range in the model file at which each name is declared, for diagnostics.
     pub declared: FxHashMap<String, Range<usize>>,
-    /// Names and terms of `[expressions]`, in the order of the model file.
+    /// Named formulas of `[expressions]`, as (name, term), in the order of the model file.
     pub expressions: Vec<(String, Expr)>,
 }
 
 impl Model {
-    /// Named expressions of the model that contain no other symbols than these.
+    /// Named expressions of the model that contain no symbols other than `symbols`.
     pub(crate) fn expressions_in(&self, symbols: &[Expr]) -> Vec<(String, Expr)> {
         let is_known = |e: &Expr| self.arena.symbol_name(*e).is_none() || symbols.contains(e);
         let list = self.expressions.iter().filter(|(_, e)| self.arena.reachable(&[*e]).iter().all(is_known));
         list.cloned().collect()
     }
 
-    /// Unit of a term of `arena` in parameters, coordinates and speeds; `None` if its parts do not fit or it has no
-    /// unit.
+    /// Unit of a term of `arena` in parameters, coordinates, speeds and reactions. `None` if the units
+    /// of its parts do not fit, or if it has no definite unit.
     #[must_use]
     pub fn unit_of(&self, arena: &Arena, e: Expr) -> Option<Unit> {
         self.checked_unit_of(arena, e).ok().flatten()
     }
 
-    /// Unit of a term of `arena` in parameters, coordinates and speeds; `None` if it has none.
+    /// Unit of a term of `arena` in parameters, coordinates, speeds and reactions; `None` if it has no
+    /// definite unit, such as 0.
     ///
     /// # Errors
-    /// Message that parts of the term do not fit one another, such as a sum of a mass and a length.
+    /// Returns a message if the units of the term's parts do not fit, as in a sum of a mass and a
+    /// length.
     pub fn checked_unit_of(&self, arena: &Arena, e: Expr) -> Result<Option<Unit>, String> {
         let per_second = |unit: &Unit| unit.times(&Unit::new(0, 0, -1));
         let parameters = self.parameters.iter().map(|p| (p.symbol, p.unit.clone()));
@@ -344,32 +365,33 @@ impl Model {
         unit_of(arena, e, &symbols.collect()).map_err(|(message, _)| message)
     }
 
-    /// Symbols of the generalized coordinates.
+    /// Symbols of the generalized coordinates, time included if it is a coordinate.
     #[must_use]
     pub fn q(&self) -> Vec<Expr> {
         self.coordinates.iter().map(|c| c.symbol).collect()
     }
 
-    /// Symbols of the rates q̇ of the generalized coordinates.
+    /// Symbols of the rates q̇ of the generalized coordinates, in their order.
     #[must_use]
     pub fn q_dot(&self) -> Vec<Expr> {
         self.coordinates.iter().map(|c| c.rate).collect()
     }
 
-    /// Symbols of the generalized speeds.
+    /// Symbols of the generalized speeds u, in the order of the model.
     #[must_use]
     pub fn u(&self) -> Vec<Expr> {
         self.speeds.iter().map(|s| s.symbol).collect()
     }
 
-    /// Symbols of the parameters.
+    /// Symbols of the parameters, in the order of the model.
     #[must_use]
     pub fn p(&self) -> Vec<Expr> {
         self.parameters.iter().map(|p| p.symbol).collect()
     }
 
-    /// Hash of the model text, without shapes and notation at its end, and of the formulas of inputs. Equations that
-    /// carry this hash were derived from exactly this text and these formulas.
+    /// Hash of the model's text, without shapes and notation at its end, and of the formulas of inputs.
+    /// Equations with this hash were derived from exactly this text and these formulas. It has 16
+    /// hexadecimal digits.
     #[must_use]
     pub fn text_hash(&self) -> String {
         let text = equations_text(&self.source.text);
@@ -377,7 +399,8 @@ impl Model {
         text_hash(&bound.fold(text.to_owned(), |text, bound| text + &bound))
     }
 
-    /// Numbers of configuration variables, constraints, generalized coordinates and generalized speeds, in words.
+    /// Numbers of configuration variables, constraints, generalized coordinates and generalized speeds,
+    /// as a phrase for people.
     #[must_use]
     pub fn count(&self) -> String {
         let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
@@ -396,7 +419,8 @@ impl Model {
     }
 }
 
-/// Hash of a text, as compiled equations carry it: the first 16 hexadecimal digits of its SHA-256.
+/// Hash of a text: the first 16 hexadecimal digits of its SHA-256. Compiled equations store it to
+/// recognize their model.
 #[must_use]
 pub fn text_hash(text: &str) -> String {
     use sha2::Digest;

@@ -1,34 +1,35 @@
-//! Checks for masses and inertias that no body can have: at the default values of a model, and at those of a scene or
-//! state.
+//! Physical checks: masses, inertias and added masses that no body can have, at the default values
+//! of a model or those of a scene.
 
 use super::{AddedMass, Body, Model, Parameter};
 use crate::algebra::value::evaluate::Tape;
 use crate::algebra::{Arena, Expr};
 
-/// Symbols of the parameters that have a default value, each with that value, in SI.
+/// Symbols of the parameters that have a default value, as (symbol, value in SI).
 pub fn defaults(parameters: &[Parameter]) -> Vec<(Expr, f64)> {
     parameters.iter().filter_map(|p| Some((p.symbol, p.value.as_ref()?.to_f64()))).collect()
 }
 
-/// Values of expressions at known symbols; `None` if an expression contains another symbol.
+/// Values of terms at known symbols, as doubles; `None` if a term contains another symbol.
 pub fn values_at(arena: &Arena, known: &[(Expr, f64)], outputs: &[Expr]) -> Option<Vec<f64>> {
     let (symbols, values): (Vec<Expr>, Vec<f64>) = known.iter().copied().unzip();
     Some(Tape::new(arena, &symbols, outputs).ok()?.evaluate(&values))
 }
 
-/// Mass or inertia of a body that no body can have.
+/// Error of a body whose mass, inertia or added mass is physically impossible.
 #[derive(Clone, Debug)]
 pub struct ImpossibleBody {
     /// Message that names the body and its fault.
     pub message: String,
-    /// Advice on the way out.
+    /// Advice for correcting the values.
     pub help: String,
-    /// Indices of the parameters on which the mass or inertia depends.
+    /// Indices of the parameters that occur in the mass or inertia.
     pub parameters: Vec<usize>,
 }
 
 impl Model {
-    /// Bodies whose mass or inertia no body can have, at these values of the parameters.
+    /// Finds bodies with a physically impossible mass, inertia or added mass, at these parameter values
+    /// (SI, in the order of the model). Empty if all are possible.
     #[must_use]
     pub fn impossible(&self, parameters: &[f64]) -> Vec<ImpossibleBody> {
         let known: Vec<(Expr, f64)> = self.p().into_iter().zip(parameters.iter().copied()).collect();
@@ -51,14 +52,16 @@ impl Model {
     }
 }
 
-/// Relative rounding allowed in the checks of an inertia: a thin disk fulfils 1 + 1 ≥ 2 with equality.
+/// Relative rounding error allowed in the checks of an inertia. A thin disk has moments with 1 + 1
+/// = 2, exactly at the limit.
 pub const TOLERANCE: f64 = 1e-12;
 
-/// Least eigenvalue of an added mass with unit diagonal, below zero, that counts as rounding.
+/// Size of a negative eigenvalue of an added mass, scaled to a unit diagonal, that counts as
+/// rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Message and advice for a body that cannot exist at the `known` values; `None` if it can exist. `which` names these
-/// values in the message, such as "the default".
+/// Message and advice for a body with an impossible mass or inertia at the `known` values; `None`
+/// if it is possible. `which` describes these values in the message, such as "the default".
 pub fn objection(arena: &Arena, known: &[(Expr, f64)], body: &Body, which: &str) -> Option<(String, String)> {
     let mass = values_at(arena, known, &[body.mass]).map(|v| v[0]);
     if let Some(mass) = mass.filter(|m| m.is_nan() || *m < 0.0) {
@@ -92,7 +95,8 @@ pub fn objection(arena: &Arena, known: &[(Expr, f64)], body: &Body, which: &str)
             "a moment of inertia cannot be negative; about a point at distance d from the mass centre it is at least m d^2".to_owned(),
         ));
     }
-    // The rest of a rotor with one moment of inertia and no mass is counted with the body that carries it.
+    // A rotor without mass and with a single moment of inertia is allowed: its other inertia is counted
+    // with another body.
     let is_rotor = body.mass == Expr::ZERO && only_axis(&values).is_some();
     let broken = broken && !is_rotor;
     let moments = format!("moments {}, {}, {}", at(0), at(4), at(8));
@@ -104,8 +108,8 @@ pub fn objection(arena: &Arena, known: &[(Expr, f64)], body: &Body, which: &str)
     broken.then(|| (format!("no body has the central inertia of `{}`: {why}", body.name), way_out(&values)))
 }
 
-/// Message and advice for an added mass that no fluid has at the `known` values; `None` if its kinetic energy is never
-/// negative.
+/// Message and advice for an added mass whose kinetic energy can be negative at the `known` values;
+/// `None` if it never is. `name` is the body, and `which` describes the values.
 pub fn added_objection(
     arena: &Arena,
     known: &[(Expr, f64)],
@@ -114,7 +118,8 @@ pub fn added_objection(
     which: &str,
 ) -> Option<(String, String)> {
     let values = values_at(arena, known, added.tensor.as_flattened())?;
-    // Lengths are scaled so that entries of translation and rotation have one size: a congruence keeps the signs.
+    // Scaling to a unit diagonal gives entries of translation and rotation one size. This congruence
+    // keeps the signs of the eigenvalues.
     let size = |at: usize| values[7 * at].abs().sqrt().max(f64::MIN_POSITIVE);
     let scaled = nalgebra::Matrix6::from_fn(|i, j| values[6 * i + j] / size(i) / size(j));
     let is_number = scaled.iter().all(|x| x.is_finite());
@@ -125,14 +130,15 @@ pub fn added_objection(
     })
 }
 
-/// Axis of the only moment of an inertia; `None` if it has others, or products.
+/// Axis, 0 to 2, of the only nonzero moment of a 3 × 3 inertia; `None` if it has other moments, or
+/// products.
 fn only_axis(values: &[f64]) -> Option<usize> {
     let moments = [values[0], values[4], values[8]];
     let only = (0..3).find(|i| (0..3).all(|j| (i == &j) == (moments[j] != 0.0)));
     only.filter(|_| [1, 5, 6].iter().all(|i| values[*i] == 0.0))
 }
 
-/// Advice on stating an inertia that a body can have.
+/// Advice on how to state an inertia that a body can have.
 fn way_out(values: &[f64]) -> String {
     let rule = "each principal moment is at most the sum of the other two (equal for a thin plate)";
     match only_axis(values) {
@@ -147,11 +153,12 @@ fn way_out(values: &[f64]) -> String {
     }
 }
 
-/// A value rounded to 12 digits, for messages.
+/// Value rounded to 12 significant digits, for messages.
 fn rounded(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
 }
 
+/// Determinant of a symmetric 3 × 3 matrix with the entries p(i, j).
 fn determinant(p: &impl Fn(usize, usize) -> f64) -> f64 {
     p(0, 0) * (p(1, 1) * p(2, 2) - p(1, 2) * p(1, 2)) - p(0, 1) * (p(0, 1) * p(2, 2) - p(1, 2) * p(0, 2))
         + p(0, 2) * (p(0, 1) * p(1, 2) - p(1, 1) * p(0, 2))

@@ -1,7 +1,7 @@
-//! From the text of a model file to a checked [`Model`].
+//! Reads the text of a model file into a checked [`Model`].
 //!
-//! Invariant: every error is reported once, at its cause. An item that depends on a reported one fails in silence, so
-//! that `None` always means that an error stands in the reader.
+//! Invariant: every error is reported once, at its cause. An item that depends on a reported item
+//! fails silently. So `None` always means that an error is recorded in the reader.
 
 use super::bodies::elements::Elements;
 use super::bodies::inputs::Signals;
@@ -23,6 +23,7 @@ use rustc_hash::FxHashMap;
 use std::ops::Range;
 use toml::de::DeTable;
 
+/// Keys of a model file at its top level.
 const KEYS: [&str; 26] = [
     "schema",
     "name",
@@ -53,7 +54,7 @@ const KEYS: [&str; 26] = [
 ];
 
 impl Model {
-    /// Reads and checks a model file.
+    /// Reads and checks the model file at a path.
     ///
     /// # Errors
     /// [`Diagnostics`] with every error of the model file.
@@ -63,8 +64,8 @@ impl Model {
     }
 }
 
-/// True if a text is meant as a model file: it has a section that other kinds of files do not have. A publication may
-/// have `[coordinates]` too, beside its entries.
+/// True if a text is a model file by its sections: it has a section that no other file format has.
+/// A publication may have `[coordinates]` as well, together with entries.
 #[must_use]
 pub fn is_model(source: &Source) -> bool {
     const OWN: [&str; 6] = ["inertial", "joints", "bodies", "particles", "frames", "points"];
@@ -75,7 +76,7 @@ pub fn is_model(source: &Source) -> bool {
     })
 }
 
-/// Reads and checks a model text.
+/// Reads and checks the text of a model file.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the model text.
@@ -86,8 +87,8 @@ pub fn load(source: &Source) -> Result<Model, Diagnostics> {
     load_bound(source, Vec::new(), &[])
 }
 
-/// Reads and checks a model text. `bindings` replace inputs by formulas. Each input of `varied` gets a parameter that
-/// is added to its formula.
+/// Reads and checks the text of a model file. `bindings` replace inputs by formulas. A parameter is
+/// added to the formula of each input in `varied`. Returns `Diagnostics` with every error.
 pub fn load_bound(source: &Source, bindings: Vec<Binding>, varied: &[String]) -> Result<Model, Diagnostics> {
     let (mut reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
@@ -122,10 +123,11 @@ pub fn load_bound(source: &Source, bindings: Vec<Binding>, varied: &[String]) ->
 }
 
 impl Model {
-    /// The model with formulas in the place of its inputs.
+    /// Copy of the model in which formulas replace inputs.
     ///
     /// # Errors
-    /// [`Diagnostics`] of `scene`, at the `place` of its inputs, if the model has errors with these formulas.
+    /// [`Diagnostics`] for the file `scene`, at the byte range `place` of its inputs, if the model has
+    /// errors with these formulas.
     pub fn bound(&self, bindings: Vec<Binding>, scene: &Source, place: Range<usize>) -> Result<Self, Diagnostics> {
         load_bound(&self.source, bindings, &self.varied).map_err(|errors| {
             let why = errors.list.first().map_or_else(String::new, |error| error.message.clone());
@@ -135,50 +137,55 @@ impl Model {
         })
     }
 
-    /// The model with a parameter added to the formula of each of these inputs, so that slopes along the input can be
-    /// computed. The parameter has the name of the input, and is 0 unless changed. Inputs that are parameters, and
-    /// unknown names, change nothing.
+    /// Copy of the model with a parameter added to the formula of each input in `inputs`, so that
+    /// derivatives with respect to the input exist. The parameter has the name of the input, and is 0
+    /// by default. Inputs that are parameters, and unknown names, change nothing.
     ///
     /// # Errors
-    /// [`Diagnostics`] of the model file, which was read without errors before.
+    /// [`Diagnostics`] of the model file. A loaded model's file has no errors.
     pub fn with_varied(&self, inputs: &[String]) -> Result<Self, Diagnostics> {
         let is_formula = |name: &String| self.inputs.iter().any(|input| input.name == *name && !input.is_parameter);
         if inputs.iter().any(is_formula) {
             return load_bound(&self.source, self.bindings.clone(), inputs);
         }
-        // A scene may still give formulas to these inputs.
+        // A scene may still give formulas to these inputs, so their names are kept.
         Ok(Self { varied: inputs.to_vec(), ..self.clone() })
     }
 }
 
-/// Connections that tie a mechanism together: everything but its frames and points.
+/// Connections of a mechanism as read: constraints, slips of rolling, and reactions of closing
+/// joints.
 struct Connections {
-    /// Velocities and positions that formulas name.
+    /// Velocities and positions that occur by name in formulas.
     velocities: Vec<NamedVelocity>,
-    /// Symbols of these velocities and positions, and their values in terms of the motion. Empty if none are needed.
+    /// Symbols of the velocities and positions in formulas, each with its value as a term. Empty if no
+    /// formula needs them.
     values: Vec<(Expr, Expr)>,
-    /// Constraints that contain coordinates only.
+    /// Constraints that contain coordinates only, no rates.
     configuration: Vec<StatedConstraint>,
     /// Constraints that contain rates or speeds.
     motion: Vec<StatedConstraint>,
-    /// Components of the velocities at which rolling bodies would slip, each as an equation.
+    /// Components of the velocities at which rolling bodies would slip, each as an equation that makes
+    /// it zero.
     slips: Vec<(StatedConstraint, Rolled)>,
-    /// Reactions that may hold joints that close loops.
+    /// Possible reactions of joints that close loops.
     holding: Vec<JointReaction>,
-    /// True if all connections could be read.
+    /// True if all connections were read without errors.
     is_known: bool,
 }
 
-/// The coordinates of a model file, and the texts of its speeds.
+/// Coordinates of a model file, and definitions of its speeds as text.
 struct Declared {
+    /// Coordinates, with time last if formulas contain it.
     coordinates: Vec<Coordinate>,
-    /// Number of coordinates other than time.
+    /// Number of coordinates without time.
     configuration_variables: usize,
     /// Names and definitions of the speeds, as the model file states them.
     texts: Vec<(Located, Located)>,
 }
 
 impl<'a> Loading<'a> {
+    /// Builds the model from a parsed file; `None` after errors are recorded.
     fn model(&mut self, table: &'a DeTable<'a>, source: &Source) -> Option<Model> {
         let (title, reference) = (self.title(table), self.text(table, "source").unwrap_or_default());
         let mut parameters = self.parameters(table);
@@ -229,7 +236,7 @@ impl<'a> Loading<'a> {
         let of_left_out = left_out.iter().map(|speed| (speed.symbol, speed.definition));
         let mut fixed = Substitution::new(&replacements.into_iter().chain(of_left_out).collect::<Vec<_>>());
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
-        // With an error in any declaration, the number and the rank of the speeds mean nothing.
+        // After an error in any declaration, the number and the rank of the speeds are meaningless.
         let tied = ties.as_ref().filter(|_| motion_errors == 0 && speeds.len() == stated_speeds && has_speeds);
         let kinematic_equations =
             tied.and_then(|ties| self.kinematic_equations(table, &coordinates, &speeds, &ties.motion));
@@ -283,19 +290,20 @@ impl<'a> Loading<'a> {
         Some(model)
     }
 
-    /// Expressions of the file by name, with replacements.
+    /// Named expressions of the model file, with constrained variables replaced.
     fn expressions_with(&mut self, fixed: &mut Substitution) -> Vec<(String, Expr)> {
         let put = |(name, e)| (name, fixed.apply(&mut self.arena, e));
         self.names.expressions().into_iter().map(put).collect()
     }
 
-    /// Puts the parameters that stand for numbers with units before the inputs.
+    /// Inserts the parameters for numbers with units into the list of parameters, before the inputs.
     fn put_stated_numbers(&mut self, parameters: &mut Vec<Parameter>) {
         let inputs_at = parameters.iter().position(|parameter| parameter.is_input).unwrap_or(parameters.len());
         parameters.splice(inputs_at..inputs_at, std::mem::take(&mut self.stated_numbers));
     }
 
-    /// Reads the coordinates, with those of joints and with time, and the texts of the speeds.
+    /// Reads the coordinates, those of joints and time included, and the definitions of the speeds as
+    /// text.
     fn variables(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> Declared {
         let mut coordinates = self.coordinates(table, joints);
         let configuration_variables = coordinates.len();
@@ -307,7 +315,8 @@ impl<'a> Loading<'a> {
         Declared { coordinates, configuration_variables, texts }
     }
 
-    /// Replaces constrained variables and dependent speeds in the conditions of the domain and in the inputs.
+    /// Replaces constrained variables and dependent speeds in the conditions of the domain and in the
+    /// inputs.
     fn put_into_conditions(&mut self, fixed: &mut Substitution, domain: &mut [Condition], signals: &mut Signals) {
         let positives = domain.iter_mut().map(|condition| &mut condition.positive);
         let values = positives.chain(signals.list.iter_mut().map(|input| &mut input.value));
@@ -315,7 +324,8 @@ impl<'a> Loading<'a> {
         self.report_undefined(fixed.undefined);
     }
 
-    /// Finds reactions, and puts those that conditions of the domain name into these conditions.
+    /// Completes a model: finds its reactions, and replaces the reactions that conditions of the domain
+    /// contain by name.
     fn complete(
         &mut self,
         model: &mut Model,
@@ -330,7 +340,7 @@ impl<'a> Loading<'a> {
         self.reader.errors.extend(open);
     }
 
-    /// Declares the names and symbols of the reactions of the model file.
+    /// Declares the names and symbols of the reactions that the model file states.
     fn reaction_symbols(&mut self, table: &'a DeTable<'a>) -> Vec<Entry<'a>> {
         let reactions = self.section(table, "reactions", &[Kind::Reaction]);
         for (name, _) in &reactions {
@@ -340,6 +350,7 @@ impl<'a> Loading<'a> {
         reactions
     }
 
+    /// Title of the model; `None` after an error is reported.
     fn title(&mut self, table: &'a DeTable<'a>) -> Option<String> {
         if !table.contains_key("name") {
             self.reader.errors.push(Diagnostic::of_file("the model has no `name`", "add `name = \"…\"` at the top"));
@@ -348,7 +359,7 @@ impl<'a> Loading<'a> {
         title.map(|title| title.text)
     }
 
-    /// Reports a term that divides by zero wherever the constraints hold.
+    /// Reports a term that divides by zero wherever the constraints hold; `None` reports nothing.
     fn report_undefined(&mut self, term: Option<Expr>) {
         if let Some(term) = term {
             let term = crate::algebra::text::print::text(&self.arena, term);
@@ -357,8 +368,8 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Reads constraints, rolling, springs, friction and potentials. Terms of the motion replace the velocities and
-    /// positions that they name, and springs become forces.
+    /// Reads constraints, rolling, springs, friction and potentials. Named velocities and positions are
+    /// replaced by terms, and springs become forces.
     fn connections(
         &mut self,
         table: &'a DeTable<'a>,
@@ -386,7 +397,7 @@ impl<'a> Loading<'a> {
             || !potentials.is_empty()
             || self.names.speeds_name_velocities
             || stated.iter().any(names_motion);
-        // With an error in frames or points, nothing is said about velocities.
+        // After an error in frames or points, velocities are not computed.
         let is_known = !needs_motion || self.reader.errors.is_empty();
         let (mut slips, mut holding, mut values) = (Vec::new(), Vec::new(), Vec::new());
         if !is_known {
@@ -409,7 +420,8 @@ impl<'a> Loading<'a> {
             elements.forces.extend(forces);
             self.friction_loads(&mut moving, elements, friction);
         }
-        // Equations of joints, which come after the constraints of the model file, are no contacts.
+        // Equations of joints are no contacts; they come after the constraints of the model file, so `zip`
+        // leaves them out.
         for (compared, constraint) in compared.iter_mut().zip(&stated) {
             compared.moved = self.moved(elements, coordinates, constraint.equation);
         }
@@ -418,14 +430,14 @@ impl<'a> Loading<'a> {
         Connections { velocities, values, configuration, motion, slips, holding, is_known }
     }
 
-    /// True if an equation contains no rates and no speeds.
+    /// True if an equation contains no rates and no speeds, so that it restricts the configuration.
     fn is_of_configuration(&self, equation: Expr) -> bool {
         let moves = self.names.symbols_of(&[Kind::Rate, Kind::Speed]);
         !self.arena.reachable(&[equation]).iter().any(|part| moves.contains(part))
     }
 
-    /// Reports sections that are missing. Returns true if the model has speeds, or if constraints may leave it without
-    /// speeds. `moves` is true if the model may move, along a coordinate or by time.
+    /// Reports missing sections of a model file. Returns true if the model has speeds, or if
+    /// constraints may leave it without speeds.
     fn missing_sections(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>, coordinates: &[Coordinate]) -> bool {
         let moves = !coordinates.is_empty();
         let empty = |key: &str| {
@@ -434,7 +446,7 @@ impl<'a> Loading<'a> {
         let no_bodies = empty("bodies") && empty("particles");
         let is_told = joints.coordinates().is_empty() && !joints.is_short && empty("coordinates");
         let no_coordinates = is_told && !moves;
-        // Constraints may leave no speed: the mechanism moves as prescribed, or does not move.
+        // Constraints may leave no speed: the mechanism then moves as prescribed, or not at all.
         let is_tied = is_told && moves
             || joints.list.iter().any(|joint| !joint.carries)
             || !empty("constraints")
@@ -461,6 +473,7 @@ impl<'a> Loading<'a> {
         !no_speeds
     }
 
+    /// Reads the coordinates of the model file, followed by those of its joints. Errors are recorded in the reader.
     fn coordinates(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> Vec<Coordinate> {
         let mut coordinates = Vec::new();
         for (name, value) in self.section(table, "coordinates", &[Kind::Coordinate, Kind::Rate]) {

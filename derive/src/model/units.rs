@@ -1,7 +1,7 @@
-//! Units of measurement, and a check that all terms of a sum have the same unit.
+//! Units of measurement in SI, and a check that all terms of a sum have the same unit.
 //!
-//! Quantities are declared in coherent SI units, so that no conversion can be forgotten; a radian counts as 1. A plain
-//! number may be stated in other units, and is converted when it is read.
+//! Quantities are declared in coherent SI units, so that no conversion can be forgotten; a radian
+//! counts as 1. A plain number may be stated in other units, and is converted at reading.
 
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use crate::diagnostic::{nearest, shown};
@@ -9,14 +9,16 @@ use crate::read::Located;
 use rustc_hash::FxHashMap;
 use std::fmt;
 
-/// A unit of measurement as exponents of metre, kilogram and second.
+/// Unit of measurement as rational exponents of metre, kilogram and second.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Unit {
+    /// Exponents of metre, kilogram and second, in this order.
     exponents: [Rational; 3],
 }
 
+/// Names of the base units, in the order of the exponents.
 const BASE: [&str; 3] = ["m", "kg", "s"];
-/// Names of SI units that parameters may state, each with its exponents of m, kg and s.
+/// Names of SI units that declarations may state, each with its exponents of m, kg and s.
 const NAMED: [(&str, [i64; 3]); 11] = [
     ("1", [0, 0, 0]),
     ("rad", [0, 0, 0]),
@@ -31,8 +33,8 @@ const NAMED: [(&str, [i64; 3]); 11] = [
     ("sr", [0, 0, 0]),
 ];
 
-/// Other units in which a number may be stated: exponents of m, kg and s, and the factor to SI as a fraction. The last
-/// three factors also contain π.
+/// Further units in which a plain number may be stated: exponents of m, kg and s, and the factor to
+/// SI as a fraction. The factors of the last three also contain π.
 const OTHER: [(&str, [i64; 3], (i64, i64)); 16] = [
     ("mm", [1, 0, 0], (1, 1000)),
     ("cm", [1, 0, 0], (1, 100)),
@@ -51,21 +53,24 @@ const OTHER: [(&str, [i64; 3], (i64, i64)); 16] = [
     ("rev", [0, 0, 0], (2, 1)),
     ("rpm", [0, 0, -1], (1, 30)),
 ];
-/// Units of [`OTHER`] whose factor contains π.
+/// Units of [`OTHER`] whose factor to SI contains π.
 const OF_TURNS: [&str; 3] = ["deg", "rev", "rpm"];
 
-/// The unit after a number in a text: `0.1 m`, `90 deg`, `3 rev/min`.
+/// Unit that follows a number in a text: `0.1 m`, `90 deg`, `3 rev/min`.
 pub struct StatedUnit {
+    /// Unit in SI exponents.
     pub unit: Unit,
-    /// Factor to SI: the value in SI is the number times this factor, times π to the power `turns`.
+    /// Factor to SI: the SI value is the number times this factor, times π to the power `turns`.
     pub factor: Rational,
+    /// Exponent of π in the conversion to SI.
     pub turns: i32,
     /// Byte offset in the text at which the number ends.
     pub end: usize,
 }
 
 impl StatedUnit {
-    /// Unit after a number and a space at the end of a text; `None` if the text does not end so.
+    /// Reads the unit after a number and a space at the end of a text; `None` if the text does not end
+    /// with a number and a unit.
     pub fn of(text: &str) -> Option<Self> {
         let (number, name) = text.trim_end().rsplit_once(char::is_whitespace)?;
         let end = number.trim_end().len();
@@ -99,13 +104,13 @@ impl StatedUnit {
         Some(Self { unit, factor, turns, end })
     }
 
-    /// The number in front of the unit.
+    /// Number in front of the unit, as text with its place.
     pub fn number(&self, formula: &Located) -> Located {
         let range = 0..self.end;
         Located { text: formula.text[range.clone()].to_owned(), span: formula.part(range), exact: formula.exact }
     }
 
-    /// Value in SI of a number that is stated in this unit.
+    /// SI value of a number that is stated in this unit, as a term.
     pub fn apply(&self, arena: &mut Arena, number: Expr) -> Expr {
         let pi = arena.pi();
         let turns = arena.pow(pi, self.turns).expect("π is not 0");
@@ -115,7 +120,7 @@ impl StatedUnit {
 }
 
 impl Unit {
-    /// The unit with these exponents of metre, kilogram and second.
+    /// Creates a unit with these exponents of metre, kilogram and second.
     #[must_use]
     pub fn new(metre: i64, kilogram: i64, second: i64) -> Self {
         Self { exponents: [metre, kilogram, second].map(Rational::integer) }
@@ -124,7 +129,7 @@ impl Unit {
     /// Reads a unit such as `kg*m^2/s`, `N*m`, `rad` or `1`.
     ///
     /// # Errors
-    /// A message, in a line, for a text that is no product or quotient of known units.
+    /// Returns a message of one line for a text that is no product or quotient of known units.
     pub fn parse(text: &str) -> Result<Self, String> {
         if text.trim().is_empty() {
             return Err("the unit is empty".to_owned());
@@ -156,7 +161,7 @@ impl Unit {
         Ok(unit)
     }
 
-    /// Exponents of metre, kilogram and second; `None` if one of them is not whole.
+    /// Exponents of metre, kilogram and second; `None` if an exponent is not an integer.
     #[must_use]
     pub fn whole_exponents(&self) -> Option<[i64; 3]> {
         let whole = |exponent: &Rational| exponent.small().filter(|(_, below)| *below == 1).map(|(above, _)| above);
@@ -164,7 +169,7 @@ impl Unit {
         Some([whole(metre)?, whole(kilogram)?, whole(second)?])
     }
 
-    /// Advice for a text that is not a unit.
+    /// Advice for a text that is not a unit; it suggests the nearest known unit.
     #[must_use]
     pub fn help(text: &str) -> String {
         let angle = ["deg", "degree", "degrees", "°"].contains(&text.trim());
@@ -176,7 +181,7 @@ impl Unit {
         if near.starts_with("did") && text.trim().len() > 1 { format!("{near} {known}") } else { known.to_owned() }
     }
 
-    /// Text of the unit in messages, such as `N*m` or `1 or rad`.
+    /// Name of the unit for messages, such as `N*m` or `1 or rad`.
     #[must_use]
     pub fn words(&self) -> String {
         match self {
@@ -187,6 +192,7 @@ impl Unit {
         }
     }
 
+    /// Unit with all exponents multiplied by k.
     fn scaled(&self, k: &Rational) -> Self {
         Self { exponents: self.exponents.clone().map(|e| e.mul(k)) }
     }
@@ -201,7 +207,8 @@ impl Unit {
         result
     }
 
-    /// Unit of the quotient of two quantities, or of the derivative of one along the other.
+    /// Unit of the quotient of two quantities with these units, or of a derivative of the first with
+    /// respect to the second.
     #[must_use]
     pub fn over(&self, other: &Self) -> Self {
         self.times(&other.scaled(&Rational::integer(-1)))
@@ -225,13 +232,14 @@ impl Unit {
         self.scaled(&Rational::integer(i64::from(n)))
     }
 
-    /// True if the unit is 1, as that of an angle is.
+    /// True if the unit is 1, the unit of plain numbers and angles.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         *self == Self::default()
     }
 
-    /// True if the unit is 1 or a power of a second: that of a plain number, of a frequency, or of a time.
+    /// True if the unit is 1 or a power of a second, so that a term with it may be an angle or its
+    /// rate.
     #[must_use]
     pub(in crate::model) fn is_of_time(&self) -> bool {
         self.exponents[..2].iter().all(Rational::is_zero)
@@ -262,11 +270,11 @@ impl fmt::Display for Unit {
     }
 }
 
-/// Unit of an expression. `Ok(None)` if it is not known: for the number 0, which fits every unit, and for terms with a
-/// symbol without a unit, whose declaration is already reported.
+/// Unit of a term, from the units of its symbols. `Ok(None)` if it is indefinite: for the number 0,
+/// which fits every unit, and for terms with a symbol without a unit, which is already reported.
 ///
 /// # Errors
-/// A message about units that do not fit, in a line, and advice.
+/// Returns a message of one line, and advice, if the units of parts do not fit.
 pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Result<Option<Unit>, (String, String)> {
     let check = "check the units of the parameters and coordinates".to_owned();
     let show = |e: Expr| shown(&crate::algebra::text::print::text(arena, e));
@@ -328,7 +336,7 @@ fn is_bare(arena: &Arena, e: Expr) -> bool {
     arena.reachable(&[e]).iter().all(|part| arena.symbol_name(*part).is_none())
 }
 
-/// Advice for a bare number that stands for a quantity of this unit.
+/// Advice for a bare number that stands for a quantity with the unit `unit`.
 pub fn bare_number(unit: &str) -> String {
     format!(
         "a bare number has no unit: declare a parameter such as `x0 = {{ unit = \"{unit}\", value = 0.1 }}` and use its name"

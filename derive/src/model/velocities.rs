@@ -1,5 +1,5 @@
-//! Velocities and positions that formulas name: of a point, of the material of a body at a point, or of a turning
-//! frame.
+//! Velocities and positions that occur by name in formulas: of a point, of the material of a body
+//! at a point, or of a rotating frame.
 
 use super::units::Unit;
 use crate::algebra::text::parse::{VelocityName, VelocityOf};
@@ -7,12 +7,13 @@ use crate::algebra::{Arena, Expr};
 use crate::read::Located;
 use std::ops::Range;
 
-/// Component of a velocity relative to the inertial frame, m/s or rad/s, or of a position, m, that formulas name.
+/// Component of a velocity in the inertial frame, m/s or rad/s, or of a position, m, that occurs by
+/// name in formulas.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedVelocity {
-    /// Symbol of the velocity or position in formulas. Its name is that of the quantity, `v(disk, P) @ A [1]`.
+    /// Symbol of the component. Its name is that of the quantity, such as `v(disk, P) @ A [1]`.
     pub symbol: Expr,
-    /// Moving object: a point, the material of a body at a point, or a frame that turns.
+    /// Moving object, by index: a point, the material of a body at a point, or a rotating frame.
     pub of: VelocityOf<usize>,
     /// Index of the frame along whose axis the component is taken.
     pub frame: usize,
@@ -20,15 +21,20 @@ pub struct NamedVelocity {
     pub axis: usize,
 }
 
-/// A velocity or position as a formula states it: names, each with its place in the file.
+/// Velocity or position as a formula states it: names with their places in the file.
 pub struct StatedVelocity {
+    /// Symbol of the component in formulas.
     pub symbol: Expr,
+    /// Moving object, by name.
     pub of: VelocityOf<Located>,
+    /// Name of the frame along whose axis the component is taken.
     pub frame: Located,
+    /// Axis of the component: 0, 1 or 2.
     pub axis: usize,
 }
 
 impl StatedVelocity {
+    /// Creates the velocity or position that the parsed `name` in the text `formula` denotes.
     pub fn new(arena: &mut Arena, formula: &Located, name: &VelocityName<'_>) -> Self {
         let located = |(text, place): &(&str, Range<usize>)| Located {
             text: (*text).to_owned(),

@@ -1,86 +1,93 @@
-//! Combinations of rows as values: the multipliers that lead from one formulation to another, the relations that are
-//! put in before, and the identities that the combined rows satisfy.
+//! Linear combinations of rows that lead from the equations of one formulation to those of another,
+//! with the identities that prove them.
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::identity::Identity;
 use crate::mechanics::Formulation;
 
-/// Combination of the rows of one formulation that gives the rows of another, with its identities.
+/// Linear combination of the rows of one formulation that gives the rows of another, with the
+/// proved identities.
 #[derive(Clone, Debug)]
 pub struct Combination {
     /// Formulation whose rows are combined.
     pub of: Formulation,
-    /// Formulation whose rows the combination gives.
+    /// Formulation whose rows the linear combination gives.
     pub gives: Formulation,
-    /// Relations that are put into the rows before they are combined, each a symbol with its value: q̇ = W u + w and
-    /// q̈ = W u̇ + x, or u = J q̇ + d and u̇ = J q̈ + y. Empty if both formulations have the same motion variables.
+    /// Substitutions in the rows before they are combined, as pairs of symbol and value: q̇ = W u + w
+    /// and q̈ = W u̇ + x, or u = J q̇ + d and u̇ = J q̈ + y. Empty if both formulations have the same
+    /// motion variables.
     pub relations: Vec<(Expr, Expr)>,
-    /// Multipliers of the rows of `of`: one list for each row of the result. Empty if rows are equal one by one.
+    /// Multipliers of the rows of `of`, one list for each row of the result. Empty if the rows are
+    /// equal one by one.
     pub multipliers: Vec<Vec<Expr>>,
-    /// Identities that the combined rows satisfy, each with the part of the system that it is about.
+    /// Identities that were proved for the combined rows, each with the part of the system to which it
+    /// belongs.
     pub identities: Vec<(Part, Identity)>,
 }
 
-/// Part of a linear system that an identity is about. Indices count from 0.
+/// Part of a linear system to which an identity belongs. All indices count from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// Coefficient of an unknown in a combined row, and the same coefficient of the expected row, or 0 for an unknown
-    /// that the expected row lacks.
+    /// Coefficient of an unknown in a combined row. It equals that of the expected row, or 0 if the
+    /// expected row lacks the unknown.
     Coefficient {
-        /// Index of the row.
+        /// Index of the combined row.
         row: usize,
-        /// Index of the unknown.
+        /// Index of the unknown in the system.
         unknown: usize,
     },
-    /// Right-hand side of a combined row, and that of the expected row.
+    /// Right-hand side of a combined row, which equals that of the expected row.
     Right {
-        /// Index of the row.
+        /// Index of the combined row.
         row: usize,
     },
-    /// Entry of a row of a constraint, which vanishes.
+    /// Entry of a constraint's row after the substitution; it vanishes.
     Constraint,
-    /// Sum of the powers of a reaction along a speed, which vanishes.
+    /// Sum of the powers of a reaction along a generalized speed; it vanishes.
     Power {
-        /// Index of the speed.
+        /// Index of the generalized speed.
         speed: usize,
-        /// Index of the reaction.
+        /// Index of the reaction in the model.
         reaction: usize,
     },
 }
 
-/// Way from the rows of one formulation to those of another, as data.
+/// Description of how the rows of one formulation follow from those of another, as data.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Map {
-    /// Formulation that the way starts from in words: the one in speeds, if the other is in rates or has reactions.
+    /// Formulation on the left of the text: that in speeds, if the second is in rates or has
+    /// reactions.
     pub left: Formulation,
-    /// Other formulation.
+    /// Second formulation, whose rows are combined in the text.
     pub right: Formulation,
-    /// Kind of the combination.
+    /// Kind of the linear combination, such as Wᵀ times rows.
     pub kind: MapKind,
 }
 
-/// Kind of a combination of rows.
+/// Kind of a linear combination of rows. W, w, J, d are those of q' = W u + w and u = J q' + d.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum MapKind {
-    /// Rows are equal one by one.
+    /// Rows of both formulations are equal one by one, without any multipliers.
     RowByRow,
-    /// The rows along speeds are Wᵀ times those along rates, and back by Jᵀ, with q' = W u and u = J q'.
+    /// Rows along speeds are Wᵀ times those along rates, and back by Jᵀ, with q' = W u and u = J q'.
     LinearSpeeds,
-    /// The rows along speeds are Wᵀ times those along rates, and back by Jᵀ, with q' = W u + w and u = J q' + d.
+    /// Rows along speeds are Wᵀ times those along rates, and back by Jᵀ, with q' = W u + w and u = J
+    /// q' + d.
     AffineSpeeds,
-    /// The rows along speeds are Wᵀ times those along rates, and the multipliers of the constraints cancel.
+    /// Rows along speeds are Wᵀ times those along rates; the multipliers of the constraints cancel.
     Multipliers,
-    /// The rows along speeds are the partial velocities times the balances; the names are those of the reactions that
-    /// the other balances give.
+    /// Rows along speeds are the partial velocities times the Newton–Euler balances. The names are
+    /// those of the reactions that the remaining balances give.
     PartialVelocities(Vec<String>),
-    /// The rows along rates are the partial velocities with respect to q' times the balances.
+    /// Rows along rates are the partial velocities with respect to q' times the Newton–Euler balances.
     PartialVelocitiesOfRates,
-    /// The same up to the forces of the constraints, which W cancels on both sides.
+    /// Rows along rates are the partial velocities with respect to q' times the balances, up to
+    /// constraint forces, which W cancels.
     ConstraintForces,
 }
 
 impl Map {
-    /// Way from one formulation to the other, in words and symbols.
+    /// Text of the combination in words and symbols, such as `Kane = Wᵀ · Lagrange`.
     #[must_use]
     pub fn text(&self) -> String {
         let [left, right] = [self.left, self.right].map(|formulation| formulation.method().label);

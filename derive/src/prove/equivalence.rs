@@ -1,9 +1,10 @@
-//! Equivalence Kane ⇔ Lagrange ⇔ Newton–Euler: each pair by linear combination of rows.
+//! Proof of equivalence Kane ⇔ Lagrange ⇔ Newton–Euler: each pair by linear combination of rows.
 //!
-//! With q̇ = W u + w and u = J q̇ + d:  Kane = Wᵀ · Lagrange and Lagrange = Jᵀ · Kane, so both vanish together where
-//! det J ≠ 0. With the partial velocities P (of mass centres for forces, of frames for moments):  Kane = P ·
-//! (Newton–Euler), in which the reactions cancel. P and as many further rows D as there are reactions form a regular
-//! matrix. So Kane's equations and the rows D, which give the reactions, are equivalent to Newton–Euler.
+//! With q̇ = W u + w and u = J q̇ + d: Kane = Wᵀ · Lagrange and Lagrange = Jᵀ · Kane, so both
+//! vanish together where det J ≠ 0. With the partial velocities P (of mass centres for forces, of
+//! frames for moments): Kane = P · (Newton–Euler), in which the reactions cancel. P and as many
+//! further rows D as there are reactions form a regular matrix. So Kane's equations and the rows D,
+//! which give the reactions, are equivalent to Newton–Euler.
 
 use super::combination::{Combination, Map, MapKind, Part};
 use super::maps::{Combined, Maps, Matrix, combine, dot, transposed};
@@ -19,32 +20,34 @@ use crate::mechanics::{
 };
 use crate::model::Model;
 
-/// Two formulations with the proof that they are equivalent.
+/// Pair of formulations, with the proof that their equations are equivalent.
 #[derive(Clone, Debug)]
 pub struct Pair {
     /// First formulation, in the order of [`Formulation::ALL`].
     pub left: Formulation,
     /// Second formulation, in the order of [`Formulation::ALL`].
     pub right: Formulation,
-    /// Verdict on the claim that each set of rows is the stated combination of the other.
+    /// Verdict on the claim that the rows of each formulation are the stated combination of the
+    /// other's.
     pub verdict: Verdict,
-    /// Way from one formulation to the other.
+    /// Description of the combination that leads from one formulation to the other.
     pub map: Map,
-    /// Combinations of rows that were proved, with their multipliers and identities. A combination that is not proved
-    /// has no identities.
+    /// Combinations of rows that were proved, with their multipliers and identities. A combination
+    /// whose proof failed has no identities.
     pub combinations: Vec<Combination>,
 }
 
-/// A reaction with the equation that gives it: a Newton–Euler row that Kane's method does not use.
+/// Reaction as a function of the motion, from a Newton–Euler row that Kane's method does not use.
 #[derive(Clone, Debug)]
 pub struct ReactionEquation {
-    /// Name of the reaction.
+    /// Name of the reaction in the model file.
     pub name: String,
-    /// Value of the reaction in q, u and u̇.
+    /// Value of the reaction as a term in q, u and u̇.
     pub value: Expr,
 }
 
-/// Proves all pairs of the formulations that were derived, and gives the equations for the reactions.
+/// Proves that all derived formulations are pairwise equivalent, and gives an equation for each
+/// reaction. The equations are empty without Newton–Euler.
 pub fn prove(
     model: &Model,
     derivations: &mut Derivations,
@@ -70,25 +73,29 @@ pub fn prove(
     (pairs, prover.reactions.unwrap_or_default())
 }
 
-/// Verdict on two formulations, with the way from one to the other and the combinations that were proved.
+/// Verdict on a pair of formulations, with the combinations that were proved and their description.
 struct Found {
+    /// Verdict on the claim that both formulations are equivalent.
     verdict: Verdict,
+    /// Description of the linear combination of rows.
     map: Map,
+    /// Combinations that were proved, one for each direction.
     combinations: Vec<Combination>,
 }
 
+/// Model and tools with which pairs of formulations are proved equivalent.
 struct Prover<'a> {
     model: &'a Model,
     kinematics: &'a mut Kinematics,
     comparer: &'a mut Comparer,
     maps: Maps,
-    /// Equations for the reactions; `None` until a system in speeds is proved to be a combination of balances.
+    /// Equations for the reactions; `None` until Newton–Euler is compared with a formulation in speeds.
     reactions: Option<Vec<ReactionEquation>>,
 }
 
 impl Prover<'_> {
-    /// Compares two systems by the combination that leads from `left` to `right`. `None` if only the other direction is
-    /// known.
+    /// Proves two systems equivalent by the combination that leads from `left` to `right` or back.
+    /// `None` if only the opposite order of arguments is known.
     fn one_from_the_other(&mut self, left: &Equations, right: &Equations) -> Option<Found> {
         let (from, to) = (left.formulation, right.formulation);
         match (from.carries_reactions(), to.carries_reactions()) {
@@ -100,7 +107,7 @@ impl Prover<'_> {
         }
     }
 
-    /// Compares two systems of the same kind row by row.
+    /// Proves that two systems in the same motion variables, without reactions, are equal row by row.
     fn row_by_row(&mut self, left: &Equations, right: &Equations) -> Found {
         let rows = Combined { matrix: left.matrix.clone(), right: left.forcing.clone() };
         let claims = claims(&rows, right, 0);
@@ -109,7 +116,8 @@ impl Prover<'_> {
         Found::new(MapKind::RowByRow, left, right, [proved])
     }
 
-    /// Proves the identities of a combination.
+    /// Proves the claims of a proposed combination. Returns the verdict, and the combination with the
+    /// identities.
     fn proved(&mut self, proposal: Proposal<'_>) -> (Verdict, Combination) {
         let Proposal { of, gives, relations, multipliers, claims } = proposal;
         let pairs: Vec<(Expr, Expr)> = claims.iter().map(|claim| claim.sides).collect();
@@ -119,7 +127,8 @@ impl Prover<'_> {
         (verdict, Combination { of, gives, relations, multipliers, identities })
     }
 
-    /// Proves Speeds = Wᵀ · Rates and Rates = Jᵀ · Speeds.
+    /// Proves Speeds = Wᵀ · Rates and Rates = Jᵀ · Speeds, for equations along speeds u and along rates
+    /// q̇.
     fn speeds_and_rates(&mut self, speeds: &Equations, rates: &Equations) -> Found {
         if !self.model.motion_constraints.is_empty() {
             return self.speeds_and_multipliers(speeds, rates);
@@ -147,7 +156,8 @@ impl Prover<'_> {
         Found::new(kind, speeds, rates, proved)
     }
 
-    /// Proves Speeds = Wᵀ · Rates, which cancels the multipliers; the rows of the constraints vanish.
+    /// Proves Speeds = Wᵀ · Rates, in which the constraint multipliers cancel. The rows of the
+    /// constraints vanish.
     fn speeds_and_multipliers(&mut self, speeds: &Equations, rates: &Equations) -> Found {
         let Self { model, kinematics, maps, .. } = self;
         let arena = &mut kinematics.arena;
@@ -162,7 +172,8 @@ impl Prover<'_> {
         Found::new(MapKind::Multipliers, speeds, rates, [proved])
     }
 
-    /// Proves Speeds = P · Balances; rows of the balances that P does not use give the reactions.
+    /// Proves Speeds = P · Balances with the partial velocities P. Balances that P does not use give
+    /// the reactions.
     fn speeds_and_balances(&mut self, speeds: &Equations, balances: &Equations) -> Found {
         let Self { model, kinematics, .. } = self;
         let multipliers = balances.projection.clone();
@@ -176,7 +187,7 @@ impl Prover<'_> {
         Found { verdict: all([found.verdict, back]), ..found }
     }
 
-    /// Proves Rates = P · Balances, with the partial velocities with respect to q̇.
+    /// Proves Rates = P · Balances, with the partial velocities P with respect to q̇.
     fn rates_and_balances(&mut self, rates: &Equations, balances: &Equations) -> Found {
         let Self { model, kinematics, maps, .. } = self;
         let rows = rows_of(model, kinematics, balances);
@@ -201,8 +212,8 @@ impl Prover<'_> {
         Found::new(MapKind::PartialVelocitiesOfRates, rates, balances, [proved])
     }
 
-    /// Proves Rates = P · Balances up to the forces of the constraints. Wᵀ cancels these forces on both sides. So the
-    /// reactions along q̇ are Aᵀλ for exactly one λ.
+    /// Proves Rates = P · Balances up to the constraint forces. Wᵀ cancels these forces on both sides,
+    /// so the reactions along q̇ are Aᵀλ for exactly one λ.
     fn multipliers_and_balances(&mut self, partial: Matrix, rates: &Equations, balances: &Equations) -> Found {
         let Self { model, kinematics, maps, .. } = self;
         let arena = &mut kinematics.arena;
@@ -235,6 +246,8 @@ impl Prover<'_> {
 }
 
 impl Found {
+    /// Combines the verdicts of the proved combinations, and describes how `left` and `right` are
+    /// related.
     fn new(
         kind: MapKind,
         left: &Equations,
@@ -247,22 +260,30 @@ impl Found {
     }
 }
 
-/// Claim that two terms are equal, with the part of a system that it is about.
+/// Claim that two terms are equal, with the part of the linear system to which it belongs.
 struct Claim {
+    /// Part of the linear system to which the claim belongs, such as a coefficient.
     part: Part,
+    /// Two terms that are claimed to be equal.
     sides: (Expr, Expr),
 }
 
-/// Combination before its claims are proved.
+/// Proposed combination of rows, before its claims are proved.
 struct Proposal<'a> {
+    /// Equations whose rows are combined.
     of: &'a Equations,
+    /// Equations whose rows the combination should give.
     gives: &'a Equations,
+    /// Substitutions before the combination, as pairs of symbol and value.
     relations: Vec<(Expr, Expr)>,
+    /// Multipliers of the rows, one list for each row of the result.
     multipliers: Matrix,
+    /// Equalities of terms that must hold for the combination to be right.
     claims: Vec<Claim>,
 }
 
-/// Claims that combined rows are the rows of `expected`, and that the coefficients of `extra` further unknowns vanish.
+/// Claims that combined rows equal the rows of `expected`, and that the coefficients of `extra`
+/// further unknowns vanish.
 fn claims(combined: &Combined, expected: &Equations, extra: usize) -> Vec<Claim> {
     let mut claims = Vec::new();
     for (at, (row, value)) in combined.matrix.iter().zip(&combined.right).enumerate() {
@@ -275,7 +296,7 @@ fn claims(combined: &Combined, expected: &Equations, extra: usize) -> Vec<Claim>
     claims
 }
 
-/// Balances that are rows of the Newton–Euler equations, because they are not 0 = 0.
+/// Balances of the bodies that are rows of the Newton–Euler equations, because they are not 0 = 0.
 fn rows_of(model: &Model, kinematics: &mut Kinematics, newton_euler: &Equations) -> Vec<Balance> {
     let velocities = kinematics.in_speeds(model);
     let mut rows = balances(model, kinematics, &velocities, None);
@@ -283,8 +304,9 @@ fn rows_of(model: &Model, kinematics: &mut Kinematics, newton_euler: &Equations)
     rows
 }
 
-/// Proves that Kane's rows and one further row for each reaction are equivalent to Newton–Euler. Solves the further
-/// rows for the reactions.
+/// Proves that Kane's rows and a further row for each reaction are equivalent to Newton–Euler, and
+/// solves the further rows for the reactions. On failure, the verdict is undecided and the list is
+/// empty.
 fn reactions_from(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -295,7 +317,8 @@ fn reactions_from(
     let count = newton_euler.rows.len();
     let unit = |at: usize| (0..count).map(|k| if k == at { Expr::ONE } else { Expr::ZERO }).collect::<Vec<_>>();
     let directions = along_reactions(model, kinematics, &newton_euler.rows);
-    // The balance along each reaction is the natural further row. If it depends on earlier rows, plain rows are used.
+    // The balance along each reaction is the natural further row. If it depends on earlier rows, a
+    // single Newton–Euler row is tried.
     for candidate in directions.into_iter().chain((0..count).map(unit)) {
         if further.len() == model.reactions.len() {
             break;

@@ -1,9 +1,9 @@
-//! Fields on configuration space and their momenta.
+//! Vector fields on configuration space, and the momenta that belong to them.
 //!
-//! Noether: along the equations of motion d/dt (ξ · ∂T/∂q̇) = ξ⁽¹⁾T − ξV + ξ·Q with ξ⁽¹⁾T = ξ·∂T/∂q + ξ̇·∂T/∂q̇. The
-//! momentum is conserved if and only if the right-hand side is identically zero. The right-hand side contains the
-//! forces that work along ξ, and the forces Aᵀλ of motion constraints for any λ. So a momentum that a constraint
-//! changes is not conserved.
+//! Noether: along the equations of motion, d/dt (ξ · ∂T/∂q̇) = ξ⁽¹⁾T − ξV + ξ·Q with ξ⁽¹⁾T =
+//! ξ·∂T/∂q + ξ̇·∂T/∂q̇. The momentum is conserved if and only if the right-hand side is identically
+//! zero. The right-hand side contains the forces that work along ξ, and the forces Aᵀλ of motion
+//! constraints for any λ. So a momentum that a constraint changes is not conserved.
 
 use super::kind::IntegralKind;
 use crate::algebra::form::normal::Normalizer;
@@ -18,43 +18,50 @@ use crate::mechanics::{Derivations, Kinematics};
 use crate::model::Model;
 use std::collections::BTreeSet;
 
-/// Field ξ(q) on configuration space, one component for each coordinate, with the kind of its momentum.
+/// Vector field ξ(q) on configuration space, with the kind of the momentum ξ · ∂T/∂q̇ that belongs
+/// to it.
 #[derive(Clone, Debug)]
 pub struct Field {
-    /// Kind of the field's momentum.
+    /// Kind of the momentum that belongs to the field.
     pub kind: IntegralKind,
     /// Components ξ of the field in q, one for each coordinate.
     pub xi: Vec<Expr>,
 }
 
-/// Term of a field: a factor along one coordinate.
+/// Summand of a vector field: a component along a single coordinate.
 #[derive(Clone, Copy)]
 struct FieldTerm {
-    /// Index of the coordinate.
+    /// Index of the coordinate along which the component points.
     along: usize,
-    /// Component of the term along the coordinate.
+    /// Value of the component, as a term in the coordinates q.
     factor: Expr,
 }
 
-/// Partial derivatives of T and V, and the generalized forces without a potential, in q and q̇.
+/// Partial derivatives of T and V, and the generalized forces that V does not contain, as terms in
+/// q and q̇.
 #[derive(Clone)]
 pub struct Lagrangian {
+    /// Symbols of the generalized coordinates q.
     q: Vec<Expr>,
+    /// Symbols of the rates q̇ of the coordinates.
     q_dot: Vec<Expr>,
+    /// Derivatives ∂T/∂q of the kinetic energy, one for each coordinate.
     t_by_q: Vec<Expr>,
     /// Generalized momenta ∂T/∂q̇, one for each coordinate.
     pub momenta: Vec<Expr>,
+    /// Derivatives ∂V/∂q of the potential energy, one for each coordinate.
     v_by_q: Vec<Expr>,
-    /// Generalized forces Q without a potential in V, one for each coordinate.
+    /// Generalized forces Q that V does not contain, one for each coordinate.
     pub forces: Vec<Expr>,
-    /// Generalized forces Aᵀλ of motion constraints, with their multipliers, one for each coordinate.
+    /// Generalized forces Aᵀλ of motion constraints with the multipliers λ, one for each coordinate.
     of_constraints: Vec<Expr>,
-    /// True if V has a part from applied loads besides gravity's.
+    /// True if V contains a potential of applied loads in addition to gravity's.
     pub loads_have_potential: bool,
 }
 
 impl Lagrangian {
-    /// Lagrangian of a model with kinetic energy `t` and potential energy `v`, both in q and q̇.
+    /// Differentiates the kinetic energy `t` and the potential energy `v` of a model, both in q and q̇,
+    /// and collects the forces.
     pub fn new(model: &Model, derivations: &mut Derivations, t: Expr, v: Expr) -> Self {
         let loads = derivations.kinematics.load_potential(model);
         let Kinematics { arena, .. } = &mut derivations.kinematics;
@@ -68,24 +75,25 @@ impl Lagrangian {
         Self { q, q_dot, t_by_q, momenta, v_by_q, forces, of_constraints, loads_have_potential }
     }
 
-    /// True if a force without a potential acts along a coordinate.
+    /// True if a generalized force that V does not contain acts along a coordinate.
     pub fn has_forces(&self) -> bool {
         self.forces.iter().any(|force| *force != Expr::ZERO)
     }
 
-    /// All terms of the Lagrangian, to be rewritten in place.
+    /// All terms, for rewriting in place: ∂T/∂q, momenta, ∂V/∂q, forces and constraint forces.
     pub fn terms(&mut self) -> impl Iterator<Item = &mut Expr> {
         let Self { t_by_q, momenta, v_by_q, forces, of_constraints, .. } = self;
         t_by_q.iter_mut().chain(momenta).chain(v_by_q).chain(forces).chain(of_constraints)
     }
 
-    /// Momentum ξ · ∂T/∂q̇ of a field.
+    /// Momentum ξ · ∂T/∂q̇ of a vector field ξ.
     pub fn momentum(&self, arena: &mut Arena, xi: &[Expr]) -> Expr {
         let terms: Vec<Expr> = xi.iter().zip(&self.momenta).map(|(x, p)| arena.mul(*x, *p)).collect();
         arena.sum(&terms)
     }
 
-    /// Rate d/dt (ξ · ∂T/∂q̇) of a field's momentum along the equations of motion, in q and q̇.
+    /// Rate d/dt (ξ · ∂T/∂q̇) of a vector field's momentum along the equations of motion, as a term in
+    /// q and q̇.
     pub fn rate(&self, arena: &mut Arena, xi: &[Expr]) -> Expr {
         let along: Vec<_> = self.q.iter().copied().zip(self.q_dot.iter().copied()).collect();
         let mut d_dt = Differential::along(&along);
@@ -99,15 +107,17 @@ impl Lagrangian {
         arena.sum(&terms)
     }
 
-    /// Unit fields ∂/∂q_i of all coordinates. Their momenta are conserved if the coordinates are cyclic.
+    /// Unit fields ∂/∂q_i, one for each coordinate. The momentum of a unit field is conserved if the
+    /// coordinate is cyclic.
     pub fn units(&self) -> Vec<Field> {
         let n = self.q.len();
         let unit = |i: usize| (0..n).map(|k| if k == i { Expr::ONE } else { Expr::ZERO }).collect();
         (0..n).map(|i| Field { kind: IntegralKind::Coordinate(i), xi: unit(i) }).collect()
     }
 
-    /// All fields ξ = A q + b with constant A and b whose momenta are conserved. They are a basis of the null space of
-    /// conditions linear in A and b, over the field of the parameters. `None` if the conditions are too large to solve.
+    /// All fields ξ = A q + b with constant A and b whose momenta are conserved, as a basis. They solve
+    /// conditions linear in A and b over the field of the parameters. `None` if the conditions are too
+    /// large to solve.
     pub fn affine(&self, model: &Model, arena: &mut Arena, simplifier: &mut Simplifier) -> Option<Vec<Field>> {
         let n = self.q.len();
         let mut unknowns: Vec<FieldTerm> = Vec::new();
@@ -118,7 +128,8 @@ impl Lagrangian {
         self.conserved(model, arena, simplifier, &unknowns)
     }
 
-    /// Fields with conserved momenta among the sums of these terms with constant coefficients.
+    /// Fields with conserved momenta among the linear combinations of the given terms with constant
+    /// coefficients, as a basis. `None` if the conditions are too large to solve.
     fn conserved(
         &self,
         model: &Model,
@@ -145,10 +156,12 @@ impl Lagrangian {
         }
         Some(fields)
     }
-    /// Fields e_k + Σ m(q) e_s with conserved momenta, for quasi-cyclic coordinates q_k. The e_s are along cyclic
-    /// coordinates s. The m are sums of the products of sines and cosines that couple these with other coordinates.
-    /// With the p_s constant, ∂L/∂q_k is the rate of f = −Σ m(q) p_s, so p_k − f is constant. Empty if there is no such
-    /// field, or if the conditions are too large to solve.
+    /// Fields e_k + Σ m(q) e_s with conserved momenta, for quasi-cyclic coordinates q_k. The e_s are
+    /// along cyclic coordinates s. The m are sums of the products of sines and cosines that couple them
+    /// with other coordinates.
+    ///
+    /// With the p_s constant, ∂L/∂q_k is the rate of f = −Σ m(q) p_s, so p_k − f is constant. Empty if
+    /// there is no such field, or if the conditions are too large to solve.
     pub fn quasi_cyclic(&self, model: &Model, arena: &mut Arena, simplifier: &mut Simplifier) -> Vec<Field> {
         let cyclic: Vec<usize> = (0..self.q.len()).filter(|s| self.is_cyclic(arena, *s)).collect();
         let products = self.trigonometric(arena, &cyclic);
@@ -164,7 +177,7 @@ impl Lagrangian {
         found.into_iter().filter(|field| !field.xi.iter().all(constant)).collect()
     }
 
-    /// True if the momentum of coordinate `s` is conserved.
+    /// True if the generalized momentum of the coordinate with index `s` is conserved.
     fn is_cyclic(&self, arena: &mut Arena, s: usize) -> bool {
         let gain = self.gain(arena, s);
         zero_test(arena, gain) == ZeroTest::Zero
@@ -176,8 +189,8 @@ impl Lagrangian {
         arena.sum(&[self.t_by_q[i], self.forces[i], self.of_constraints[i], pull])
     }
 
-    /// Products of one or two sines and cosines in the rows of the mass matrix for these coordinates, and in their
-    /// derivatives.
+    /// Products of one or two sines and cosines in the mass matrix rows of the given coordinates, and
+    /// in the derivatives of these products.
     fn trigonometric(&self, arena: &mut Arena, cyclic: &[usize]) -> BTreeSet<Expr> {
         let mut normalizer = Normalizer::new(Normalizer::BUDGET);
         let mut products = BTreeSet::new();
@@ -210,7 +223,7 @@ fn constraint_forces(model: &Model, arena: &mut Arena) -> Vec<Expr> {
     sums.iter().map(|terms| arena.sum(terms)).collect()
 }
 
-/// Collects the products of one or two sines and cosines in the terms of a polynomial.
+/// Adds to `products` the products of one or two sines and cosines that occur in a polynomial `e`.
 fn collect(arena: &mut Arena, normalizer: &mut Normalizer, e: Expr, products: &mut BTreeSet<Expr>) {
     let Some(form) = normalizer.fraction(arena, e) else { return };
     for monomial in normalizer.polynomial(&form.numerator).terms.keys() {

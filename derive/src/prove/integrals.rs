@@ -1,7 +1,7 @@
 //! First integrals of a model: the energy, and the momenta of symmetries.
 //!
-//! Candidates come from a stated search (see [`find`]). Each integral is proved by the identity dI/dt − λᵀ (M u̇ − f) =
-//! 0 in q, u and free u̇, with the known multipliers λ = J ξ.
+//! Candidates come from a stated search (see [`find`]). Each integral I is proved by the identity
+//! dI/dt − λᵀ (M u̇ − f) = 0 in q, u and free u̇, with the known multipliers λ = J ξ.
 
 use super::fields::{Field, Lagrangian};
 use super::kind::{IntegralKind, beside};
@@ -27,20 +27,23 @@ use crate::model::Model;
 /// Quantity that is constant along every motion of a model.
 #[derive(Clone, Debug)]
 pub struct Integral {
-    /// Kinds of the integral. Several kinds belong to one integral if they are the same function or its negative.
+    /// Kinds of the integral. It has several kinds if candidates of different kinds are the same
+    /// function or its negative.
     pub kinds: Vec<IntegralKind>,
-    /// Value of the integral in q and u.
+    /// Value of the integral, as a term in q and u.
     pub expression: Expr,
-    /// The symmetry q′ = ξ(q) whose momentum the integral is; `None` for the energy.
+    /// Vector field ξ of the symmetry q′ = ξ(q) whose momentum the integral is; `None` for energies.
     pub field: Option<Vec<Expr>>,
-    /// For each kind, the function of q that is added to the momentum in the integral. It balances the change of the
-    /// momentum by forces that depend on velocities, such as drag. 0 if the momentum itself is constant.
+    /// Functions of q that are added to the momentum in the integral, one for each kind. Such a
+    /// function balances forces that depend on velocities, such as drag. 0 if the momentum itself is
+    /// constant.
     pub of_places: Vec<Expr>,
-    /// Verdict on the identity that the integral's rate vanishes along Kane's equations.
+    /// Verdict on the identity that proves the integral: its rate vanishes along Kane's equations.
     pub verdict: Verdict,
     /// Multipliers λ of Kane's rows in dI/dt = λᵀ (M u̇ − f), one for each speed.
     pub multipliers: Vec<Expr>,
-    /// Identities of dI/dt = λᵀ (M u̇ − f): the coefficients of each u̇, then the rest.
+    /// Identities of dI/dt = λᵀ (M u̇ − f): one for the coefficient of each u̇, then one for the
+    /// remaining terms.
     pub identities: Vec<Identity>,
 }
 
@@ -53,13 +56,14 @@ impl Integral {
         kinds.map(|(kind, place)| kind.words(model, arena, xi, *place)).collect()
     }
 
-    /// Short name of the integral's first kind. `arena` contains the integral's terms.
+    /// Short name of the integral by its first kind. `arena` contains the integral's terms.
     #[must_use]
     pub fn title(&self, model: &Model, arena: &Arena) -> String {
         self.kinds[0].title(model) + &beside(arena, self.of_places[0])
     }
 
-    /// Descriptions of all kinds of the integral, in one text.
+    /// Description of all kinds of the integral in a single text. `arena` contains the integral's
+    /// terms.
     #[must_use]
     pub fn name(&self, model: &Model, arena: &Arena) -> String {
         self.names(model, arena).join("; ")
@@ -71,8 +75,8 @@ impl Integral {
         self.kinds.iter().any(|kind| kind.is_energy())
     }
 
-    /// Formulas of the integral that documents show: its value, its divisors, and the components of an unnamed
-    /// symmetry.
+    /// Formulas that documents show of the integral: its value, its divisors, and the components of a
+    /// symmetry without a name.
     #[must_use]
     pub fn shown(&self, arena: &Arena) -> Vec<Expr> {
         let mut list = vec![self.expression];
@@ -92,19 +96,20 @@ impl Integral {
     }
 }
 
-/// Coverage of a search for first integrals, and the power if no energy is conserved.
+/// Report on a search for first integrals: what was covered, and the power if no energy is
+/// conserved.
 #[derive(Clone, Debug)]
 pub struct Search {
-    /// Description of the fields and functions that were searched.
+    /// Text that describes the fields and functions that were searched.
     pub covered: String,
-    /// Power d(T + V)/dt in q and u, if there is no energy integral. Then the applied loads have no potential that was
-    /// found, or a potential that jumps in time.
+    /// Power d(T + V)/dt as a term in q and u, W; `None` if an energy is conserved. If `Some`, the
+    /// applied loads have no potential that was found, or a potential that jumps in time.
     pub power: Option<Expr>,
 }
 
 impl Search {
-    /// Description of the coverage, and of the power if no energy is conserved, in one line. `arena` contains the
-    /// terms.
+    /// Text of the coverage, and of the power if no energy is conserved, in a single line. `arena`
+    /// contains the terms.
     #[must_use]
     pub fn text(&self, arena: &Arena) -> String {
         let Some(power) = self.power else { return self.covered.clone() };
@@ -116,14 +121,17 @@ impl Search {
     }
 }
 
-/// Finds first integrals. The second value describes the coverage of the search.
+/// Finds first integrals of a model and proves them. The second result describes the coverage of
+/// the search.
 ///
-/// The search looks for the energy T + V, or Jacobi's integral if drives move the mechanism. The energy includes the
-/// potential of forces that have one by the rules of [`primitive`]. The search looks for the momenta of coordinates, of
-/// rigid motions, of all fields ξ = A q + b and of quasi-cyclic coordinates. Rigid motions are translations along the
-/// inertial axes, and rotations about them through the mass centre and the origin, of the whole and of each body. A
-/// function of q may be added to a momentum if forces depend on velocities. Only functionally independent momenta are
-/// kept.
+/// The search looks for the energy T + V, or Jacobi's integral if drives move the mechanism. The
+/// energy includes the potential of forces for which the rules of [`primitive`] find one. The
+/// search also looks for the momenta of coordinates, of rigid motions, of all fields ξ = A q + b
+/// and of quasi-cyclic coordinates.
+///
+/// Rigid motions, of the whole and of each body, are translations along the inertial axes, and
+/// rotations about them through the mass centre and the origin. A function of q may be added to a
+/// momentum if forces depend on velocities. Only functionally independent momenta are kept.
 pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Comparer) -> (Vec<Integral>, Search) {
     match Basis::new(model, derivations) {
         Some(basis) => {
@@ -138,22 +146,23 @@ pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Compare
     }
 }
 
-/// Equations and fields from which a search for first integrals starts. Parameters may be replaced by numbers, for
-/// which more integrals may exist.
+/// Equations and vector fields from which a search for first integrals starts. If parameters are
+/// replaced by numbers, more integrals may exist.
 #[derive(Clone)]
 pub struct Basis {
-    /// Derivatives of T and V, and the forces Q, in q and q̇.
+    /// Derivatives of T and V, and the generalized forces Q that V does not contain, in q and q̇.
     pub lagrangian: Lagrangian,
-    /// Rates q̇ along which the generalized forces work.
+    /// Symbols of the rates q̇ with which the generalized forces do work.
     rates: Vec<Expr>,
     /// Kane's equations of the model.
     kane: Equations,
-    /// Unit fields of the coordinates and fields of the rigid motions.
+    /// Unit fields of the coordinates, and vector fields of the permitted rigid motions.
     fields: Vec<Field>,
 }
 
 impl Basis {
-    /// Basis of a model; `None` unless the equations by Kane and by Lagrange were derived.
+    /// Collects the equations and fields of a model. `None` unless the equations by Kane and by
+    /// Lagrange were derived.
     pub fn new(model: &Model, derivations: &mut Derivations) -> Option<Self> {
         let kane = derivations.get(Formulation::Kane)?.clone();
         let lagrange = derivations.get(Formulation::Lagrange)?.clone();
@@ -163,7 +172,7 @@ impl Basis {
         Some(Self { lagrangian, rates: lagrange.variables, kane, fields })
     }
 
-    /// Rewrites every term of the basis in place.
+    /// Applies `rewrite` to every term of the equations and fields in place.
     pub fn change(&mut self, arena: &mut Arena, rewrite: &mut dyn FnMut(&mut Arena, Expr) -> Expr) {
         self.kane.visit(&mut |e, arena| *e = rewrite(arena, *e), arena);
         let of_fields = self.fields.iter_mut().flat_map(|f| &mut f.xi);
@@ -172,7 +181,8 @@ impl Basis {
         }
     }
 
-    /// Finds first integrals of a model whose speeds are rewritten in the same way as the basis.
+    /// Finds and proves first integrals of the model. The model's speeds must be rewritten like the
+    /// terms of the basis.
     pub fn search(
         &self,
         model: &Model,
@@ -210,20 +220,24 @@ impl Basis {
     }
 }
 
+/// State of a search for first integrals: tools, and the integrals found so far.
 struct Searching<'a> {
     model: &'a Model,
     basis: &'a Basis,
     arena: &'a mut Arena,
     simplifier: &'a mut Simplifier,
     comparer: &'a mut Comparer,
-    /// Gradients ∂I/∂(q, u) of the integrals found, except the energy.
+    /// Gradients ∂I/∂(q, u) of the integrals found so far, except the energy.
     gradients: Vec<Vec<Expr>>,
+    /// First integrals that were found and proved so far.
     found: Vec<Integral>,
-    /// True if forces do work and no potential of these forces was found.
+    /// True if forces do work and no potential of them was found.
     no_potential: bool,
 }
 
 impl Searching<'_> {
+    /// Adds the energy T + V if it is conserved, then Jacobi's integral if it is. Sets `no_potential`
+    /// if forces without a potential do work.
     fn energy(&mut self) {
         let (model, Basis { lagrangian, rates, kane, .. }) = (self.model, self.basis);
         let arena = &mut *self.arena;
@@ -246,8 +260,8 @@ impl Searching<'_> {
         self.jacobi(energy);
     }
 
-    /// Multipliers J q̇ of Kane's equations: speeds less their values at rest. Time stands still if `time` is `None`,
-    /// else t' = 1. Then q̇ᵀ Lagrange = (J q̇)ᵀ Kane.
+    /// Multipliers J q̇ of Kane's equations: each speed less its value at rest. Time rests if `time` is
+    /// `None`; else its rate t' is 1. Then q̇ᵀ Lagrange = (J q̇)ᵀ Kane.
     fn moved_by_speeds(&mut self, time: Option<usize>) -> Vec<Expr> {
         let (model, arena) = (self.model, &mut *self.arena);
         let rate_at_rest = |at: usize| if time == Some(at) { Expr::ONE } else { Expr::ZERO };
@@ -261,8 +275,8 @@ impl Searching<'_> {
         speeds.collect()
     }
 
-    /// Searches for Jacobi's integral T + V − ∂T/∂t', with t' = 1. It is constant if drives work and no term depends on
-    /// time explicitly.
+    /// Adds Jacobi's integral T + V − ∂T/∂t' with t' = 1, if it is conserved. It is constant if drives
+    /// work and no term depends on time explicitly.
     fn jacobi(&mut self, energy: Expr) {
         let Some(time) = self.model.time() else { return };
         let momentum = self.basis.lagrangian.momenta[time];
@@ -274,6 +288,8 @@ impl Searching<'_> {
         self.keep(IntegralKind::Jacobi, None, Expr::ZERO, value, &multipliers);
     }
 
+    /// Adds the momentum of a vector field if it is conserved, or conserved after a function of q is
+    /// added.
     fn momentum(&mut self, field: &Field) {
         let (arena, lagrangian) = (&mut *self.arena, &self.basis.lagrangian);
         let rate = lagrangian.rate(arena, &field.xi);
@@ -300,8 +316,8 @@ impl Searching<'_> {
         self.keep(field.kind, Some(&field.xi), of_place, momentum, &multipliers);
     }
 
-    /// Keeps an integral unless it is a function of the integrals found. A further kind of a known integral is added to
-    /// it.
+    /// Proves an integral and adds it to the list. Drops it if it is a function of earlier integrals.
+    /// If it equals a known integral or its negative, only its kind is added there.
     fn keep(&mut self, kind: IntegralKind, field: Option<&[Expr]>, of_place: Expr, value: Expr, multipliers: &[Expr]) {
         let arena = &mut *self.arena;
         for known in &mut self.found {
@@ -340,7 +356,8 @@ impl Searching<'_> {
         });
     }
 
-    /// Proves dI/dt − λᵀ (M u̇ − f) = 0 for an integral I, coefficient by coefficient of u̇.
+    /// Proves dI/dt − λᵀ (M u̇ − f) = 0 for an integral I with multipliers λ, coefficient by
+    /// coefficient of u̇.
     fn prove(&mut self, value: Expr, multipliers: &[Expr]) -> Compared {
         let (arena, comparer, kane) = (&mut *self.arena, &mut *self.comparer, &self.basis.kane);
         let rate = motion_rates(self.model).apply(arena, value);
@@ -364,8 +381,9 @@ impl Searching<'_> {
     }
 }
 
-/// Potential U(q) of the forces: the forces at rest are −∂U/∂q, and the rest of the forces does no work in any motion,
-/// such as a magnetic force. `None` if there is no potential, or no rule finds it.
+/// Potential energy U(q) of the forces that V does not contain: at rest they are −∂U/∂q, and the
+/// remaining part does no work, like a magnetic force. `None` if there is no such U, or no rule
+/// finds it.
 fn potential_of(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -383,7 +401,8 @@ fn potential_of(
     (zero_test(arena, power) == ZeroTest::Zero).then_some(energy)
 }
 
-/// Function F(q) with dF/dt = `rate` along every path. `None` if the rate is not linear in q̇ or no rule finds F.
+/// Function F(q) with dF/dt = `rate` along every path. `None` if the rate is not linear in q̇, or
+/// no rule finds F.
 fn rate_of(arena: &mut Arena, simplifier: &mut Simplifier, model: &Model, rate: Expr) -> Option<Expr> {
     let (slopes, rest) = LinearForm::new(&model.q_dot()).coefficients(arena, rate).ok()?;
     if zero_test(arena, rest) != ZeroTest::Zero {

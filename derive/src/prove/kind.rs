@@ -1,53 +1,54 @@
-//! Kinds of first integrals, as data, from which their names in words are made.
+//! Kinds of first integrals, as data. Their names in words are made from the kinds.
 
 use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr, Node};
 use crate::model::Model;
 
-/// Kind of a first integral. Indices of coordinates, bodies and axes count from 0. Axes are those of the inertial frame
-/// unless another frame is named.
+/// Kind of a first integral. Indices of coordinates, bodies and axes count from 0. Axes are those
+/// of the inertial frame unless a variant names another frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum IntegralKind {
-    /// Energy T + V in a model whose applied forces do no work.
+    /// Energy T + V of a model whose applied forces do no work.
     Energy,
-    /// Energy T + V, including the potential of the applied forces.
+    /// Energy T + V, where V includes the potential of the applied forces.
     EnergyOfForces,
-    /// Jacobi's integral T + V − ∂T/∂t' of a mechanism that drives move: Σ q̇ ∂L/∂q̇ − L over the coordinates except
-    /// time.
+    /// Jacobi's integral T + V − ∂T/∂t' of a mechanism that drives move. It is Σ q̇ ∂L/∂q̇ − L over the
+    /// coordinates except time.
     Jacobi,
-    /// Generalized momentum ∂L/∂q̇ of a coordinate.
+    /// Generalized momentum ∂L/∂q̇ of the coordinate with this index.
     Coordinate(usize),
-    /// Linear momentum of the whole system along an axis.
+    /// Linear momentum of the whole system along the inertial axis with this index.
     Linear(usize),
-    /// Angular momentum of the whole system about an axis through a point.
+    /// Angular momentum of the whole system about an inertial axis through a point.
     Angular {
         /// Axis of the inertial frame: 0, 1 or 2.
         axis: usize,
-        /// Point through which the axis passes.
+        /// Point through which the axis passes: the mass centre or the origin.
         through: Pivot,
     },
-    /// Linear momentum of one body along an axis.
+    /// Linear momentum of a single body along an inertial axis.
     LinearOfBody {
-        /// Index of the body.
+        /// Index of the body in the model.
         body: usize,
         /// Axis of the inertial frame: 0, 1 or 2.
         axis: usize,
     },
-    /// Angular momentum of one body about an axis through its own mass centre.
+    /// Angular momentum of a single body about an inertial axis through its mass centre.
     AngularOfBody {
-        /// Index of the body.
+        /// Index of the body in the model.
         body: usize,
         /// Axis of the inertial frame: 0, 1 or 2.
         axis: usize,
     },
-    /// Angular momentum of one rigid body about an axis of the frame in which its inertia is stated.
+    /// Angular momentum of a single rigid body about an axis of the frame in which its inertia is
+    /// stated.
     Spin {
-        /// Index of the body.
+        /// Index of the body in the model.
         body: usize,
-        /// Axis of the frame of the inertia: 0, 1 or 2.
+        /// Axis of the frame in which the inertia is stated: 0, 1 or 2.
         axis: usize,
     },
-    /// Momentum of a symmetry q′ = ξ(q) that is no other kind.
+    /// Momentum of a symmetry q′ = ξ(q) that none of the other kinds describes.
     Symmetry,
 }
 
@@ -61,14 +62,16 @@ pub enum Pivot {
 }
 
 impl IntegralKind {
-    /// True for T + V, with or without a potential of applied forces; false for momenta and Jacobi's integral.
+    /// True for the energy T + V, with or without a potential of applied forces; false for momenta and
+    /// Jacobi's integral.
     #[must_use]
     pub const fn is_energy(self) -> bool {
         matches!(self, Self::Energy | Self::EnergyOfForces)
     }
 
-    /// Full description of an integral: a momentum with its definition, a symmetry with its components ξ. The function
-    /// of q that is added to a momentum follows if it is not 0. `arena` contains the terms.
+    /// Full description of an integral in words: a momentum with its definition, a symmetry with its
+    /// components `xi`. If the function `of_place` of q, which is added to a momentum, is not 0, it
+    /// follows. `arena` contains the terms.
     #[must_use]
     pub fn words(self, model: &Model, arena: &Arena, xi: &[Expr], of_place: Expr) -> String {
         let (title, place) = (self.title(model), beside(arena, of_place));
@@ -88,7 +91,7 @@ impl IntegralKind {
         }
     }
 
-    /// Short name of the conserved quantity.
+    /// Short name of the conserved quantity, such as `momentum p_q1`.
     #[must_use]
     pub fn title(self, model: &Model) -> String {
         let body = |at: usize| &model.bodies[at].name;
@@ -119,7 +122,7 @@ impl IntegralKind {
         }
     }
 
-    /// Motion whose momentum the integral is, such as a translation or a rotation, in words.
+    /// Motion to which the conserved momentum belongs, in words, such as `a translation along n1`.
     #[must_use]
     pub fn motion(self, model: &Model) -> String {
         let body = |at: usize| &model.bodies[at].name;
@@ -148,7 +151,8 @@ impl IntegralKind {
         }
     }
 
-    /// Short symbol for the integral's value, such as `p_q3`, `P_n1` or `H_n3`; `None` if there is no customary symbol.
+    /// Short symbol for the integral's value, such as `p_q3`, `P_n1` or `H_n3`. `None` if there is no
+    /// customary symbol.
     pub(crate) fn symbol(self, model: &Model) -> Option<String> {
         match self {
             Self::Coordinate(at) => Some(format!("p_{}", model.coordinates[at].name)),
@@ -159,7 +163,7 @@ impl IntegralKind {
     }
 }
 
-/// Text of the term that is added to a momentum, such as ` + c*x`; empty if the term is 0.
+/// Text of a term that is added to a momentum, such as ` + c*x`; empty if the term is 0.
 pub(super) fn beside(arena: &Arena, of_place: Expr) -> String {
     let mut arena = arena.clone();
     let (content, rest) = arena.split_content(of_place);
@@ -174,7 +178,7 @@ pub(super) fn beside(arena: &Arena, of_place: Expr) -> String {
     }
 }
 
-/// Name of an axis of a frame: `a1` for the first axis of frame A.
+/// Name of an axis of a frame, such as `a1` for the first axis of frame A.
 fn axis_name(model: &Model, frame: usize, axis: usize) -> String {
     format!("{}{}", model.frames[frame].name.to_lowercase(), axis + 1)
 }

@@ -1,26 +1,29 @@
-//! Maps between speeds and rates, and combinations of rows with matrices of terms.
+//! Linear maps between generalized speeds u and rates q̇, and combinations of rows with matrices of
+//! terms.
 
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Equations, rates_to_speeds, speeds_to_rates};
 use crate::model::Model;
 
-/// Matrix of terms, row by row.
+/// Matrix whose entries are terms, as a list of rows.
 pub type Matrix = Vec<Vec<Expr>>;
 
-/// Maps between speeds and rates: q̇ = W u + w, q̈ = W u̇ + x, and u = J q̇ + d, u̇ = J q̈ + y.
+/// Linear maps between speeds and rates: q̇ = W u + w, q̈ = W u̇ + x, and u = J q̇ + d, u̇ = J q̈ +
+/// y.
 pub struct Maps {
-    /// Matrix W of the rates in the speeds.
+    /// Matrix W = ∂q̇/∂u, with a row for each coordinate and a column for each speed.
     pub w: Matrix,
-    /// Matrix J of the speeds in the rates.
+    /// Matrix J = ∂u/∂q̇, with a row for each speed and a column for each coordinate.
     pub j: Matrix,
-    /// Accelerations q̈ for u̇ = 0, in q and u.
+    /// Part of q̈ that remains at u̇ = 0, one term in q and u for each coordinate.
     x: Vec<Expr>,
-    /// Accelerations u̇ for q̈ = 0, in q and q̇.
+    /// Part of u̇ that remains at q̈ = 0, one term in q and q̇ for each speed.
     y: Vec<Expr>,
 }
 
 impl Maps {
+    /// Differentiates the kinematic equations and the definitions of the speeds of a model.
     pub fn new(model: &Model, arena: &mut Arena) -> Self {
         let jacobian = |arena: &mut Arena, rows: &[Expr], by: &[Expr]| -> Matrix {
             let partials: Vec<Differential> = by.iter().map(|s| Differential::partial(*s)).collect();
@@ -41,7 +44,7 @@ impl Maps {
         }
     }
 
-    /// Relations q̇ = W u + w and q̈ = W u̇ + x, each a symbol with its value.
+    /// Substitutions q̇ = W u + w and q̈ = W u̇ + x, as pairs of symbol and value.
     pub fn rates_in_speeds(&self, model: &Model, arena: &mut Arena) -> Vec<(Expr, Expr)> {
         let rates = model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied());
         let mut relations: Vec<(Expr, Expr)> = rates.collect();
@@ -53,7 +56,7 @@ impl Maps {
         relations
     }
 
-    /// Relations u = J q̇ + d and u̇ = J q̈ + y, each a symbol with its value.
+    /// Substitutions u = J q̇ + d and u̇ = J q̈ + y, as pairs of symbol and value.
     pub fn speeds_in_rates(&self, model: &Model, arena: &mut Arena) -> Vec<(Expr, Expr)> {
         let mut relations: Vec<(Expr, Expr)> = model.speeds.iter().map(|s| (s.symbol, s.definition)).collect();
         let second_rates: Vec<Expr> = model.coordinates.iter().map(|c| c.second_rate).collect();
@@ -64,7 +67,8 @@ impl Maps {
         relations
     }
 
-    /// Rewrites equations in u̇ and further unknowns as equations in q̈ and the further unknowns: A u̇ = A J q̈ + A y.
+    /// Rewrites equations in u̇ and further unknowns as equations in q̈ and the further unknowns: A u̇
+    /// = A J q̈ + A y. The fields `unknowns` and `variables` keep the symbols of the speeds.
     pub fn to_rates(&self, model: &Model, arena: &mut Arena, equations: &Equations) -> Equations {
         let mut to_rates = speeds_to_rates(model);
         let n = model.speeds.len();
@@ -82,7 +86,8 @@ impl Maps {
         result
     }
 
-    /// Rewrites equations in q̈ and further unknowns as equations in u̇ and the further unknowns.
+    /// Rewrites equations in q̈ and further unknowns as equations in u̇ and the further unknowns: E q̈
+    /// = E W u̇ + E x.
     pub fn to_speeds(&self, model: &Model, arena: &mut Arena, equations: &Equations) -> Equations {
         let mut to_speeds = rates_to_speeds(model);
         let mut result = equations.clone();
@@ -102,31 +107,31 @@ impl Maps {
     }
 }
 
-/// Matrix with rows and columns exchanged.
+/// Transposes a matrix: exchanges its rows and columns.
 pub fn transposed(matrix: &Matrix) -> Matrix {
     (0..matrix.first().map_or(0, Vec::len)).map(|at| column(matrix, at)).collect()
 }
 
-/// Column of a matrix.
+/// Entries of a column of a matrix, by the column's index from 0.
 pub fn column(matrix: &Matrix, at: usize) -> Vec<Expr> {
     matrix.iter().map(|row| row[at]).collect()
 }
 
-/// Sum of the products of the entries of two lists.
+/// Scalar product Σ a_i b_i of two lists of terms.
 pub fn dot(arena: &mut Arena, a: &[Expr], b: &[Expr]) -> Expr {
     let products: Vec<Expr> = a.iter().zip(b).map(|(a, b)| arena.mul(*a, *b)).collect();
     arena.sum(&products)
 }
 
-/// Linear system: its matrix and its right-hand side.
+/// Linear system of combined rows: matrix · unknowns = right.
 pub struct Combined {
-    /// Matrix of the system.
+    /// Matrix of the system, with a column for each unknown.
     pub matrix: Matrix,
-    /// Right-hand side of the system.
+    /// Right-hand side of the system, one entry for each row.
     pub right: Vec<Expr>,
 }
 
-/// Combination of rows of a system, one for each row of `multipliers`.
+/// Combines the rows of a system linearly. Each row of `multipliers` gives a row of the result.
 pub fn combine(arena: &mut Arena, multipliers: &Matrix, system: &Equations) -> Combined {
     let width = system.unknowns.len();
     let matrix =

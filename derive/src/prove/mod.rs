@@ -1,8 +1,8 @@
 //! Proofs that the formulations are equivalent, and of the quantities that every motion conserves.
 //!
-//! Every statement is an identity between expressions, decided by [`crate::algebra::meaning::compare`]. Nothing is
-//! integrated, sampled in floating point or solved for accelerations. Each system is proved to be a linear combination
-//! of the other, with the multipliers given.
+//! Every statement is an identity between terms, decided by [`crate::algebra::meaning::compare`].
+//! Nothing is integrated, sampled in floating point or solved for accelerations. Each system is
+//! proved to be a linear combination of the other, with stated multipliers.
 
 mod combination;
 mod equivalence;
@@ -32,28 +32,30 @@ use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Derivations, DeriveError, Formulation, LoadDivisor, load_divisors};
 use crate::model::Model;
 
-/// All statements that were proved about a model.
+/// Statements that were proved about a model: equivalence of formulations, reactions, first
+/// integrals and singular places.
 #[derive(Clone, Debug)]
 pub struct Proof {
-    /// Pairs of the formulations that the model supports, each with its proof.
+    /// Pairs of the formulations that the model supports, each with the proof that they are equivalent.
     pub pairs: Vec<Pair>,
-    /// Formulations that the model does not support, each with the reason.
+    /// Formulations that cannot be derived for the model, each with the reason.
     pub missing: Vec<(Formulation, DeriveError)>,
-    /// Reactions, each with the equation that gives it.
+    /// Reactions of the model, each with the equation that gives it.
     pub reactions: Vec<ReactionEquation>,
     /// First integrals: functionally independent quantities that are constant along every motion.
     pub integrals: Vec<Integral>,
-    /// Coverage of the search for first integrals.
+    /// Report on the search for first integrals: what it covered.
     pub search: Search,
-    /// Divisors at whose zeros the formulations are not equivalent: the speeds do not determine q̇, or a load has no
-    /// value.
+    /// Divisors at whose zeros the formulations are not equivalent, because the speeds do not determine
+    /// q̇ or a load has no value.
     pub singular_where: Vec<Expr>,
-    /// Divisors of loads, which are also among `singular_where`.
+    /// Divisors of loads that may be zero, each with its load. They are also among `singular_where`.
     pub loads: Vec<LoadDivisor>,
 }
 
 impl Proof {
-    /// Gives the named terms of all proved formulas the names that every document about the model uses.
+    /// Gives the named subterms of all proved formulas the names that every document about the model
+    /// uses.
     pub fn write_names(&self, derivations: &mut Derivations) {
         derivations.write_names();
         write_integral_names(&self.integrals, derivations);
@@ -61,22 +63,22 @@ impl Proof {
         write_down(&mut derivations.kinematics.arena, "reaction", &reactions);
     }
 
-    /// True if there are at least two formulations and all are proved equivalent.
+    /// True if there are at least two formulations and all pairs are proved equivalent.
     #[must_use]
     pub fn is_equivalent(&self) -> bool {
         !self.pairs.is_empty() && self.pairs.iter().all(|pair| pair.verdict.is_equal())
     }
 }
 
-/// First integrals of a model, without the proof of equivalence, which takes nearly all of the time in models with
-/// loops. [`prove`] finds the integrals too.
+/// Finds the first integrals of a model without the proof of equivalence. That proof takes nearly
+/// all of the time in models with loops. [`prove`] finds the integrals too.
 pub fn first_integrals(model: &Model, derivations: &mut Derivations) -> Vec<Integral> {
     let mut integrals = integrals::find(model, derivations, &mut Comparer::default()).0;
     write_out(&mut derivations.kinematics.arena, integrals.iter_mut().map(|integral| &mut integral.expression));
     integrals
 }
 
-/// Writes out the named terms of formulas that then stay short enough to be read.
+/// Replaces named subterms by their values in those formulas that then remain short enough to read.
 fn write_out<'a>(arena: &mut Arena, formulas: impl Iterator<Item = &'a mut Expr>) {
     let mut simplifier = Simplifier::default();
     for formula in formulas {
@@ -84,14 +86,15 @@ fn write_out<'a>(arena: &mut Arena, formulas: impl Iterator<Item = &'a mut Expr>
     }
 }
 
-/// Gives the named terms of first integrals the names that every document about the model uses. Call it once the
-/// equations have their names ([`Derivations::write_names`]).
+/// Gives the named subterms of first integrals the names that every document about the model uses.
+/// Must follow [`Derivations::write_names`], which names the equations' subterms.
 pub fn write_integral_names(integrals: &[Integral], derivations: &mut Derivations) {
     let values: Vec<Expr> = integrals.iter().map(|integral| integral.expression).collect();
     write_down(&mut derivations.kinematics.arena, "integral", &values);
 }
 
-/// Proves the formulations of a model equivalent and finds its first integrals.
+/// Proves the formulations of a model equivalent, and finds reactions, first integrals and singular
+/// divisors.
 pub fn prove(model: &Model, derivations: &mut Derivations) -> Proof {
     let mut comparer = Comparer::default();
     let (pairs, mut reactions) = equivalence::prove(model, derivations, &mut comparer);

@@ -1,8 +1,9 @@
-//! Rigid motions of the whole system, or of one of its bodies, that the constraints permit.
+//! Rigid motions of the whole system, or of a single body, that the constraints permit.
 //!
-//! A field ξ(q) rotates a set of bodies about an axis e through S under these conditions. With q̇ = ξ every moved frame
-//! has ω = e, every moved mass centre has v = e × (r − r_S), and all other bodies rest. This is a linear system for ξ
-//! with more rows than unknowns. The motion is permitted if and only if the system is consistent.
+//! A field ξ(q) rotates a set of bodies about an axis e through a point S under these conditions.
+//! With q̇ = ξ, every moved frame has ω = e, every moved mass centre has v = e × (r − r_S), and all
+//! other bodies rest. This is a linear system for ξ with more rows than unknowns. The motion is
+//! permitted if and only if the system is consistent.
 
 use super::fields::Field;
 use super::kind::{IntegralKind, Pivot};
@@ -15,17 +16,20 @@ use crate::geometry::Vector;
 use crate::mechanics::Kinematics;
 use crate::model::Model;
 
-/// Rigid motion, with ω and v of the mass centre for each body; `None` for a body at rest.
+/// Rigid motion, given by the velocities of all bodies at unit rate.
 struct Motion {
+    /// Kind of the momentum that belongs to the motion.
     kind: IntegralKind,
+    /// Angular velocity ω of each body and velocity v of its mass centre; `None` for a body at rest.
     of_body: Vec<Option<(Vector, Vector)>>,
 }
 
-/// Most bodies of a model in which single bodies are also moved.
+/// Largest number of bodies of a model for which motions of single bodies are also tried.
 const MOST_BODIES: usize = 8;
 
-/// Fields of all permitted rigid motions. The whole system translates along the inertial axes, or rotates about them
-/// through the mass centre or the origin. Each body does the same about its own mass centre.
+/// Vector fields of all permitted rigid motions. The whole system translates along the inertial
+/// axes, or rotates about them through the mass centre or the origin. Each body does the same about
+/// its mass centre, and rotates about its own axes.
 pub fn fields(model: &Model, kinematics: &mut Kinematics) -> Vec<Field> {
     let mut candidates = of_the_whole(model, kinematics);
     if (2..=MOST_BODIES).contains(&model.bodies.len()) {
@@ -35,12 +39,15 @@ pub fn fields(model: &Model, kinematics: &mut Kinematics) -> Vec<Field> {
     candidates.iter().filter_map(|motion| rows.field(model, kinematics, motion)).collect()
 }
 
+/// Unit vector along axis 0, 1 or 2 of the inertial frame.
 fn axis(i: usize) -> Vector {
     let mut components = [Expr::ZERO; 3];
     components[i] = Expr::ONE;
     Vector::in_frame(0, components)
 }
 
+/// Candidate rigid motions of the whole system: three translations, and rotations through the mass
+/// centre and the origin.
 fn of_the_whole(model: &Model, kinematics: &mut Kinematics) -> Vec<Motion> {
     let mut list = Vec::new();
     for i in 0..3 {
@@ -63,6 +70,7 @@ fn of_the_whole(model: &Model, kinematics: &mut Kinematics) -> Vec<Motion> {
     list
 }
 
+/// Candidate rigid motions of a single body, while all other bodies rest.
 fn of_one_body(model: &Model, body: usize) -> Vec<Motion> {
     let only = |moved: (Vector, Vector)| {
         (0..model.bodies.len()).map(|b| (b == body).then(|| moved.clone())).collect::<Vec<_>>()
@@ -86,7 +94,7 @@ fn of_one_body(model: &Model, body: usize) -> Vec<Motion> {
     list
 }
 
-/// Mass centre r_S = Σ m r / Σ m of the whole system.
+/// Mass centre r_S = Σ m r / Σ m of the whole system, from the origin, m.
 fn mass_centre(model: &Model, kinematics: &mut Kinematics) -> Vector {
     let masses: Vec<Expr> = model.bodies.iter().map(|b| b.mass).collect();
     let arena = &mut kinematics.arena;
@@ -101,26 +109,33 @@ fn mass_centre(model: &Model, kinematics: &mut Kinematics) -> Vector {
     sum
 }
 
-/// Component of a velocity of a body.
+/// Name of a velocity component of a body: body, kind of velocity, frame and axis.
 #[derive(Clone, Copy)]
 struct RowLabel {
+    /// Index of the body in the model.
     body: usize,
-    /// True for ω, false for the velocity v of the mass centre.
+    /// True for the angular velocity ω, false for the velocity v of the mass centre.
     is_angular: bool,
+    /// Index of the frame along whose axis the component is taken.
     frame: usize,
+    /// Axis of the frame: 0, 1 or 2.
     axis: usize,
 }
 
-/// Linear forms in q̇: ω and v of all bodies, and the rates of loops.
+/// Linear forms in the rates q̇: components of ω and v of all bodies, and the rates of the loops.
 struct Rows {
-    /// Velocity component of each row; `None` for a loop.
+    /// Velocity component of each row; `None` for the row of a loop.
     labels: Vec<Option<RowLabel>>,
+    /// Coefficients of q̇, a row for each velocity component or loop.
     matrix: Vec<Vec<Expr>>,
-    /// Indices of independent rows, one for each coordinate; fewer if the bodies do not determine q̇.
+    /// Indices of independent rows, one for each coordinate; fewer if the velocities of the bodies do
+    /// not determine q̇.
     chosen: Vec<usize>,
 }
 
 impl Rows {
+    /// Differentiates the velocities of all bodies, and the loops, by the rates, and selects
+    /// independent rows.
     fn new(model: &Model, kinematics: &mut Kinematics) -> Self {
         let velocities = kinematics.in_rates.clone();
         let mut partials: Vec<Differential> = model.q_dot().into_iter().map(Differential::partial).collect();
@@ -163,7 +178,8 @@ impl Rows {
         Self { labels, matrix, chosen: chosen.into_iter().map(|at| order[at]).collect() }
     }
 
-    /// Field ξ of a motion; `None` if the motion is not permitted or zero.
+    /// Vector field ξ of a rigid motion. `None` if the constraints do not permit the motion, or if ξ is
+    /// zero.
     fn field(&self, model: &Model, kinematics: &mut Kinematics, motion: &Motion) -> Option<Field> {
         let n = model.coordinates.len();
         if self.chosen.len() != n {

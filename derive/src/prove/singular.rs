@@ -1,7 +1,9 @@
-//! Zeros of the determinant of a matrix of accelerations, at the zeros of the kinematic equations' divisors.
+//! Singularity of a mass matrix: zeros of its determinant, above all at the zeros of the kinematic
+//! equations' divisors.
 //!
-//! A statement is made only if it is proved for every real state with positive parameters: by the range of the
-//! determinant's values, or by the determinant with the divisor set to zero. All other cases are open.
+//! A statement is made only if it is proved for every real state with positive parameters. The
+//! proof uses the range of the determinant's values, or the determinant with the divisor set to
+//! zero. All other cases are left open.
 
 use crate::algebra::solve::linear::determinant;
 use crate::algebra::term::calculus::Substitution;
@@ -10,44 +12,45 @@ use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::Kinematics;
 use crate::model::Model;
 
-/// Most rows of a matrix whose determinant is expanded.
+/// Largest number of rows of a matrix whose determinant is expanded.
 const MOST_ROWS: usize = 8;
 
-/// Known zeros of the determinant of a matrix.
+/// Determinant of a matrix, with what is proved about its zeros.
 #[derive(Clone, Debug)]
 pub struct Singularity {
-    /// Determinant of the matrix, simplified.
+    /// Determinant of the examined matrix, simplified.
     pub determinant: Expr,
-    /// True if the determinant is proved never to be zero.
+    /// True if the determinant is proved never to be zero; false if this is open.
     pub never: bool,
-    /// Behaviour of the matrix at the zeros of each divisor of the kinematic equations.
+    /// Behaviour of the matrix where a divisor of the kinematic equations is zero, for each divisor.
     pub at: Vec<Place>,
 }
 
-/// Behaviour of a matrix at the zeros of a divisor of the kinematic equations.
+/// Behaviour of a matrix where a divisor of the kinematic equations is zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
-    /// Divisor of the kinematic equations.
+    /// Divisor of the kinematic equations, as a term in q.
     pub divisor: Expr,
-    /// Value of the determinant at the zeros of the divisor.
+    /// Statement about the determinant where the divisor is zero.
     pub determinant: There,
-    /// True if entries of the matrix divide by zero at the divisor's zeros. Near the zeros the entries are large, and
-    /// the matrix is ill-conditioned even if its determinant is far from zero.
+    /// True if entries of the matrix divide by zero where the divisor is zero. Near there, the entries
+    /// are large, and the matrix is ill-conditioned even if its determinant is far from zero.
     pub entries_divide: bool,
 }
 
-/// Value of a determinant at the zeros of a divisor.
+/// Statement about a determinant at the zeros of a divisor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum There {
-    /// The determinant is proved to be zero.
+    /// Determinant is proved to be zero wherever the divisor is zero.
     Zero,
-    /// The determinant is proved not to be zero.
+    /// Determinant is proved not to be zero wherever the divisor is zero.
     NotZero,
-    /// Neither value of the determinant is proved.
+    /// Undecided: the determinant is proved neither zero nor nonzero there.
     Open,
 }
 
-/// Determinant of a matrix and its known zeros; `None` if the matrix is too large.
+/// Determinant of a matrix, and what is proved about its zeros. `None` if the matrix has more than
+/// 8 rows.
 pub fn singularity(model: &Model, kinematics: &mut Kinematics, matrix: &[Vec<Expr>]) -> Option<Singularity> {
     if matrix.len() > MOST_ROWS {
         return None;
@@ -56,13 +59,14 @@ pub fn singularity(model: &Model, kinematics: &mut Kinematics, matrix: &[Vec<Exp
     Some(zeros(model, kinematics, matrix, determinant))
 }
 
-/// Known zeros of a given determinant of a matrix.
+/// Proves statements about the zeros of a matrix's determinant, which is given.
 pub fn zeros(model: &Model, kinematics: &mut Kinematics, matrix: &[Vec<Expr>], determinant: Expr) -> Singularity {
     let divisors = &model.kinematic_equations.divisors;
     let at = divisors.iter().map(|divisor| place(kinematics, matrix, determinant, *divisor)).collect();
     Singularity { determinant, never: never_zero(&kinematics.arena, determinant), at }
 }
 
+/// Examines a matrix and its determinant where a divisor of the kinematic equations is zero.
 fn place(kinematics: &mut Kinematics, matrix: &[Vec<Expr>], determinant: Expr, divisor: Expr) -> Place {
     let Kinematics { arena, simplifier, .. } = kinematics;
     let mut place = Place { divisor, determinant: There::Open, entries_divide: false };
@@ -88,7 +92,8 @@ fn place(kinematics: &mut Kinematics, matrix: &[Vec<Expr>], determinant: Expr, d
     place
 }
 
-/// All zeros of a divisor, each as a list of replacements. `None` unless every factor is a sine, a cosine or a symbol.
+/// All zeros of a divisor, each as a list of substitutions. `None` unless every factor that can be
+/// zero is a sine, a cosine or a symbol.
 fn roots(arena: &mut Arena, divisor: Expr) -> Option<Vec<Vec<(Expr, Expr)>>> {
     let (_, divisor) = arena.split_content(divisor);
     let factors: Vec<Expr> = match arena.node(divisor) {

@@ -1,4 +1,4 @@
-//! One verdict from many comparisons.
+//! Verdict on many comparisons of terms at once.
 
 use crate::algebra::meaning::compare::{Comparer, Engine, Verdict};
 use crate::algebra::meaning::identity::Identity;
@@ -6,21 +6,24 @@ use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
 use crate::algebra::{Arena, Expr};
 
-/// Product of terms and comparisons above which all pairs are compared at once.
+/// Product of the numbers of terms and comparisons above which all pairs are compared in a single
+/// sum.
 const MOST_SINGLE: usize = 2_000_000;
 
-/// Comparison of many pairs of terms.
+/// Result of the comparison of many pairs of terms: a verdict, and identities.
 #[derive(Clone, Debug)]
 pub struct Compared {
-    /// Verdict on all pairs together.
+    /// Verdict on the claim that the two terms are equal in every pair.
     pub verdict: Verdict,
     /// Identities of the pairs, in their order; empty unless all pairs are equal.
     pub identities: Vec<Identity>,
 }
 
-/// Compares the two terms of every pair and gives one verdict. In large systems, whose entries share most terms, all
-/// pairs are compared at once: Σ w_i d_i of the differences d_i, with a new symbol w_i for each, is zero if and only if
-/// all differences are.
+/// Compares the two terms of every pair, and gives a single verdict.
+///
+/// In large systems, whose entries share most subterms, all pairs are compared at once. The sum Σ
+/// w_i d_i of the differences d_i, with a new symbol w_i for each, is zero if and only if all
+/// differences are.
 pub fn all_equal(arena: &mut Arena, comparer: &mut Comparer, pairs: &[(Expr, Expr)]) -> Compared {
     let differences: Vec<Expr> = pairs.iter().map(|(left, right)| arena.sub(*left, *right)).collect();
     let differences: Vec<Expr> = differences.into_iter().filter(|e| *e != Expr::ZERO).collect();
@@ -56,7 +59,7 @@ pub fn all_equal(arena: &mut Arena, comparer: &mut Comparer, pairs: &[(Expr, Exp
     Compared { verdict, identities }
 }
 
-/// One verdict for many: the first that is not "equal", or else "equal" with the weakest engine.
+/// Combines verdicts: the first that is not "equal", or else "equal" with the weakest proof method.
 pub fn all(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
     let mut engine = Engine::NormalForm;
     for verdict in verdicts {

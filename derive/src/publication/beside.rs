@@ -1,4 +1,5 @@
-//! The publication file in the folder of a model file; none if the program has no access to files.
+//! Access to the publication file in the folder of a model file. Programs without access to files
+//! find none.
 
 use super::Publication;
 #[cfg(feature = "files")]
@@ -10,19 +11,21 @@ use std::path::{Path, PathBuf};
 /// Name of the publication file in the folder of a model file.
 const NAME: &str = "publication.toml";
 
-/// Path of the publication file in the folder of a model file, even if no such file exists.
+/// Path of the publication file in the folder of the model file `path`, even if no such file
+/// exists.
 #[must_use]
 pub fn beside(path: &Path) -> PathBuf {
     path.with_file_name(NAME)
 }
 
-/// True if a path ends in the name of publication files, `publication.toml`.
+/// True if the file name of `path` is `publication.toml`, the name of publication files.
 #[must_use]
 pub fn is_beside(path: &Path) -> bool {
     path.file_name().is_some_and(|name| name == NAME)
 }
 
-/// Reads the publication in the folder of a model file; `None` if there is none. Its formulas go to the model's arena.
+/// Reads the publication file in the folder of the model file `path`; `None` if there is none.
+/// The formulas of the publication are added to the model's arena.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the publication file.
@@ -35,7 +38,7 @@ pub fn load_beside(path: &Path, model: &mut Model) -> Result<Option<Publication>
     super::load(&crate::diagnostic::Source::read(&found)?, model).map(Some)
 }
 
-/// No publication, since the program has no access to files.
+/// Returns `None`, because the program is built without access to files.
 ///
 /// # Errors
 /// Never an error.
@@ -44,7 +47,10 @@ pub fn load_beside(_path: &Path, _model: &mut Model) -> Result<Option<Publicatio
     Ok(None)
 }
 
-/// Hash of the publication file in the folder of a model file, with the files that it names; empty if none can be read.
+/// Hash of the publication file in the folder of the model file `path`, including the files that it
+/// names.
+/// Returns an empty text if there is no publication file that can be read. A named file that cannot
+/// be read is left out.
 #[must_use]
 #[cfg(feature = "files")]
 pub fn hash_beside(path: &Path) -> String {
@@ -57,7 +63,7 @@ pub fn hash_beside(path: &Path) -> String {
     crate::model::text_hash(&text)
 }
 
-/// Names of the files that a publication file names, each once.
+/// Names of the files to which a publication file refers, each once, in alphabetical order.
 #[cfg(feature = "files")]
 fn named(text: &str) -> Vec<String> {
     use toml::de::{DeTable, DeValue};
@@ -75,7 +81,7 @@ fn named(text: &str) -> Vec<String> {
     names.into_iter().collect()
 }
 
-/// Empty hash, since the program has no access to files.
+/// Returns an empty hash, because the program is built without access to files.
 #[must_use]
 #[cfg(not(feature = "files"))]
 pub fn hash_beside(_path: &Path) -> String {

@@ -4,15 +4,17 @@ use crate::algebra::term::calculus::Differential;
 use crate::algebra::{Arena, Expr};
 use crate::model::Model;
 
-/// Time derivatives of the symbols of a model.
+/// Rule for the time derivative of formulas in the symbols of a model.
 pub struct Clock {
+    /// Rule of differentiation along the motion: q → q̇ → q̈ and u → u̇.
     d_dt: Differential,
-    /// Symbols that have no time derivative here: accelerations, reactions and the symbols of derived quantities.
+    /// Symbols without a time derivative: accelerations, reactions and the symbols of derived
+    /// quantities.
     still: Vec<Expr>,
 }
 
 impl Clock {
-    /// Time derivatives of the coordinates, rates and speeds of a model.
+    /// Time derivatives of the coordinates, their rates and the generalized speeds of a model.
     pub fn new(model: &Model) -> Self {
         let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
@@ -22,7 +24,10 @@ impl Clock {
         Self { d_dt: Differential::along(&rates), still }
     }
 
-    /// Time derivative of a term; the error is the reason why there is none, and advice.
+    /// Time derivative of the term `e` along the motion.
+    ///
+    /// # Errors
+    /// Message that a symbol in the term has no time derivative, and advice.
     pub fn rate(&mut self, arena: &mut Arena, e: Expr) -> Result<Expr, (String, Option<String>)> {
         let parts = arena.reachable(&[e]);
         if let Some(still) = self.still.iter().find(|symbol| parts.binary_search(symbol).is_ok()) {
@@ -33,7 +38,7 @@ impl Clock {
         Ok(self.d_dt.apply(arena, e))
     }
 
-    /// Notes a symbol that has no time derivative, such as that of a derived quantity.
+    /// Records a symbol that has no time derivative, such as the symbol of a derived quantity.
     pub fn keep_still(&mut self, symbol: Expr) {
         self.still.push(symbol);
     }

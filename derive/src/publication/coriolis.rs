@@ -1,7 +1,8 @@
-//! Matrix C of M(q) q̈ + C(q, q̇) q̇ + g(q) = τ: the entries by which it is judged.
+//! Reading of the matrix C of M(q) q̈ + C(q, q̇) q̇ + g(q) = τ as entries that can be judged.
 //!
-//! C is not unique. So each row is judged by its product with q̇. What the publication claims of C is judged beside it:
-//! that it is the choice by Christoffel symbols, or that Ṁ − 2 C is skew-symmetric, which is C + Cᵀ = Ṁ.
+//! C is not unique. So each row is judged by its product with q̇. Two claims about C can be judged
+//! in addition: that C is the choice by Christoffel symbols, and that Ṁ − 2 C is skew-symmetric, so
+//! that C + Cᵀ = Ṁ.
 
 use super::EntryKind;
 use super::entries::Item;
@@ -12,15 +13,15 @@ use crate::mechanics::{Quantity, QuantityKind, Row};
 use crate::model::TIME;
 use crate::read::Located;
 
-/// Claims on C that a publication may state.
+/// Words for claims about the matrix C that a publication may state.
 const CLAIMS: [&str; 2] = ["christoffel", "skew-symmetric"];
 
-/// An entry of a matrix: its term and its text.
+/// Entry of a printed matrix: its value as a term, and its printed text.
 pub type Cell = (Expr, String);
 
 impl<'a> Loading<'a, '_> {
-    /// Entries by which a matrix C is judged, each with the suffix of its id. Reports a matrix that has not one row and
-    /// one column for each coordinate.
+    /// Entries by which a printed matrix C is judged, each with the suffix of its id.
+    /// Reports an error and returns `None` unless C has one row and one column for each coordinate.
     pub fn coriolis(
         &mut self,
         item: &Item<'a>,
@@ -69,11 +70,13 @@ impl<'a> Loading<'a, '_> {
         Some(list)
     }
 
+    /// Equation that states the printed value of a quantity.
     fn component(&self, kind: QuantityKind, printed: Expr, text: String) -> EntryKind {
         EntryKind::Equation { quantity: Quantity::new(kind, self.model), printed, text }
     }
 
-    /// Claims that an entry states under `claims`; reports an unknown one.
+    /// Reads the claims about C that an entry states under `claims`; reports an unknown claim and
+    /// returns `None`.
     fn claims(&mut self, item: &Item<'a>) -> Option<Vec<&'static str>> {
         let Some(value) = self.reader.get(item.table, "claims") else { return Some(Vec::new()) };
         let array = self.array(value, "`claims`", "claims = [\"skew-symmetric\"]")?;

@@ -1,4 +1,5 @@
-//! Entries of a publication: the keys common to all, and entries with a single formula.
+//! Reading of the entries of a publication: keys that all entries have, and entries with a single
+//! formula.
 
 use super::equalities::sides;
 use super::matrix::{Cells, cells};
@@ -16,10 +17,10 @@ use toml::de::{DeTable, DeValue};
 
 /// Largest number of entries in a publication file.
 const MAX_ENTRIES: usize = 2000;
-/// Most characters of an entry's id.
+/// Largest number of characters in an entry's id.
 const MAX_ID: usize = 80;
 
-/// Kind of an entry of a publication.
+/// Kind of an entry of a publication file, by the table that states it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Equation,
@@ -40,7 +41,7 @@ const KINDS: [(Kind, &str, &str); 6] = [
     (Kind::Initial, "initial", "an initial value"),
 ];
 
-/// Keys that an entry of this kind may have: those of every entry, then its own.
+/// Keys that a table of the given kind of entry may have in a publication file.
 fn keys(kind: Kind) -> Vec<&'static str> {
     let own: &[&str] = match kind {
         Kind::Equation => &["quantity", "printed", "label", "line", "formulation", "frame"],
@@ -71,14 +72,14 @@ fn keys(kind: Kind) -> Vec<&'static str> {
     [&["id", "section", "repaired", "note"], formulas, own].concat()
 }
 
-/// Part of a range of a text without space around it.
+/// Byte range of a part of a text, without the spaces at both ends of the part.
 fn trimmed(text: &str, range: Range<usize>) -> Range<usize> {
     let part = &text[range.clone()];
     let start = range.start + part.len() - part.trim_start().len();
     start..start + part.trim().len()
 }
 
-/// Part of a printed formula, with its place.
+/// Part of a printed formula, without spaces at its ends, with its place in the file.
 pub(super) fn part(printed: &Located, range: Range<usize>) -> Located {
     Located {
         text: printed.text[range.clone()].trim().to_owned(),
@@ -87,14 +88,15 @@ pub(super) fn part(printed: &Located, range: Range<usize>) -> Located {
     }
 }
 
-/// An entry as it stands in the publication file.
+/// Table of a publication file that states an entry, with its place.
 pub struct Item<'a> {
+    /// TOML table with the keys of the entry.
     pub table: &'a DeTable<'a>,
-    /// Name of the entry's kind in messages.
+    /// Name of the entry's kind for messages, such as "an equation".
     pub what: &'static str,
     /// Byte range of the entry in the publication file.
     pub span: Range<usize>,
-    /// Notation of the entry's formulas.
+    /// Notation in which the entry's formulas are written.
     pub notation: Notation,
 }
 
@@ -150,6 +152,8 @@ impl<'a> Loading<'a, '_> {
         read
     }
 
+    /// Reads a table of the publication file as its entries, after the variables of its program are
+    /// known; `None` if an error is reported.
     fn entry_of(&mut self, kind: Kind, item: &Item<'a>) -> Option<Vec<Entry>> {
         self.reader.allow(item.table, item.what, &keys(kind));
         let id = self.id(item);
@@ -195,8 +199,9 @@ impl<'a> Loading<'a, '_> {
         Some(entries)
     }
 
-    /// Reads a quantity with two indices, or a vector, whose entries are printed together, row by row; each with the
-    /// suffix of its id. The matrix C is judged as a whole.
+    /// Reads a printed matrix or vector of a quantity as one equation for each element, each with
+    /// the suffix of its id.
+    /// The Coriolis matrix C is judged as a whole instead. Returns `None` if an error is reported.
     fn matrix_entries(&mut self, item: &Item<'a>) -> Option<Vec<(String, EntryKind)>> {
         let quantity = self.required_text(item, "quantity");
         let printed = self.printed(item)?;
@@ -250,7 +255,8 @@ impl<'a> Loading<'a, '_> {
         Some(list.into_iter().collect::<Option<Vec<_>>>()?.concat())
     }
 
-    /// Terms and texts of the entries of a printed matrix.
+    /// Terms and texts of the elements of a printed matrix, row by row; `None` if an error is
+    /// reported.
     fn cells(
         &mut self,
         rows: Vec<Vec<Range<usize>>>,
@@ -270,14 +276,15 @@ impl<'a> Loading<'a, '_> {
         list.into_iter().map(|row| row.into_iter().collect()).collect()
     }
 
-    /// Value and text of the factor in front of a matrix, which may be a sign alone.
+    /// Value and text of the factor in front of a matrix, which may be only a sign; `None` if an
+    /// error is reported.
     fn factor(&mut self, printed: &Located, notation: Notation) -> Option<(Expr, String)> {
         let value = if printed.text == "-" { Expr::MINUS_ONE } else { self.formula(printed, notation)? };
         let times = if printed.text == "-" || notation == Notation::Latex { "" } else { "*" };
         Some((value, format!("{}{times}", printed.text)))
     }
 
-    /// Value and text of an entry of a matrix, times the factor in front of the matrix.
+    /// Value and text of an element of a matrix, multiplied by the factor in front of the matrix.
     fn times(
         &mut self,
         factor: Option<&(Expr, String)>,
@@ -291,13 +298,14 @@ impl<'a> Loading<'a, '_> {
         })
     }
 
-    /// String under a key that must be present.
+    /// Text under a required key of an entry; reports an absent key and returns `None`.
     pub fn required_text(&mut self, item: &Item<'a>, key: &str) -> Option<Located> {
         let value = self.reader.need(item.table, key, item.what, &item.span)?;
         self.reader.string(value, &format!("`{key}`"))
     }
 
-    /// Printed formula: that under `printed`, or that of a label in a file.
+    /// Printed formula of an entry: the text under `printed`, or the equation of a label in a file.
+    /// Returns `None` if an error is reported.
     fn printed(&mut self, item: &Item<'a>) -> Option<Located> {
         let Some(label) = self.reader.get(item.table, "label") else {
             if let Some(line) = self.reader.get(item.table, "line") {
@@ -332,12 +340,13 @@ impl<'a> Loading<'a, '_> {
         Some(list.swap_remove(at))
     }
 
-    /// Formula under a key that must be present.
+    /// Formula under a required key of an entry; reports an absent key and returns `None`.
     fn required_formula(&mut self, item: &Item<'a>, key: &str) -> Option<Located> {
         let value = self.reader.need(item.table, key, item.what, &item.span)?;
         self.reader.formula(value, &format!("`{key}`"))
     }
 
+    /// Id of an entry; reports an unsuitable or repeated id and returns `None`.
     fn id(&mut self, item: &Item<'a>) -> Option<Located> {
         let id = self.required_text(item, "id")?;
         let odd = |c: char| c.is_whitespace() || c.is_control();
@@ -352,7 +361,7 @@ impl<'a> Loading<'a, '_> {
         Some(id)
     }
 
-    /// Reserves an id for an entry; reports an id that is already used.
+    /// Reserves an id for an entry; reports an id that is already in use.
     fn claim(&mut self, id: &str, span: &Range<usize>, of_what: &str) {
         if let Some(first) = self.ids.get(id) {
             let message = format!("the id `{}`{of_what} is used twice", shown(id));
@@ -410,6 +419,8 @@ impl<'a> Loading<'a, '_> {
         kinds.into_iter().enumerate().map(|(at, kind)| Some((suffix(at), kind?))).collect()
     }
 
+    /// Reads an entry `[[initial]]`: a printed number of a parameter or of a start.
+    /// Reports a second number for the same quantity in the set. `None` if an error is reported.
     fn initial(&mut self, item: &Item<'a>) -> Option<EntryKind> {
         let set = self.required_text(item, "set");
         let quantity = self.required_text(item, "quantity").and_then(|name| self.initial_quantity(name));
@@ -431,7 +442,8 @@ impl<'a> Loading<'a, '_> {
         Some(EntryKind::Initial(Initial { set, quantity: symbol, name: name.text, value: value?, text, decimals }))
     }
 
-    /// Name and symbol of a parameter, a coordinate, a coordinate's derivative or a speed; reports another name.
+    /// Name and symbol of a parameter, coordinate, coordinate's derivative or speed.
+    /// Reports any other name and returns `None`.
     fn initial_quantity(&mut self, name: Located) -> Option<(Located, Expr)> {
         let model = &self.model;
         let mut known: Vec<(String, Expr)> = model.parameters.iter().map(|p| (p.name.clone(), p.symbol)).collect();
@@ -447,7 +459,8 @@ impl<'a> Loading<'a, '_> {
         None
     }
 
-    /// Reads a formula that is a number; reports symbols.
+    /// Reads a formula without symbols as a number.
+    /// Reports a formula with symbols or without a finite value, and returns `None`.
     fn constant(&mut self, formula: &Located, notation: Notation) -> Option<Expr> {
         let e = self.formula(formula, notation)?;
         let arena = &self.model.arena;
@@ -478,7 +491,7 @@ fn values(formula: &Located, notation: Notation) -> Vec<Located> {
     }
 }
 
-/// Number of decimals of a plain number, five for `1.50e-3`; `None` for any other formula.
+/// Number of decimals of a plain number, such as five for `1.50e-3`; `None` for any other formula.
 fn decimals(text: &str) -> Option<u32> {
     let text = text.trim().trim_start_matches(['-', '+']).trim_start();
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {

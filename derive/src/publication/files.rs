@@ -1,4 +1,4 @@
-//! Files that a publication names beside it: their names, their texts, and what was read of them.
+//! Files to which a publication refers: names, texts, and results of reading them.
 
 use super::locals::Locals;
 use super::printed::{Macros, Paper};
@@ -9,7 +9,7 @@ use rustc_hash::FxHashMap;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Endings of the names of files, each with the notation of their formulas.
+/// Endings of file names, each with the notation of the formulas in such a file.
 const ENDINGS: [(&str, Notation); 10] = [
     ("tex", Notation::Latex),
     ("ltx", Notation::Latex),
@@ -23,22 +23,27 @@ const ENDINGS: [(&str, Notation); 10] = [
     ("hpp", Notation::C),
 ];
 
-/// Files that a publication names, as far as they were read. `None` marks a file with a reported error.
+/// Cache of the files to which a publication refers. `None` marks a file with a reported error.
 pub struct Files<'r> {
+    /// Function that reads a file by its name, or returns the reason why it cannot be read.
     pub read: &'r dyn Fn(&str) -> Result<Source, Diagnostics>,
-    /// Name of the file for entries that name none.
+    /// Name of the file for entries that state no file; `None` if the publication states none.
     pub usual: Option<Located>,
-    /// Macros for formulas that are copied into the publication file.
+    /// LaTeX macros for formulas that are written in the publication file itself.
     pub macros: Macros,
+    /// Texts of the files read so far, by name; `None` for a file with a reported error.
     pub sources: FxHashMap<String, Option<Arc<Source>>>,
+    /// LaTeX files read so far, by name; `None` for a file with a reported error.
     pub papers: FxHashMap<String, Option<Arc<Paper>>>,
     /// Names of abbreviations whose formulas are taken from the file at the top.
     pub defined: Vec<String>,
-    /// Variables of programs by the file, the part of it and the notation.
+    /// Variables of the programs read so far, by file, part of the file, and notation; `None` after
+    /// a reported error.
     pub programs: FxHashMap<(String, String, &'static str), Option<Arc<Locals>>>,
 }
 
 impl<'r> Files<'r> {
+    /// Cache without files; the function `read` reads a file by its name, or says why it cannot.
     pub fn new(read: &'r dyn Fn(&str) -> Result<Source, Diagnostics>) -> Self {
         Self {
             read,
@@ -52,13 +57,17 @@ impl<'r> Files<'r> {
     }
 }
 
-/// Notation of the formulas of a file, by the ending of its name; `None` for another ending.
+/// Notation of the formulas in a file, from the ending of its name; `None` for an unknown ending.
 pub fn notation_of_file(name: &str) -> Option<Notation> {
     let (_, ending) = name.rsplit_once('.')?;
     ENDINGS.iter().find(|(known, _)| *known == ending).map(|(_, notation)| *notation)
 }
 
-/// Reads a file that a publication names beside it. Links are refused: a name means a file of this folder.
+/// Reads a file in the folder of a publication. Symbolic links are refused: a name means a file in
+/// this folder.
+///
+/// # Errors
+/// `Diagnostics` if the path is a link, or if the file cannot be read.
 #[cfg(feature = "files")]
 pub fn read_named(path: &Path) -> Result<crate::diagnostic::Source, Diagnostics> {
     if std::fs::symlink_metadata(path).is_ok_and(|found| found.file_type().is_symlink()) {
@@ -70,7 +79,10 @@ pub fn read_named(path: &Path) -> Result<crate::diagnostic::Source, Diagnostics>
     crate::diagnostic::Source::read(path)
 }
 
-/// No file, since the program has no access to files.
+/// Returns an error, because the program is built without access to files.
+///
+/// # Errors
+/// Always `Diagnostics` that no files can be read.
 #[cfg(not(feature = "files"))]
 pub fn read_named(path: &Path) -> Result<crate::diagnostic::Source, Diagnostics> {
     let source = crate::diagnostic::Source::from_text(&path.to_string_lossy(), "");

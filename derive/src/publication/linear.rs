@@ -1,4 +1,4 @@
-//! Entries of a publication that are linear systems, as a matrix or as equations of motion.
+//! Reading of printed linear systems, stated as a matrix or as equations of motion.
 
 use super::System;
 use super::entries::Item;
@@ -18,30 +18,31 @@ use toml::de::DeValue;
 /// Largest number of rows of a printed matrix.
 const MAX_ROWS: usize = 500;
 
-/// Mark that an error stands in the reader. In its place, `None` means that a key is absent.
+/// Mark that an error has been reported. It differs from `None`, which means that a key is absent.
 struct Reported;
 
-/// Formulas as terms, and their printed texts.
+/// List of formulas as terms, and the list of their printed texts.
 pub(super) type Formulas = (Vec<Expr>, Vec<String>);
-/// Entries of a printed matrix, row by row: as terms, and as texts.
+/// Entries of a printed matrix, row by row: first as terms, then as printed texts.
 pub(super) type Matrix = (Vec<Vec<Expr>>, Vec<Vec<String>>);
 
-/// Requirements on a printed matrix: its width, and the symbols that no entry may contain.
+/// Requirements for a printed matrix: its width, and the symbols that its entries must not contain.
 #[derive(Clone, Copy)]
 pub(super) struct Fit<'a> {
-    /// Number of entries in each row; `None` if it is not known.
+    /// Number of entries in each row; `None` if any common number is allowed.
     pub(super) columns: Option<usize>,
-    /// Reason for the number of columns, given as help in an error.
+    /// Help text for an error in the number of columns.
     pub(super) help: &'a str,
-    /// Unknowns of the system. No entry of the matrix may contain one.
+    /// Unknowns of the system, which no entry of the matrix may contain.
     pub(super) unknowns: &'a [Expr],
-    /// Notation of the matrix entries.
+    /// Notation in which the matrix entries are written.
     pub(super) notation: Notation,
 }
 
 impl<'a> Loading<'a, '_> {
-    /// Reads an entry `[[system]]`: a linear system, matrix · unknowns = right, or equations that are linear in the
-    /// unknowns.
+    /// Reads an entry `[[system]]`: a linear system matrix · unknowns = right, or equations linear
+    /// in the unknowns.
+    /// Returns `None` if an error is reported.
     pub fn system(&mut self, item: &Item<'a>) -> Option<System> {
         let keys = ["equations", "label", "labels"];
         if keys.iter().any(|key| self.reader.get(item.table, key).is_some()) {
@@ -91,8 +92,8 @@ impl<'a> Loading<'a, '_> {
         Some(self.in_its_unknowns(system, item))
     }
 
-    /// System whose right-hand sides contain none of its unknowns: their terms move to the matrix. Accelerations of
-    /// the publication's own coordinates are written in those of the model.
+    /// Moves the unknowns in the right-hand sides of a system to its matrix.
+    /// Accelerations of the publication's own coordinates are expressed in those of the model.
     fn in_its_unknowns(&mut self, system: System, item: &Item<'a>) -> System {
         let arena = &mut self.model.arena;
         let parts = arena.reachable(&system.right);
@@ -121,7 +122,8 @@ impl<'a> Loading<'a, '_> {
         System { unknowns, unknown_names: names, matrix, right: rests, row_texts, matrix_ids: None, ..system }
     }
 
-    /// Reads a system that is printed as equations, each linear in the accelerations and reactions.
+    /// Reads a system that is printed as equations, each linear in accelerations and reactions.
+    /// Returns `None` if an error is reported.
     fn system_of_equations(&mut self, item: &Item<'a>) -> Option<System> {
         for key in ["matrix", "right", "matrix_ids", "right_ids"] {
             if let Some(value) = self.reader.get(item.table, key) {
@@ -144,8 +146,9 @@ impl<'a> Loading<'a, '_> {
         Some(self.rows(formulation?, frame.ok()?, residuals))
     }
 
-    /// Equations of a system: those under `equations`, or those of labels in a file. One `label` means all equations
-    /// of the environment in which it stands.
+    /// Equations of a system: those under `equations`, or those that labels in a file name.
+    /// A single `label` means all equations of the LaTeX environment that contains the label.
+    /// `None` if an error is reported.
     fn equations(&mut self, item: &Item<'a>) -> Option<Vec<Located>> {
         let stated: Vec<&str> =
             ["equations", "label", "labels"].into_iter().filter(|k| self.reader.get(item.table, k).is_some()).collect();
@@ -171,8 +174,9 @@ impl<'a> Loading<'a, '_> {
         list.into_iter().collect()
     }
 
-    /// Checks the `unknowns` that stand beside equations: each is one of the formulation, and the equations contain no
-    /// other.
+    /// Checks the `unknowns` stated with equations: they belong to the formulation, and the
+    /// equations contain no others.
+    /// Reports an error and returns `None` if the check fails.
     fn solved_for(&mut self, item: &Item<'a>, formulation: Formulation, residuals: &[(Expr, String)]) -> Option<()> {
         if self.reader.get(item.table, "unknowns").is_none() {
             return Some(());
@@ -194,8 +198,10 @@ impl<'a> Loading<'a, '_> {
         Some(())
     }
 
-    /// Reads an equation of motion `left = right`, or a formula that is zero, as a system of one row. Without a stated
-    /// formulation, its accelerations and reactions tell which.
+    /// Reads an equation of motion `left = right`, or a formula that is zero, as a system with one
+    /// row.
+    /// Without a stated formulation, the unknowns in the equation decide the formulation. `None` if
+    /// an error is reported.
     pub fn equation_of_motion(&mut self, item: &Item<'a>, formula: &Located) -> Option<System> {
         let residual = self.residual(formula, item.notation)?;
         let formulation = match self.reader.get(item.table, "formulation") {
@@ -205,7 +211,8 @@ impl<'a> Loading<'a, '_> {
         self.single_row(item, formulation, residual, formula.text.clone())
     }
 
-    /// Formulation in which a name is that of a reaction or a multiplier, and its symbol. `None` for another name.
+    /// Formulation and symbol of the reaction or multiplier with the name `name`; `None` for any
+    /// other name.
     pub fn unknown_named(&self, name: &str) -> Option<(Formulation, Expr)> {
         let reaction = self.model.reactions.iter().find(|r| r.name == name).map(|r| r.symbol);
         let is_named = |m: &Expr| self.model.arena.symbol_name(*m) == Some(name);
@@ -223,13 +230,16 @@ impl<'a> Loading<'a, '_> {
     ) -> Option<System> {
         let (formulation, symbol) = unknown;
         let right = self.formula(value, item.notation)?;
-        // Value − symbol: a mistake is told with the signs of the value.
+        // Value − symbol: signs in the description of a mistake are then the signs of the printed
+        // value.
         let residual = self.model.arena.sub(right, symbol);
         self.words.shorthand.keep_difference(&self.model.arena, residual, right, symbol);
         self.single_row(item, formulation, residual, value.text.clone())
     }
 
-    /// System of one equation residual = 0. An equation of one unknown alone is the same in all frames, and needs none.
+    /// System of one equation residual = 0.
+    /// Components need a frame only if the equation has several unknowns: an equation for one
+    /// unknown is the same in all frames.
     fn single_row(
         &mut self,
         item: &Item<'a>,
@@ -249,7 +259,8 @@ impl<'a> Loading<'a, '_> {
         Some(System { is_single: true, ..system })
     }
 
-    /// Formulation whose unknowns an equation mentions.
+    /// Formulation whose unknowns an equation mentions: Newton–Euler for reactions, Kane for u̇,
+    /// else Lagrange.
     fn formulation_of(&self, residual: Expr) -> Formulation {
         let parts = self.model.arena.reachable(&[residual]);
         let mentions = |symbol: Expr| parts.binary_search(&symbol).is_ok();
@@ -263,6 +274,7 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Difference left − right of an equation; the whole formula if it has no `=`.
+    /// Reports a second `=` and returns `None`.
     fn residual(&mut self, formula: &Located, notation: Notation) -> Option<Expr> {
         let mut places = formula.text.match_indices('=').map(|(at, _)| at);
         let (first, second) = (places.next(), places.next());
@@ -285,7 +297,9 @@ impl<'a> Loading<'a, '_> {
         Some(residual)
     }
 
-    /// System of equations residual = 0, each with its text.
+    /// Builds a system from equations residual = 0, each with its printed text.
+    /// `frame` is the index of the frame for components; `None` for formulations without
+    /// components.
     fn rows(&mut self, formulation: Formulation, frame: Option<usize>, residuals: Vec<(Expr, String)>) -> System {
         let (unknown_names, unknowns): (Vec<String>, Vec<Expr>) = formulation.unknowns(self.model).into_iter().unzip();
         let mut form = LinearForm::new(&unknowns);
@@ -315,6 +329,7 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
+    /// Formulation that an entry states; reports an unknown name and returns `None`.
     pub(super) fn formulation(&mut self, item: &Item<'a>) -> Option<Formulation> {
         let name = self.required_text(item, "formulation")?;
         let standard = Formulation::STANDARD;
@@ -326,8 +341,9 @@ impl<'a> Loading<'a, '_> {
         found
     }
 
-    /// Index of the frame in which a system with reactions has its components; `None` for other systems, which have no
-    /// frame.
+    /// Index of the frame in which a Newton–Euler system has its components; `None` for systems of
+    /// other formulations.
+    /// The error means that an unsuitable frame is reported.
     fn frame(&mut self, item: &Item<'a>, formulation: Option<Formulation>) -> Result<Option<usize>, Reported> {
         if !formulation.ok_or(Reported)?.carries_reactions() {
             let Some(value) = self.reader.get(item.table, "frame") else { return Ok(None) };
@@ -344,7 +360,8 @@ impl<'a> Loading<'a, '_> {
         found.map(Some).ok_or(Reported)
     }
 
-    /// Accelerations of the publication's own coordinates and speeds among these names.
+    /// Accelerations of the publication's own coordinates and speeds in a list of names, each with
+    /// its formula.
     fn accelerations(&self, names: &'a [Spanned<DeValue<'a>>]) -> Vec<(String, Expr)> {
         let name = |value: &'a Spanned<DeValue<'a>>| match value.get_ref() {
             DeValue::String(name) => {
@@ -355,7 +372,10 @@ impl<'a> Loading<'a, '_> {
         names.iter().filter_map(name).collect()
     }
 
-    /// Reads at least one name out of the list `known`, each once.
+    /// Reads a list of at least one name out of `known`, each at most once; returns their symbols
+    /// and names.
+    /// Reports an error and returns `None` for an unknown or repeated name. `what` describes the
+    /// names in messages.
     pub(super) fn members(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
@@ -394,6 +414,8 @@ impl<'a> Loading<'a, '_> {
         complete.then(|| found.into_iter().map(|(e, name)| (e, name.text)).unzip())
     }
 
+    /// Array under a required key of an entry, and its place; reports a key that is absent or no
+    /// array.
     pub(super) fn required_array(
         &mut self,
         item: &Item<'a>,
@@ -404,7 +426,7 @@ impl<'a> Loading<'a, '_> {
         Some((self.array(value, &format!("`{key}`"), example)?, value.span()))
     }
 
-    /// Reads formulas that contain none of the unknowns.
+    /// Reads formulas that must not contain any of the `unknowns`; `None` if an error is reported.
     pub(super) fn formulas(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
@@ -423,7 +445,8 @@ impl<'a> Loading<'a, '_> {
         read.into_iter().collect::<Option<Vec<_>>>().map(|list| list.into_iter().unzip())
     }
 
-    /// Reports a formula that contains an unknown of its system: matrix · unknowns = right must be linear as printed.
+    /// Reports a formula that contains an unknown of its system, and returns `None`.
+    /// A system matrix · unknowns = right must be linear as printed.
     fn without(&mut self, e: Expr, formula: &Located, what: &str, unknowns: &[Expr]) -> Option<()> {
         let arena = &self.model.arena;
         let parts = arena.reachable(&[e]);
@@ -436,7 +459,7 @@ impl<'a> Loading<'a, '_> {
         None
     }
 
-    /// Reads a matrix: rows with equal numbers of formulas.
+    /// Reads a matrix whose rows have equal numbers of formulas; `None` if an error is reported.
     pub(super) fn matrix(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
@@ -466,7 +489,9 @@ impl<'a> Loading<'a, '_> {
         rows.into_iter().collect::<Option<Vec<_>>>().map(|rows| rows.into_iter().unzip())
     }
 
-    /// Reads a template of ids with marks for the row and the column; `None` if the key is absent.
+    /// Reads a template for ids, in which marks stand for the row and column; `None` if the key is
+    /// absent.
+    /// The error means that an unsuitable template is reported.
     fn template(&mut self, item: &Item<'a>, key: &str, marks: &[&str]) -> Result<Option<String>, Reported> {
         let Some(value) = self.reader.get(item.table, key) else { return Ok(None) };
         let template = self.reader.string(value, &format!("`{key}`")).ok_or(Reported)?;
@@ -479,8 +504,9 @@ impl<'a> Loading<'a, '_> {
     }
 }
 
-/// Coefficients of the unknowns in an equation, and its rest. An equation that is not linear in them, for instance by a
-/// dot too many, is all rest: it is judged as it is printed.
+/// Coefficients of the unknowns in an equation, and its remainder without unknowns.
+/// If the equation is not linear in the unknowns, all coefficients are 0 and the remainder is the
+/// whole equation. It is then judged as printed.
 fn linear_or_whole(form: &mut LinearForm, arena: &mut Arena, equation: Expr) -> (Vec<Expr>, Expr) {
     match form.coefficients(arena, equation) {
         Ok(found) => found,
@@ -488,6 +514,7 @@ fn linear_or_whole(form: &mut LinearForm, arena: &mut Arena, equation: Expr) -> 
     }
 }
 
+/// Number with its noun in the singular or plural, such as "2 entries".
 pub(super) fn count(n: usize, noun: &str) -> String {
     match (n, noun.strip_suffix('y')) {
         (1, _) => format!("1 {noun}"),

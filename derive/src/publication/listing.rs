@@ -1,4 +1,4 @@
-//! Entries of a publication that are programs, which compute the derivative of a state.
+//! Reading of printed programs (listings) that compute the time derivative of a state.
 
 use super::Listing;
 use super::entries::Item;
@@ -12,7 +12,9 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 impl<'a> Loading<'a, '_> {
-    /// Reads an entry `[[listing]]`: a program that computes the derivative of a state.
+    /// Reads an entry `[[listing]]`: a printed program that computes the time derivative of a
+    /// state.
+    /// Returns `None` if an error is reported.
     pub fn listing(&mut self, item: &Item<'a>) -> Option<Listing> {
         let formulation = self.formulation(item);
         let state = self.required_array(item, "state", "[\"q1\", \"u1\"]");
@@ -52,7 +54,8 @@ impl<'a> Loading<'a, '_> {
         Some(Listing { formulation, state, state_names, derivative, derivative_texts, moving, matrix, matrix_texts })
     }
 
-    /// True if the program takes no vector apart that has the variables of the state in another order. Reports one.
+    /// True unless the program unpacks the variables of the state from a vector in another order,
+    /// which is reported.
     fn is_in_order(&mut self, span: &Range<usize>, state: &[Expr]) -> bool {
         let locals = Arc::clone(&self.words.locals);
         for names in locals.unpacked().iter().filter(|names| names.len() == state.len()) {
@@ -68,8 +71,11 @@ impl<'a> Loading<'a, '_> {
         true
     }
 
-    /// Reads a state: coordinates and speeds in any order, and the indices of the speeds. For Lagrange, rates of
-    /// coordinates take the place of speeds.
+    /// Reads the state of a printed program (listing): coordinates and motion variables in any
+    /// order.
+    /// Returns their symbols, their names, and the indices of the motion variables. These are the
+    /// generalized speeds, or the rates of the coordinates for Lagrange. `None` if an error is
+    /// reported.
     fn state(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],

@@ -1,53 +1,61 @@
-//! Variables that a program assigns, while formulas of the program are read.
+//! Variables that a printed program assigns, for the reading of formulas that use them.
 
 use crate::algebra::Expr;
 use crate::diagnostic::shown;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 
-/// Prefix of the names that stand for variables of a program while a formula is read.
+/// Prefix of the substitute names for a program's variables while a formula is read.
 const LOCAL: &str = "_local_";
 
-/// Name that stands, while a formula is read, for the variable of a program with this number.
+/// Substitute name, used while a formula is read, for the program's variable with this number.
 pub fn local_name(number: usize) -> String {
     format!("{LOCAL}{number}_")
 }
 
-/// Number of the variable of a program that a name stands for while a formula is read; `None` for another name.
+/// Number of the program's variable for which a name is the substitute; `None` for any other name.
 pub fn local_number(name: &str) -> Option<usize> {
     name.strip_prefix(LOCAL)?.strip_suffix('_')?.parse().ok()
 }
 
-/// Variables that a program assigns, with their values.
+/// Variables that a printed program assigns, with their values.
 #[derive(Default)]
 pub struct Locals {
-    /// Number of each variable in `values`, by its name in the program.
+    /// Index, in the list of values, of the latest value of each variable, by the name in the
+    /// program.
     numbers: FxHashMap<String, usize>,
+    /// Assigned values, in the order of the assignments.
     values: Vec<Local>,
-    /// Variables to which the program assigns the entries of one whole together, as in `q, w = state`.
+    /// Lists of variables that the program assigns together from one vector, as in `q, w = state`.
     unpacked: Vec<Vec<String>>,
 }
 
-/// Value of a variable of a program.
+/// Value of a variable of a printed program.
 #[derive(Clone)]
 pub enum Local {
+    /// Value that was read as a term.
     Value(Expr),
+    /// Value that was not read, with the reason.
     Unread(Unread),
 }
 
-/// Reason why an assignment of a program was not read.
+/// Reason why an assignment of a program was not read, for an error message.
 #[derive(Clone)]
 pub struct Unread {
-    /// Place of the reason in the reader.
+    /// Place of the cause, as a byte range in the reader's texts.
     pub place: Range<usize>,
+    /// Message that says why the assignment was not read.
     pub message: String,
+    /// Advice that goes with the message.
     pub help: String,
-    /// True if the message names the assignment that was not read, which may be an earlier one.
+    /// True if the message names the assignment that was not read, which may be an earlier
+    /// assignment.
     pub names_assignment: bool,
 }
 
 impl Unread {
-    /// Reason with the name of the assigned variable in its message, unless an earlier assignment is named there.
+    /// Adds the name of the assigned variable to the message, unless the message already names an
+    /// assignment.
     #[must_use]
     pub fn naming(mut self, name: &str) -> Self {
         if !self.names_assignment {
@@ -59,32 +67,35 @@ impl Unread {
 }
 
 impl Locals {
-    /// Assigns a variable.
+    /// Assigns a value to a variable; an earlier value of the variable is kept under its number.
     pub fn set(&mut self, name: &str, value: Local) {
         self.numbers.insert(name.to_owned(), self.values.len());
         self.values.push(value);
     }
 
-    /// Notes variables to which the program assigns the entries of one whole together.
+    /// Records variables that the program assigns together from one vector, in their order.
     pub fn unpack(&mut self, names: &[String]) {
         self.unpacked.push(names.to_vec());
     }
 
-    /// Variables to which the program assigns the entries of one whole together, one list for each assignment.
+    /// Lists of variables that the program assigns together from one vector, one list for each
+    /// assignment.
     pub fn unpacked(&self) -> &[Vec<String>] {
         &self.unpacked
     }
 
-    /// Forgets a variable, so that its name has the meaning that the publication file gives it.
+    /// Removes a variable, so that its name has the meaning from the publication file or the model
+    /// again.
     pub fn forget(&mut self, name: &str) {
         self.numbers.remove(name);
     }
 
+    /// True if the program has assigned a variable of this name.
     pub fn has(&self, name: &str) -> bool {
         self.numbers.contains_key(name)
     }
 
-    /// Number of a variable that was assigned; `None` for another name.
+    /// Number of the latest value of a variable; `None` for a name that was not assigned.
     pub fn number(&self, name: &str) -> Option<usize> {
         self.numbers.get(name).copied()
     }
@@ -97,7 +108,8 @@ impl Locals {
         }
     }
 
-    /// Names of the entries of a vector or matrix, each with the text behind the name of the whole.
+    /// Names of the entries assigned to the vector or matrix `whole`, each with its index as text,
+    /// such as `[0]`.
     pub fn entries(&self, whole: &str) -> Vec<(String, String)> {
         let index = |name: &String| {
             let index = name.strip_prefix(whole)?;
@@ -108,7 +120,7 @@ impl Locals {
         list
     }
 
-    /// Value of a variable by its number.
+    /// Value with this number; `None` for an unknown number.
     pub fn value(&self, number: usize) -> Option<&Local> {
         self.values.get(number)
     }

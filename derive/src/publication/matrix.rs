@@ -1,19 +1,22 @@
-//! Matrices that are printed as a whole, in LaTeX, MATLAB, NumPy or SymPy: their entries, each with its place.
+//! Parsing of a printed matrix in LaTeX, MATLAB, NumPy or SymPy into the places of its entries.
 
 use crate::algebra::text::notation::Notation;
 use std::ops::Range;
 
-/// Entries of a printed matrix.
+/// Byte ranges of the entries of a printed matrix, and of the factor in front.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Cells {
-    /// Places, in bytes, of the entries, row by row. All rows have the same length.
+    /// Byte ranges of the entries in the text, row by row. All rows have the same length.
     pub rows: Vec<Vec<Range<usize>>>,
-    /// Place of the factor in front of the matrix; `None` if there is none.
+    /// Byte range of the factor in front of the matrix; `None` if there is none.
     pub factor: Option<Range<usize>>,
 }
 
-/// Entries of a printed matrix. What stands around it is read as well: a factor in front, and the mark of a transpose
-/// behind. The error is the reason why the text is no matrix.
+/// Finds the entries of a printed matrix in a text, with a factor in front and a transpose mark
+/// behind.
+///
+/// # Errors
+/// Reason why the text is not read as a matrix.
 pub fn cells(text: &str, notation: Notation) -> Result<Cells, &'static str> {
     let (mut rows, around) = if notation == Notation::Latex { latex(text)? } else { brackets(text)? };
     let width = match rows.first().map(Vec::len) {
@@ -32,7 +35,10 @@ pub fn cells(text: &str, notation: Notation) -> Result<Cells, &'static str> {
     Ok(Cells { rows, factor })
 }
 
-/// Factor in front of an environment, and true if it is transposed.
+/// Factor in front of a LaTeX matrix environment, if any, and true if a transpose mark follows the
+/// environment.
+/// `around` is the byte range of the environment. The error is a reason why the text around it is
+/// not read.
 fn beside_latex(text: &str, around: &Range<usize>) -> Result<(Option<Range<usize>>, bool), &'static str> {
     const OPENING: [&str; 12] =
         ["\\left[", "\\left(", "\\left\\{", "(", "[", "&", "\\,", "\\;", "\\:", "\\!", "\\quad", "\\qquad"];
@@ -89,11 +95,14 @@ fn beside_latex(text: &str, around: &Range<usize>) -> Result<(Option<Range<usize
     }
 }
 
-/// Factor in front of brackets, and true if they are transposed.
+/// Factor in front of a matrix in brackets, if any, and true if a transpose mark follows the
+/// brackets.
+/// `around` is the byte range of the brackets. The error is a reason why the text around them is
+/// not read.
 fn beside_brackets(text: &str, around: &Range<usize>) -> Result<(Option<Range<usize>>, bool), &'static str> {
     let start = text[..around.start].rfind('=').map_or(0, |at| at + 1);
     let front = text[start..around.start].trim_end();
-    // The name of a function, as in `np.array(` or `vertcat(*`.
+    // The text in front may be the name of a function, as in `np.array(` or `vertcat(*`.
     let name = front.trim_end_matches('*');
     let is_call =
         name.ends_with('(') && name.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '.' | '(' | ' '));
@@ -110,7 +119,7 @@ fn beside_brackets(text: &str, around: &Range<usize>) -> Result<(Option<Range<us
     let mut is_transposed = false;
     loop {
         let transposed = [".transpose()", ".T", ".'", "'"].iter().find_map(|mark| behind.strip_prefix(mark));
-        // A named argument, as in `, dtype=float)`.
+        // A named argument may follow, as in `, dtype=float)`.
         let named = behind.strip_prefix(',').filter(|rest| rest.trim_start().starts_with(|c: char| c.is_alphabetic()));
         if let Some(rest) = transposed {
             (behind, is_transposed) = (rest.trim_start(), !is_transposed);
@@ -126,10 +135,13 @@ fn beside_brackets(text: &str, around: &Range<usize>) -> Result<(Option<Range<us
     }
 }
 
-/// Places of entries, row by row, and that of the matrix as a whole; `None` for the whole text.
+/// Byte ranges of the entries, row by row, and the byte range of the matrix; `None` for the whole
+/// text.
 type Found = (Vec<Vec<Range<usize>>>, Option<Range<usize>>);
 
-/// Entries of an environment such as bmatrix or array.
+/// Finds the entries of a LaTeX environment such as bmatrix or array.
+/// Returns their byte ranges and that of the environment. The error is the reason why it is not
+/// read.
 fn latex(text: &str) -> Result<Found, &'static str> {
     let no_end = "the matrix has no `\\end{…}`";
     let begin = text
@@ -138,7 +150,7 @@ fn latex(text: &str) -> Result<Found, &'static str> {
     let name_end = text[begin..].find('}').map(|at| begin + at + 1).ok_or(no_end)?;
     let end = text.rfind("\\end{").filter(|end| *end >= name_end).ok_or(no_end)?;
     let mut start = name_end;
-    // The columns of an array, as in {cc}, are no entry.
+    // The column specification of an array, such as {cc}, is not an entry.
     if text[begin..name_end].ends_with("array}") {
         let rest = &text[start..end];
         let space = rest.len() - rest.trim_start().len();
@@ -158,14 +170,14 @@ fn latex(text: &str) -> Result<Found, &'static str> {
                 rows.last_mut().expect("one row at least").push(from..at);
                 rows.push(Vec::new());
                 at += 2;
-                // The distance of rows, as in \\[2pt], is no entry.
+                // The row distance, as in \\[2pt], is not an entry.
                 if text[at..end].starts_with('[') {
                     at += text[at..end].find(']').map_or(0, |close| close + 1);
                 }
                 from = at;
                 continue;
             }
-            // An escaped character, such as \&, is no mark.
+            // An escaped character, such as \&, separates nothing.
             b'\\' => {
                 at += 1 + rest[1..].chars().next().map_or(0, char::len_utf8);
                 continue;
@@ -178,7 +190,7 @@ fn latex(text: &str) -> Result<Found, &'static str> {
         }
         at += step;
     }
-    // \\ behind the last row begins no further one.
+    // A \\ behind the last row begins no further row.
     let is_open_row = rows.last().is_some_and(Vec::is_empty) && text[from..end].trim().is_empty();
     if is_open_row && rows.len() > 1 {
         rows.pop();
@@ -189,7 +201,10 @@ fn latex(text: &str) -> Result<Found, &'static str> {
     Ok((rows, Some(begin..whole_end)))
 }
 
-/// Entries of `[a, b; c, d]`, `[a b; c d]` or `[[a, b], [c, d]]`, with anything in front, such as `np.array(`.
+/// Finds the entries of `[a, b; c, d]`, `[a b; c d]` or `[[a, b], [c, d]]`, with any text in front,
+/// such as `np.array(`.
+/// Returns their byte ranges and that of the brackets. The error is the reason why they are not
+/// read.
 fn brackets(text: &str) -> Result<Found, &'static str> {
     if let Some(rows) = stacked(text) {
         return rows.map(|rows| (rows, None));
@@ -222,8 +237,10 @@ fn brackets(text: &str) -> Result<Found, &'static str> {
     Ok((rows, Some(open..close + 1)))
 }
 
-/// Entries of `vertcat(horzcat(a, b), horzcat(c, d))`, of `horzcat(vertcat(a, c), vertcat(b, d))`, or of a vector
-/// written by one of the two; `None` for a text without them.
+/// Finds the entries of a matrix written by `vertcat` and `horzcat`, such as `vertcat(horzcat(a,
+/// b), horzcat(c, d))`.
+/// Returns `None` for a text without these functions. The error is a reason why the matrix is not
+/// read.
 fn stacked(text: &str) -> Option<Result<Vec<Vec<Range<usize>>>, &'static str>> {
     let names = ["vertcat(", "horzcat("];
     let trimmed = |range: Range<usize>| {
@@ -231,7 +248,8 @@ fn stacked(text: &str) -> Option<Result<Vec<Vec<Range<usize>>>, &'static str>> {
         let start = range.start + part.len() - part.trim_start().len();
         start..start + part.trim().len()
     };
-    // Name and arguments of a call that a range consists of, modules in front aside.
+    // Name and arguments of the call that a range consists of; names of modules in front are
+    // skipped.
     let call = |range: Range<usize>| {
         let range = trimmed(range);
         let (at, name) = names.iter().filter_map(|name| Some((text[range.clone()].find(name)?, *name))).min()?;
@@ -260,7 +278,7 @@ fn stacked(text: &str) -> Option<Result<Vec<Vec<Range<usize>>>, &'static str>> {
     Some(Ok((0..height).map(|row| lists.iter().map(|column| column[row].clone()).collect()).collect()))
 }
 
-/// Entries of one row: between commas, else between spaces as MATLAB reads them.
+/// Byte ranges of the entries of one row: separated by commas, else by spaces as MATLAB reads them.
 fn row_of(text: &str, row: Range<usize>) -> Vec<Range<usize>> {
     let by_comma: Vec<Range<usize>> = split(text, row.clone(), |c| c == ',')
         .into_iter()
@@ -285,7 +303,8 @@ fn row_of(text: &str, row: Range<usize>) -> Vec<Range<usize>> {
     cells
 }
 
-/// Parts of a range of a text between marks that stand outside of all parentheses and brackets.
+/// Byte ranges of the parts of a range between separators that are outside of all parentheses and
+/// brackets.
 fn split(text: &str, range: Range<usize>, is_mark: impl Fn(char) -> bool) -> Vec<Range<usize>> {
     let (mut parts, mut depth, mut from) = (Vec::new(), 0_usize, range.start);
     for (at, c) in text[range.clone()].char_indices() {

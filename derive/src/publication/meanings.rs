@@ -1,4 +1,4 @@
-//! Meanings of the names in formulas of a publication.
+//! Meanings of the names in the formulas of a publication, and the reading of these formulas.
 
 use super::clock::Clock;
 use super::locals::{Local, Locals, Unread, local_number};
@@ -16,64 +16,69 @@ use rustc_hash::FxHashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Most characters of a name that a publication file declares.
+/// Largest number of characters in a name that a publication file declares.
 const MAX_LENGTH: usize = 60;
-/// Most primes after a name: q̈ is `q1''`.
+/// Largest number of primes after a name: q̈ is written `q1''`.
 const PRIMES: usize = 2;
-/// Largest number of terms that abbreviations may add to the formulas of one file. Without a limit, a long abbreviation
-/// that is used often would fill any memory.
+/// Largest number of terms that abbreviations may add to the formulas of one file.
+/// Without a limit, a long abbreviation that is used often would fill any memory.
 const MAX_EXPANSION: usize = 200_000;
 
-/// Course of the reading of a formula.
+/// Notes on errors met while one formula is read.
 #[derive(Default)]
 struct Course {
-    /// True if a wrong declaration, which is reported, spoils the formula.
+    /// True if the formula uses a name whose declaration is wrong and already reported.
     spoiled: bool,
-    /// True if the error of the formula may occur again.
+    /// True if the same error may occur in many formulas, so that it is reported once.
     repeated: bool,
-    /// Number of the program's variable whose assignment was not read, if the error is that of the assignment.
+    /// Number of the program's variable whose unread assignment is the error; `None` for any other
+    /// error.
     assignment: Option<usize>,
 }
 
 /// Meaning of a name in the formulas of a publication.
 #[derive(Clone, Copy)]
 enum Word {
-    /// A quantity of the model, with the name of its kind.
+    /// Quantity of the model, with the word for its kind, such as "speed".
     Model(&'static str, Expr),
-    /// A formula, or the symbol of a derived quantity, that the publication file declares.
+    /// Formula, or symbol of a derived quantity, that the publication file declares.
     Declared(Expr),
-    /// An abbreviation that is declared further down in the file.
+    /// Abbreviation that is declared later in the file.
     Later,
-    /// A name whose declaration is wrong and reported; formulas that use it fail in silence.
+    /// Name whose declaration is wrong and reported; formulas that use it fail without a further
+    /// message.
     Spoiled,
 }
 
-/// All names that formulas of a publication may use.
+/// All names that formulas of a publication may use, with their meanings.
 pub struct Words {
+    /// Meaning of each name that formulas may use, by name.
     known: FxHashMap<String, Word>,
-    /// Byte range in the publication file of each name's declaration.
+    /// Byte range of each name's declaration in the publication file.
     places: FxHashMap<String, Range<usize>>,
+    /// Names in the order of their declaration, for advice.
     order: Vec<String>,
-    /// Symbols that the publication writes for names.
+    /// Spellings (symbols and program variables) that the publication uses for names.
     spellings: Spellings,
     /// Number of terms that abbreviations have added to formulas so far.
     expansion: usize,
-    /// Time derivatives of the symbols.
+    /// Rule for time derivatives of formulas.
     pub clock: Clock,
-    /// Variables of the program that the formulas of an entry are about.
+    /// Variables of the program to which the formulas of an entry belong.
     pub locals: Arc<Locals>,
-    /// Names of coordinates and speeds of the model that have another meaning in the publication.
+    /// Names of the model's coordinates and speeds that have another meaning in the publication.
     renamed: Vec<String>,
-    /// Names of coordinates, for variables of programs that name their rates.
+    /// Names of the model's coordinates, to recognize program variables for their rates.
     coordinates: Vec<String>,
-    /// Names that multipliers of solved constraints would have, each with the constraint and the variable it fixes.
+    /// Names of multipliers that do not exist, because their constraint is solved, each with the
+    /// constraint and the variable that it fixes.
     solved: Vec<(String, String, String)>,
-    /// Abbreviations as symbols, and the formulas that use them.
+    /// Abbreviations as symbols, with the formulas that use them.
     pub shorthand: Shorthand,
 }
 
 impl Words {
-    /// Names of a model, as words of formulas.
+    /// Names of all symbols of a model, with their meanings.
     pub fn new(model: &mut Model) -> Self {
         let mut words = Self {
             known: FxHashMap::default(),
@@ -113,8 +118,9 @@ impl Words {
         words
     }
 
-    /// Declares a coordinate or speed of the publication, with its time derivatives as far as they are known, under its
-    /// name with primes. Returns false for a name that cannot be declared, which is reported.
+    /// Declares a coordinate or speed of the publication, and its known time derivatives as names
+    /// with primes.
+    /// Returns false for a name that cannot be declared, which is reported.
     pub fn declare_moving(
         &mut self,
         reader: &mut Reader<'_>,
@@ -134,12 +140,15 @@ impl Words {
         is_declared
     }
 
-    /// True if a name is that of a coordinate or speed of the model.
+    /// True if a name belongs to a coordinate or speed of the model.
     pub fn is_motion(&self, name: &str) -> bool {
         matches!(self.known.get(name), Some(Word::Model("coordinate" | "speed", _)))
     }
 
-    /// Gives the name of a coordinate or speed of the model another meaning, with its time derivatives.
+    /// Gives another meaning to the name of a coordinate or speed of the model, and to its time
+    /// derivatives.
+    /// `value` is `None` if the declaration is wrong and already reported. Reports a second
+    /// declaration.
     pub fn redefine(&mut self, reader: &mut Reader<'_>, arena: &mut Arena, name: &Located, value: Option<Expr>) {
         if let Some(first) = self.places.get(&name.text) {
             let message = format!("`{}` is declared twice", name.text);
@@ -162,12 +171,13 @@ impl Words {
         self.renamed.push(name.text.clone());
     }
 
-    /// True if a name of the model, primes aside, has another meaning in the publication.
+    /// True if a name of the model, without its primes, has another meaning in the publication.
     pub fn is_renamed(&self, name: &str) -> bool {
         self.renamed.iter().any(|renamed| renamed == name.trim_end_matches('\''))
     }
 
-    /// Values of a declared name that may stand for an acceleration, such as `alpha''`.
+    /// Formula of a declared name, such as `alpha''`; `None` for names that the publication does
+    /// not declare.
     pub fn declared(&self, name: &str) -> Option<Expr> {
         match self.known.get(name) {
             Some(Word::Declared(value)) => Some(*value),
@@ -175,8 +185,8 @@ impl Words {
         }
     }
 
-    /// Adds variables that constraints fix, with their values in the generalized coordinates, and their time
-    /// derivatives.
+    /// Adds the variables that constraints fix, with their formulas in the generalized coordinates
+    /// and their time derivatives.
     fn constrained(&mut self, model: &mut Model) {
         let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
@@ -193,6 +203,7 @@ impl Words {
         }
     }
 
+    /// Sets the meaning of a name, and adds its usual spelling.
     fn insert(&mut self, name: &str, word: Word) {
         if self.known.insert(name.to_owned(), word).is_none() {
             self.order.push(name.to_owned());
@@ -200,7 +211,8 @@ impl Words {
         self.spellings.enter(name);
     }
 
-    /// Announces an abbreviation, so that an earlier formula that uses it gets a fitting message.
+    /// Announces an abbreviation before it is declared, so that an earlier use gets a fitting error
+    /// message.
     pub fn announce(&mut self, name: &str) {
         if !self.known.contains_key(name) {
             self.known.insert(name.to_owned(), Word::Later);
@@ -208,8 +220,9 @@ impl Words {
         self.spellings.enter(name);
     }
 
-    /// Enters a symbol of the publication for a name, which may end in primes. Reports an unknown name, and a text that
-    /// cannot be a symbol.
+    /// Records a symbol that the publication uses for a name; the name may end in primes.
+    /// Reports an unknown name, a symbol that is already in use, and a text that cannot be a
+    /// symbol.
     pub fn spell(&mut self, reader: &mut Reader<'_>, symbol: &Located, name: &Located) {
         if !self.known.contains_key(&name.text) {
             let message = format!("unknown name `{}`", shown(&name.text));
@@ -229,8 +242,9 @@ impl Words {
         }
     }
 
-    /// Declares a name of the publication file; returns false for a name that cannot be declared, which is reported.
-    /// Without a value, the declaration is wrong and already reported.
+    /// Declares a name of the publication file; returns false for a name that cannot be declared,
+    /// which is reported.
+    /// `value` is `None` if the declaration is wrong and already reported.
     pub fn declare(&mut self, reader: &mut Reader<'_>, name: &Located, value: Option<Expr>) -> bool {
         let text = &name.text;
         let valid = text.starts_with(|c: char| c.is_ascii_alphabetic())
@@ -266,7 +280,7 @@ impl Words {
         true
     }
 
-    /// Reads a formula in a notation into the model's arena; reports its errors.
+    /// Reads a formula in a notation into the model's arena; reports its errors and returns `None`.
     pub fn formula(
         &mut self,
         reader: &mut Reader<'_>,
@@ -274,7 +288,7 @@ impl Words {
         formula: &Located,
         notation: Notation,
     ) -> Option<Expr> {
-        // An error that one cause may raise at many places is reported once.
+        // An error that a single cause may raise at many places is reported once.
         let mut course = Course::default();
         match self.read(arena, formula, notation, &mut course) {
             Ok(e) => {
@@ -296,7 +310,7 @@ impl Words {
         }
     }
 
-    /// Reads a formula of a program without reporting its error.
+    /// Reads a formula of a program; an error is returned as an unread value and not reported.
     pub fn local(&mut self, arena: &mut Arena, formula: &Located, notation: Notation) -> Local {
         let mut course = Course::default();
         let unread = match self.read(arena, formula, notation, &mut course) {
@@ -317,14 +331,16 @@ impl Words {
         Local::Unread(unread)
     }
 
-    /// Place of an error of a formula: that of the assignment that it is about, if there is one.
+    /// Place of an error in a formula: the unread assignment that caused it, if any, else the part
+    /// of the formula.
     fn place(&self, formula: &Located, error: &ParseError, course: &Course) -> Range<usize> {
         let unread = course.assignment.and_then(|number| self.locals.unread(number));
         unread.map_or_else(|| formula.part(error.span.clone()), |unread| unread.place.clone())
     }
 
-    /// Meaning of a variable of a program by the model and the publication file, without the program's assignments;
-    /// true behind it if it is a parameter. `None` if it has no meaning there.
+    /// Meaning of a program's variable in the model and the publication file, without the program's
+    /// assignments.
+    /// The second value is true for a parameter. `None` if the name has no meaning there.
     pub fn meaning(&self, name: &str) -> Option<(Expr, bool)> {
         let (none, coordinates) = (Locals::default(), self.coordinates.as_slice());
         let mut speller = Speller { spellings: &self.spellings, locals: &none, coordinates, repeated: false };
@@ -344,8 +360,10 @@ impl Words {
         self.known.contains_key(name).then(|| name.to_owned())
     }
 
-    /// Keeps a variable of a program as an abbreviation, so that a mistake in its assignment is found there. A name
-    /// with an index, and a variable that is assigned again, are written out, with the abbreviations that they use.
+    /// Records a program's variable as an abbreviation, so that a mistake in its assignment is
+    /// found there.
+    /// A name with an index, and a variable assigned a second time, are written out with the
+    /// abbreviations that they use.
     pub fn keep_local(&mut self, arena: &Arena, name: &str, formula: &Located, notation: Notation, e: Expr) {
         self.keep_as_printed(arena, formula, notation, e);
         if name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
@@ -353,8 +371,9 @@ impl Words {
         }
     }
 
-    /// Reads a formula once more with its abbreviations as symbols, and keeps it beside `e`, the formula in which they
-    /// are written out. Formulas with `ddt` of an abbreviation are not kept.
+    /// Reads a formula once more with its abbreviations as symbols, and records this form for `e`,
+    /// the written-out form.
+    /// Formulas with `ddt` of an abbreviation are not recorded.
     fn keep_as_printed(&mut self, arena: &Arena, formula: &Located, notation: Notation, e: Expr) {
         if self.shorthand.abbreviations().is_empty() || self.shorthand.printed.contains_key(&e) {
             return;
@@ -393,7 +412,7 @@ impl Words {
         self.shorthand = kept;
     }
 
-    /// Reads a formula as a term, and notes the course of the reading.
+    /// Reads a formula as a term, and notes in `course` the kind of an error.
     fn read(
         &mut self,
         arena: &mut Arena,
@@ -411,7 +430,7 @@ impl Words {
         let mut unknown = None;
         let mut rate = |arena: &mut Arena, e: Expr| clock.rate(arena, e);
         let mut resolve = |arena: &mut Arena, name: &str| {
-            // Other notations have replaced their symbols already.
+            // Formulas in other notations have their symbols replaced already.
             let stated = spellings.variable(name).filter(|_| notation == Notation::Tripos);
             let name = stated.as_deref().unwrap_or(name);
             if let Some((number, local)) = local_number(name).and_then(|number| Some((number, locals.value(number)?))) {
@@ -468,7 +487,7 @@ impl Words {
         })
     }
 
-    /// Advice for an unknown name, for instance the nearest known name.
+    /// Advice for an unknown name, such as the nearest known name.
     fn advice(&self, name: &str) -> String {
         let plain = name.trim_end_matches('\'');
         if let Some((_, constraint, fixes)) = self.solved.iter().find(|(multiplier, ..)| multiplier == name) {
@@ -484,7 +503,7 @@ impl Words {
     }
 }
 
-/// Number of operands that a sum or product adds to a sum or product that contains it.
+/// Number of operands that a term adds to a sum or product that contains it.
 fn width(arena: &Arena, e: Expr) -> usize {
     match arena.node(e) {
         Node::Sum(_, terms) => terms.len(),

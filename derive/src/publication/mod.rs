@@ -77,172 +77,183 @@ use crate::diagnostic::Source;
 use crate::mechanics::{Formulation, Quantity};
 use std::ops::Range;
 
-/// A published derivation, as a publication file states it.
+/// Published derivation: the entries, names and abbreviations of a publication file.
 #[derive(Clone, Debug)]
 pub struct Publication {
-    /// Text of the publication file, with its name.
+    /// Text of the publication file, with the file's name.
     pub source: Source,
     /// Title of the publication; empty if the file states none.
     pub title: String,
-    /// Description, in words, of the printed source that was transcribed.
+    /// Description, in words, of the printed source that was transcribed; empty if the file states
+    /// none.
     pub reference: String,
-    /// Shorthand of the printed text, in the order of the publication file: (name, formula).
+    /// Abbreviations of the printed text, in the order of the publication file: (name, formula).
     pub abbreviations: Vec<(String, Expr)>,
-    /// Coordinates and speeds of the printed text that the model does not have: (name, formula).
+    /// Coordinates and speeds that only the printed text has: (name, formula in the model's
+    /// variables).
     pub coordinates: Vec<(String, Expr)>,
-    /// Coordinates and speeds of the model to which the printed text gives another meaning: (name, formula in those of
-    /// the model).
+    /// Coordinates and speeds of the model to which the printed text gives another meaning: (name,
+    /// formula in the model's variables).
     pub redefined: Vec<(String, Expr)>,
-    /// Formulas as printed, with abbreviations as symbols.
+    /// Formulas as printed, in which abbreviations are symbols.
     pub shorthand: Shorthand,
-    /// Symbols of the printed text for derived quantities: (name, quantity, symbol in the formulas).
+    /// Names that the printed text gives to derived quantities: (name, quantity, symbol in the
+    /// formulas).
     pub names: Vec<(String, Quantity, Expr)>,
-    /// Entries, in the order of the publication file.
+    /// Entries of the publication, in the order of the publication file.
     pub entries: Vec<Entry>,
 }
 
-/// An entry of a publication: an equation, a definition, a system, a listing or a number.
+/// Entry of a publication: an equation, a definition, a system, a program (listing) or a number.
 #[derive(Clone, Debug)]
 pub struct Entry {
     /// Id of the entry, unique in the publication file; the printed equation number comes first.
     pub id: String,
-    /// Section of the printed text in which the entry stands.
+    /// Section of the printed text that contains the entry.
     pub section: String,
-    /// Garbled part of the print, and the way it was read; `None` if the print was clear.
+    /// Illegible part of the print, and the reading chosen for it; `None` if the print was clear.
     pub repaired: Option<String>,
-    /// Remark of the transcriber; `None` if the file states none.
+    /// Remark of the transcriber; `None` if there is none.
     pub note: Option<String>,
-    /// Notation of the entry's formulas.
+    /// Notation in which the entry's formulas are written, such as LaTeX.
     pub notation: Notation,
     /// Point near which the entry's formulas hold; `None` if they hold everywhere.
     pub near: Option<Approximation>,
     /// Byte range of the entry's id in the publication file.
     pub span: Range<usize>,
-    /// Content of the entry: an equation, a definition, a system, a listing or a number.
+    /// Content of the entry: an equation, a definition, a system, a program (listing) or a number.
     pub kind: EntryKind,
 }
 
-/// Statement that formulas hold near a point, up to an order in the deviations from the point.
+/// Statement that formulas hold only near a point, up to an order in the deviations from the point.
 #[derive(Clone, Debug)]
 pub struct Approximation {
-    /// Highest order in the deviations that is kept, at least 1.
+    /// Highest order in the deviations that is kept, from 1 to 4.
     pub order: u32,
-    /// Values of variables at the point; at least one.
+    /// Variables that stay near a value, each with its value at the point; at least one.
     pub values: Vec<PointValue>,
 }
 
-/// Value near which one variable stays in an approximation.
+/// Value near which a variable stays in an approximation.
 #[derive(Clone, Debug)]
 pub struct PointValue {
-    /// Name of a coordinate, a time derivative, a speed or a reaction.
+    /// Name of the variable: a coordinate, time derivative, speed, reaction or small parameter.
     pub name: String,
-    /// Symbol of the variable.
+    /// Symbol of the variable, in the model's arena.
     pub symbol: Expr,
-    /// Value near which the variable stays, in parameters.
+    /// Value near which the variable stays; it contains only parameters.
     pub value: Expr,
 }
 
 /// Kinds of content of an entry, with their data.
 #[derive(Clone, Debug)]
 pub enum EntryKind {
-    /// A printed value of a derived quantity.
+    /// Printed value of a derived quantity.
     Equation {
-        /// Derived quantity to which the value belongs.
+        /// Derived quantity whose value is printed, such as a kinetic energy.
         quantity: Quantity,
-        /// Value of the quantity, as printed.
+        /// Printed value of the quantity, as a term.
         printed: Expr,
-        /// Text of the printed value.
+        /// Printed text of the value, as transcribed.
         text: String,
     },
-    /// A printed definition, which no derivation can contradict.
+    /// Printed definition, which no derivation can contradict.
     Definition {
-        /// Text of the printed definition.
+        /// Printed text of the definition, as transcribed.
         text: String,
     },
-    /// A printed linear system, such as M u̇ = F.
+    /// Printed linear system, such as M u̇ = F.
     System(System),
-    /// A printed program that computes the derivative of a state.
+    /// Printed program that computes the time derivative of a state.
     Listing(Listing),
-    /// A printed number of a parameter or of a start.
+    /// Printed number: a parameter's value or an initial value.
     Initial(Initial),
 }
 
-/// A printed linear system, matrix · unknowns = right. It has any number of rows, and as many columns as unknowns.
+/// Printed linear system, matrix · unknowns = right, with any number of rows and one column for
+/// each unknown.
 #[derive(Clone, Debug)]
 pub struct System {
-    /// Formulation that the system is compared with.
+    /// Formulation whose derived system the printed system is compared with.
     pub formulation: Formulation,
     /// Index of the frame of the components of a Newton–Euler system; `None` for other systems.
     pub frame: Option<usize>,
     /// Unknowns of the system, each once: u̇ for Kane, q̈ for Lagrange, u̇ and reactions for Newton–Euler.
     pub unknowns: Vec<Expr>,
-    /// Names of the unknowns.
+    /// Names of the unknowns, in the order of `unknowns`.
     pub unknown_names: Vec<String>,
-    /// Matrix of the printed system, row by row.
+    /// Matrix of the printed system: one row for each equation, one column for each unknown.
     pub matrix: Vec<Vec<Expr>>,
-    /// Texts of the matrix entries, row by row.
+    /// Printed texts of the matrix entries, row by row.
     pub matrix_texts: Vec<Vec<String>>,
     /// Right-hand sides of the printed system, one for each row.
     pub right: Vec<Expr>,
-    /// Texts of the right-hand sides.
+    /// Printed texts of the right-hand sides, one for each row.
     pub right_texts: Vec<String>,
-    /// Texts of whole rows; `None` if the rows are printed as entries of a matrix.
+    /// Printed texts of whole rows; `None` if the system is printed as a matrix.
     pub row_texts: Option<Vec<String>>,
-    /// True if the system is one printed equation, whose row has the id of the entry.
+    /// True if the system is a single printed equation, whose row has the id of the entry.
     pub is_single: bool,
-    /// Template of the ids of single matrix entries, with `{i}` for the row and `{j}` for the column.
+    /// Template for the ids of matrix entries, with `{i}` for the row and `{j}` for the column;
+    /// `None` if entries have no ids.
     pub matrix_ids: Option<String>,
-    /// Template of the ids of single right-hand sides, with `{i}` for the row.
+    /// Template for the ids of right-hand sides, with `{i}` for the row; `None` if right-hand sides
+    /// have no ids.
     pub right_ids: Option<String>,
 }
 
-/// A printed program that computes the derivative of a state: coordinates q and motion variables v in any order, where
-/// v is u, or q̇ for Lagrange.
+/// Printed program that computes the time derivative of a state.
+/// The state has coordinates q and motion variables in any order. The motion variables are u, or q̇
+/// for Lagrange.
 #[derive(Clone, Debug)]
 pub struct Listing {
-    /// Formulation that the listing is compared with.
+    /// Formulation whose derived equations the printed program is compared with.
     pub formulation: Formulation,
-    /// State z(1), z(2), …: coordinates and speeds, each once. For Lagrange, rates take the place of speeds.
+    /// Variables of the state, z(1), z(2), …, each once: coordinates and generalized speeds. For
+    /// Lagrange, rates replace speeds.
     pub state: Vec<Expr>,
-    /// Names of the state's variables.
+    /// Names of the state's variables, in the order of `state`.
     pub state_names: Vec<String>,
-    /// Derivative dz(1), dz(2), … as assigned: before the division by the matrix, if the program has one.
+    /// Assigned derivatives dz(1), dz(2), …; if the program has a matrix, before they are divided
+    /// by it.
     pub derivative: Vec<Expr>,
-    /// Texts of the assigned derivatives.
+    /// Printed texts of the assigned derivatives.
     pub derivative_texts: Vec<String>,
-    /// Indices, in the state, of the motion variables.
+    /// Indices, in the state, of the motion variables u or q̇.
     pub moving: Vec<usize>,
-    /// Square matrix E of dz = E \ dz for the motion variables of the state; `None` if the program has none.
+    /// Square matrix E of dz = E \ dz, with a row and a column for each motion variable; `None` if
+    /// the program has none.
     pub matrix: Option<Vec<Vec<Expr>>>,
-    /// Texts of the matrix entries, row by row.
+    /// Printed texts of the matrix entries, row by row; `None` if the program has no matrix.
     pub matrix_texts: Option<Vec<Vec<String>>>,
 }
 
-/// A printed number: the value of a parameter, or a value at the start.
+/// Printed number: the value of a parameter, or an initial value.
 #[derive(Clone, Debug)]
 pub struct Initial {
-    /// Name of the set to which the number belongs. A set has one value of each quantity.
+    /// Name of the set of numbers to which the number belongs. A set has one value of each
+    /// quantity.
     pub set: String,
-    /// Symbol of a parameter, coordinate, coordinate's derivative or speed.
+    /// Symbol of the parameter, coordinate, coordinate's derivative or speed.
     pub quantity: Expr,
     /// Name of the parameter, coordinate, coordinate's derivative or speed.
     pub name: String,
     /// Printed number as a term without symbols.
     pub value: Expr,
-    /// Text of the printed number.
+    /// Text of the printed number, as transcribed.
     pub text: String,
-    /// Number of printed decimals of a plain number; `None` for a formula, which is exact.
+    /// Number of printed decimals; `None` for a formula, which is exact.
     pub decimals: Option<u32>,
 }
 
-/// True if a printed formula has a decimal number, such as 2.5 or .5.
+/// True if the text of a printed formula contains a decimal number, such as 2.5 or .5.
 #[must_use]
 pub fn has_decimals(text: &str) -> bool {
     let is_digit = |at: Option<usize>| at.and_then(|at| text.as_bytes().get(at)).is_some_and(u8::is_ascii_digit);
     text.match_indices('.').any(|(at, _)| is_digit(Some(at + 1)))
 }
 
-/// True if a printed equation has terms on its right side.
+/// True if a printed equation has terms other than 0 on its right side.
 pub(crate) fn has_right_side(text: &str) -> bool {
     text.find('=').is_some_and(|at| !text[at + 1..].trim().trim_start_matches('0').is_empty())
 }
@@ -259,25 +270,26 @@ impl Publication {
 }
 
 impl System {
-    /// Id of a row, counted from 0, of the system whose id is `id`.
+    /// Id of the row with the index `row`, from 0; `id` is the id of the system's entry.
     #[must_use]
     pub fn row_id(&self, id: &str, row: usize) -> String {
         if self.is_single { id.to_owned() } else { format!("{id}-row{}", row + 1) }
     }
 
-    /// Id of a single matrix entry, row and column counted from 0; `None` if the publication file names none.
+    /// Id of the matrix entry in `row` and `column`, from 0; `None` if matrix entries have no ids.
     #[must_use]
     pub fn matrix_id(&self, row: usize, column: usize) -> Option<String> {
         let template = self.matrix_ids.as_ref()?;
         Some(template.replace("{i}", &(row + 1).to_string()).replace("{j}", &(column + 1).to_string()))
     }
 
-    /// Id of a single right-hand side, row counted from 0; `None` if the publication file names none.
+    /// Id of the right-hand side of `row`, from 0; `None` if right-hand sides have no ids.
     #[must_use]
     pub fn right_id(&self, row: usize) -> Option<String> {
         Some(self.right_ids.as_ref()?.replace("{i}", &(row + 1).to_string()))
     }
 
+    /// Ids of all rows, matrix entries and right-hand sides; `id` is the id of the system's entry.
     fn ids(&self, id: &str) -> Vec<String> {
         let mut ids: Vec<String> = (0..self.right.len()).map(|row| self.row_id(id, row)).collect();
         for row in 0..self.right.len() {
@@ -289,20 +301,25 @@ impl System {
 }
 
 impl Listing {
-    /// Id of the derivative dz(`at` + 1) of the listing whose id is `id`.
+    /// Id of the program's assigned derivative with the index `at`, from 0; `id` is the id of the
+    /// program's entry.
     #[must_use]
     pub fn derivative_id(&self, id: &str, at: usize) -> String {
         format!("{id}-dz{}", at + 1)
     }
 
-    /// Id of a matrix entry, row and column counted from 0, of the listing whose id is `id`.
+    /// Id of the program's matrix entry in `row` and `column`, from 0; `id` is the id of the
+    /// program's entry.
     #[must_use]
     pub fn matrix_id(&self, id: &str, row: usize, column: usize) -> String {
-        // Beyond nine rows, the pairs 1, 11 and 11, 1 would read the same.
+        // With more than nine rows, the pairs (1, 11) and (11, 1) would read the same without a
+        // comma.
         let comma = if self.state.len() > 18 { "," } else { "" };
         format!("{id}-E{}{comma}{}", row + 1, column + 1)
     }
 
+    /// Ids of all derivatives and matrix entries that the program assigns; `id` is the id of its
+    /// entry.
     fn ids(&self, id: &str) -> Vec<String> {
         let mut ids: Vec<String> = (0..self.derivative.len()).map(|at| self.derivative_id(id, at)).collect();
         for (i, row) in self.matrix.iter().flatten().enumerate() {
@@ -313,8 +330,8 @@ impl Listing {
 }
 
 impl Entry {
-    /// Ids of all parts of the entry that get a verdict of their own. These are the entry's id, or those of the rows
-    /// and entries of a system or listing.
+    /// Ids of all parts of the entry that get a verdict: the entry's own id, or the ids of a
+    /// system's or program's parts.
     #[must_use]
     pub fn ids(&self) -> Vec<String> {
         match &self.kind {

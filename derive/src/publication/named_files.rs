@@ -1,4 +1,5 @@
-//! Files that a publication names: equations of a LaTeX file by their labels, and variables that a program assigns.
+//! Reading of files to which a publication refers: equations of a LaTeX file by labels, and
+//! variables of a program.
 
 use super::entries::{Item, part};
 use super::equalities::{equations, sides};
@@ -14,10 +15,10 @@ use crate::read::Located;
 use std::sync::Arc;
 use toml::de::DeTable;
 
-/// Most characters of the name of a file.
+/// Largest number of characters in a file name.
 const MAX_NAME: usize = 100;
 impl<'a> Loading<'a, '_> {
-    /// Reads the file and the macros that the publication file states at its top.
+    /// Reads the file and the macros that the publication file states at its top, for all entries.
     pub fn files_of(&mut self, table: &'a DeTable<'a>) {
         if let Some(value) = self.reader.get(table, "file")
             && let Some(name) = self.reader.string(value, "`file`")
@@ -45,7 +46,8 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
-    /// Name of the file of an entry: its own, or that at the top of the publication file.
+    /// Name of the file of an entry: the entry's own, else the file at the top of the publication
+    /// file; `None` if neither.
     fn file_of(&mut self, item: &Item<'a>) -> Option<Located> {
         match self.reader.get(item.table, "file") {
             Some(value) => self.reader.string(value, "`file`"),
@@ -53,7 +55,8 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
-    /// Reads a file beside the publication file, once; reports a name or a file that cannot be read.
+    /// Reads a file in the folder of the publication file, once.
+    /// Reports an unsuitable name or an unreadable file, and returns `None`.
     fn source_file(&mut self, name: &Located) -> Option<Arc<Source>> {
         if let Some(found) = self.files.sources.get(&name.text) {
             return found.clone();
@@ -81,6 +84,7 @@ impl<'a> Loading<'a, '_> {
         read
     }
 
+    /// Reads a LaTeX file and its macros, once; `None` if an error is reported.
     fn paper(&mut self, name: &Located) -> Option<Arc<Paper>> {
         if let Some(found) = self.files.papers.get(&name.text) {
             return found.clone();
@@ -97,13 +101,14 @@ impl<'a> Loading<'a, '_> {
         paper
     }
 
-    /// Reports an error at its place in a file.
+    /// Reports an error at its place in a file; `None` means the publication file itself.
     fn problem(&mut self, file: Option<Arc<Source>>, problem: Problem) {
         self.reader.errors.push(Diagnostic { file, ..Diagnostic::new(problem.place, problem.message, problem.help) });
     }
 
-    /// Equations of a label in the file of an entry, as formulas without macros. Definitions that `[abbreviations]`
-    /// takes from the file are left out.
+    /// Equations that have a label in the LaTeX file of an entry, as formulas without macros, except
+    /// definitions that `[abbreviations]` takes from the file. Reports an unknown label or a file
+    /// that is not LaTeX, and returns `None`.
     pub fn labelled(&mut self, item: &Item<'a>, label: &Located, choice: Choice) -> Option<Vec<Located>> {
         let mut list = self.all_labelled(item, label, choice)?;
         let is_defined = |equation: &Located| {
@@ -183,11 +188,13 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
+    /// Registers an assembled formula with the reader, so that errors point into its file.
     fn made(&mut self, source: &Arc<Source>, formula: Traced) -> Located {
         self.reader.made(Some(Arc::clone(source)), formula.text, formula.places)
     }
 
-    /// Formula of the publication file with the macros replaced; reports macros that cannot be.
+    /// Formula of the publication file in which macros are replaced.
+    /// Reports macros that cannot be replaced, and returns `None`.
     pub fn without_macros(&mut self, formula: &Located) -> Option<Located> {
         if self.files.macros.is_empty() || !formula.text.contains('\\') {
             return Some(formula.clone());
@@ -206,7 +213,8 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
-    /// Variables that the program of an entry assigns; `None` if the entry names no program, or on an error.
+    /// Variables that the program of an entry assigns; `None` if the entry names no program, or if
+    /// an error is reported.
     pub fn program(&mut self, item: &Item<'a>) -> Option<Arc<Locals>> {
         let own = self.reader.get(item.table, "file");
         let part = self.reader.get(item.table, "part");
@@ -254,7 +262,7 @@ impl<'a> Loading<'a, '_> {
         locals
     }
 
-    /// Takes an assignment of a program into the variables that are known so far.
+    /// Adds an assignment of a program to the variables read so far.
     fn assign(&mut self, source: &Arc<Source>, notation: Notation, statement: Statement) {
         let Statement { targets, operator, right, is_nested, place } = statement;
         let line = self.reader.made(Some(Arc::clone(source)), " ".to_owned(), Traced::from_place(" ", &place).places);
@@ -281,8 +289,9 @@ impl<'a> Loading<'a, '_> {
         }
         let name = targets[0].clone();
         if is_number(&right.text) && operator.is_none() && self.words.meaning(&name).is_some_and(|(_, is)| is) {
-            // A program's number of a parameter of the model is a value, and changes no formula. The mark that it has
-            // one is no name of a variable.
+            // A program's number for a parameter of the model is a value, and changes no formula.
+            // The key `name = ` marks that the number is assigned; it cannot be the name of a
+            // variable.
             if self.words.locals.has(&name) || self.words.locals.has(&format!("{name} = ")) {
                 self.set(&name, unread(&name, "it gets two values"));
             } else {
@@ -313,9 +322,11 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
+    /// Assigns a value to a variable, and an unread value also to each entry of a range of indices.
     fn set(&mut self, name: &str, value: Local) {
         if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
-            // What is assigned to several entries at once was not read, and this is the reason for each of them.
+            // An assignment to several entries at once is not read, and this reason holds for each
+            // entry.
             for entry in entries_of_range(name).filter(|_| matches!(value, Local::Unread(_))).into_iter().flatten() {
                 locals.set(&entry, value.clone());
             }
@@ -323,8 +334,9 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
-    /// Gives a variable the meaning that the publication file or the model states if the program only takes it from
-    /// elsewhere. An acceleration is always computed.
+    /// Restores the meaning from the publication file or the model, if the program only copies a
+    /// variable from elsewhere.
+    /// Else assigns the unread value `wrong`. An acceleration is always computed, never copied.
     fn take_declared(&mut self, name: &str, right: &str, wrong: impl FnOnce() -> Local) {
         let model = &self.model;
         let is_acceleration =
@@ -339,7 +351,8 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
-    /// Takes an assignment such as `x += value`.
+    /// Applies an assignment such as `x += value`. Division, and a change of an unknown value, give
+    /// an unread value.
     fn change(&mut self, name: &str, operator: char, value: Expr, unread: &dyn Fn(&str, &str) -> Local) {
         let locals = &self.words.locals;
         let before = match locals.number(name).and_then(|number| locals.value(number)) {
@@ -361,7 +374,8 @@ impl<'a> Loading<'a, '_> {
         self.set(name, value);
     }
 
-    /// Takes an assignment of a vector, a matrix or a copy of one; false if the formula is none of these.
+    /// Assigns the entries of a vector or matrix, or of a copy of one; returns false if the formula
+    /// is neither.
     fn entries_of(&mut self, name: &str, formula: &Located, notation: Notation) -> bool {
         let copied = self.words.locals.entries(formula.text.trim());
         if !copied.is_empty() {
@@ -373,7 +387,8 @@ impl<'a> Loading<'a, '_> {
             }
             return true;
         }
-        // A tuple is a list without brackets: a bracket in the place of the parenthesis changes no place.
+        // A tuple is a list without brackets: a bracket instead of the parenthesis keeps all byte
+        // positions.
         let whole = formula.text.trim();
         let is_tuple = whole.starts_with('(') && whole.ends_with(')') && whole.contains(',') && !whole.contains('[');
         let is_bare = !is_tuple && whole.contains(',') && !whole.contains(['(', '[']);
@@ -415,11 +430,12 @@ impl<'a> Loading<'a, '_> {
     }
 }
 
-/// Most entries of a vector that a range of indices names.
+/// Largest number of entries of a vector that a range of indices may name.
 const MOST_ENTRIES: usize = 100;
 
-/// Names of the entries of a vector that a range of indices names: z(1:4) in MATLAB, z[0:4] in Python. `None` for
-/// another name.
+/// Names of the vector entries in a range of indices, such as z(1:4) in MATLAB or `z[0:4]` in
+/// Python.
+/// Returns `None` for a name without a range.
 fn entries_of_range(name: &str) -> Option<Vec<String>> {
     let open = name.find(['(', '['])?;
     let is_python = name[open..].starts_with('[');

@@ -1,22 +1,24 @@
-//! Values of the names that a publication gives to derived quantities.
+//! Derived values of the names that a publication gives to derived quantities.
 
 use super::Publication;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Quantities, Quantity, QuantityKind, Row};
 
-/// Symbols of a publication with the derived values for which they stand; a symbol without a value has a reason.
+/// Symbols of a publication for derived quantities, with their derived values or the reason why
+/// there is none.
 pub struct Names {
-    /// Symbols, each with its value in q and u.
+    /// Symbols with a value, each with its value as a function of q and u.
     values: Vec<(Expr, Expr)>,
-    /// Symbols without a value, each with the reason.
+    /// Symbols that have no derived value, each with the reason.
     missing: Vec<(Expr, String)>,
-    /// Symbols of slopes ∂/∂t, each with the value of the rate d/dt of the same momentum.
+    /// Symbols of partial derivatives ∂/∂t, each with the value of the total derivative d/dt of the
+    /// same momentum.
     held: Vec<(Expr, Expr)>,
 }
 
 impl Names {
-    /// Derived values of the symbols of a publication's `[names]`.
+    /// Derived values of the symbols in a publication's table `[names]`.
     #[must_use]
     pub fn new(publication: &Publication, quantities: &mut Quantities<'_>) -> Self {
         let (mut values, mut missing, mut held) = (Vec::new(), Vec::new(), Vec::new());
@@ -33,7 +35,7 @@ impl Names {
         Self { values, missing, held }
     }
 
-    /// Names with d/dt in the place of ∂/∂t, if one of these terms contains a ∂/∂t; else `None`.
+    /// Names in which d/dt replaces ∂/∂t, if one of `terms` contains a ∂/∂t; else `None`.
     #[must_use]
     pub fn with_total_rates(&self, arena: &Arena, terms: &[Expr]) -> Option<Self> {
         let parts = arena.reachable(terms);
@@ -46,10 +48,10 @@ impl Names {
         is_used.then(|| Self { values, missing: self.missing.clone(), held: Vec::new() })
     }
 
-    /// Replaces the symbols of derived quantities in a printed term by their values, in the arena of the derivations.
+    /// Replaces the symbols of derived quantities in a printed term by their derived values.
     ///
     /// # Errors
-    /// The reason why a symbol has no value, or that the term divides by a quantity that is zero.
+    /// Reason why a symbol has no value, or that the term divides by a quantity that is zero.
     pub fn resolve(&self, quantities: &mut Quantities<'_>, e: Expr) -> Result<Expr, String> {
         let arena = &mut quantities.derivations.kinematics.arena;
         let parts = arena.reachable(&[e]);

@@ -1,5 +1,7 @@
-//! Keys `about`, `small` and `order` of a publication file: formulas that hold near a point only, or for small
-//! parameters, up to an order in the deviations from the point.
+//! Reading of the keys `about`, `small` and `order`, which state that formulas hold near a point.
+//!
+//! The point may also be that parameters are small. The formulas hold up to an order in the
+//! deviations from the point.
 
 use super::read::Loading;
 use super::{Approximation, PointValue};
@@ -13,8 +15,9 @@ use toml::de::{DeTable, DeValue};
 const MOST: u32 = 4;
 
 impl<'a> Loading<'a, '_> {
-    /// Reads the point, the small parameters and the order that a table states. What the table does not state is that
-    /// of the publication file. `None` if nothing is near a value.
+    /// Reads the point, the small parameters and the order that a table states.
+    /// Values that the table lacks are those at the top of the publication file. `None` if no point
+    /// and no small parameter is stated, or if an error is reported.
     pub fn near(&mut self, table: &'a DeTable<'a>) -> Option<Approximation> {
         let order = self.order(table);
         let small = self.small(table);
@@ -40,7 +43,8 @@ impl<'a> Loading<'a, '_> {
         Some(Approximation { order, values })
     }
 
-    /// Values of variables that the key `about` of a table states.
+    /// Values of variables at the point that the key `about` of a table states; `None` if absent or
+    /// wrong.
     fn point(&mut self, table: &'a DeTable<'a>) -> Option<Vec<PointValue>> {
         let value = self.reader.get(table, "about")?;
         let point = self.reader.table(value, "`about`", "about = { q1 = 0, u3 = \"w\" }")?;
@@ -61,7 +65,7 @@ impl<'a> Loading<'a, '_> {
         Some(values)
     }
 
-    /// Parameters that the key `small` of a table names, each near 0.
+    /// Parameters that the key `small` of a table names, each with the value 0 at the point.
     fn small(&mut self, table: &'a DeTable<'a>) -> Vec<PointValue> {
         let Some(value) = self.reader.get(table, "small") else { return Vec::new() };
         let DeValue::Array(array) = value.get_ref() else {
@@ -82,6 +86,7 @@ impl<'a> Loading<'a, '_> {
         list
     }
 
+    /// Order that the key `order` of a table states, from 1 to 4; `None` if absent or wrong.
     fn order(&mut self, table: &'a DeTable<'a>) -> Option<u32> {
         let value = self.reader.get(table, "order")?;
         let order = match value.get_ref() {
@@ -96,7 +101,8 @@ impl<'a> Loading<'a, '_> {
         order
     }
 
-    /// Symbol of a coordinate, a time derivative, a speed or a reaction by its name; reports another name.
+    /// Symbol of the coordinate, time derivative, speed or reaction with the given name.
+    /// Reports any other name and returns `None`.
     fn stays(&mut self, name: &Located) -> Option<Expr> {
         let model = &self.model;
         let mut known = Vec::new();
@@ -113,7 +119,8 @@ impl<'a> Loading<'a, '_> {
         None
     }
 
-    /// Reads a formula in parameters, in the language of model files; reports other symbols.
+    /// Reads a formula that contains only parameters, in the language of model files.
+    /// Reports other symbols and returns `None`.
     fn of_parameters(&mut self, formula: &Located) -> Option<Expr> {
         let e = self.formula(formula, Notation::default())?;
         let (arena, parameters) = (&self.model.arena, self.model.p());

@@ -1,4 +1,5 @@
-//! Quantities and states of a publication in which names of the model have another meaning.
+//! Conversion of quantities and states to the model's coordinates, if the publication gives names
+//! another meaning.
 
 use super::entries::Item;
 use super::read::Loading;
@@ -6,12 +7,14 @@ use crate::algebra::Expr;
 use crate::diagnostic::Diagnostic;
 use crate::mechanics::{Quantity, QuantityKind};
 
-/// State of a listing, its derivative, and the matrix in front of the derivative.
+/// State of a printed program (listing), its derivative, and the matrix in front of the derivative;
+/// `None` without a matrix.
 pub(super) type StateParts = (Vec<Expr>, Vec<Expr>, Option<Vec<Vec<Expr>>>);
 
 impl<'a> Loading<'a, '_> {
-    /// Quantity of the model, and its value, for a printed value of a quantity that names the publication's own
-    /// coordinates; reports a quantity that is none of the model's up to its sign.
+    /// Converts a printed value of a quantity in the publication's own coordinates to a quantity
+    /// and value of the model.
+    /// Reports a quantity that equals none of the model's up to its sign, and returns `None`.
     pub fn in_own_coordinates(
         &mut self,
         item: &Item<'a>,
@@ -29,7 +32,8 @@ impl<'a> Loading<'a, '_> {
         Some((Quantity::new(kind, self.model), printed))
     }
 
-    /// Reports names of derived quantities whose coordinate or speed has another meaning in the publication.
+    /// Reports names of derived quantities whose coordinate or speed has another meaning in the
+    /// publication.
     pub fn names_are_of_the_model(&mut self, names: &[(String, Quantity, Expr)]) {
         for (name, quantity, _) in names {
             let own = self.own_kind(quantity.kind());
@@ -43,8 +47,9 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
-    /// Kind of the model's quantity for one of the publication's own coordinates, and true if its sign is the other
-    /// one; `None` if there is no such quantity.
+    /// Kind of the model's quantity that equals a quantity in the publication's coordinates, up to
+    /// its sign.
+    /// The second value is true for the opposite sign. `None` if there is no such quantity.
     fn own_kind(&mut self, kind: &QuantityKind) -> Option<(QuantityKind, bool)> {
         let q: Vec<String> = self.model.coordinates.iter().map(|c| c.name.clone()).collect();
         let u: Vec<String> = self.model.speeds.iter().map(|s| s.name.clone()).collect();
@@ -97,7 +102,9 @@ impl<'a> Loading<'a, '_> {
         })
     }
 
-    /// Index of the model's coordinate whose rate the rate of this name is up to its sign, and true for the other sign.
+    /// Index of the model's coordinate whose rate equals the rate of `name` up to its sign; true
+    /// for the opposite sign.
+    /// `None` if there is no such coordinate.
     fn turned_coordinate(&mut self, name: &str) -> Option<(usize, bool)> {
         if !self.words.is_renamed(name) {
             return self.model.coordinates.iter().position(|c| c.name == name).map(|at| (at, false));
@@ -109,7 +116,9 @@ impl<'a> Loading<'a, '_> {
         position(&list, rate, turned)
     }
 
-    /// Index of the model's speed that this name stands for up to its sign, and true for the other sign.
+    /// Index of the model's speed that equals the speed `name` up to its sign; true for the
+    /// opposite sign.
+    /// `None` if there is no such speed.
     fn turned_speed(&mut self, name: &str) -> Option<(usize, bool)> {
         if !self.words.is_renamed(name) {
             return self.model.speeds.iter().position(|s| s.name == name).map(|at| (at, false));
@@ -120,8 +129,10 @@ impl<'a> Loading<'a, '_> {
         position(&list, value, turned)
     }
 
-    /// State of a listing in the model's variables, with its derivative and matrix; reports a variable that is none of
-    /// the model's up to its sign and zero.
+    /// Converts the state of a printed program (listing), its derivative and its matrix to the
+    /// model's variables.
+    /// Reports a variable that equals none of the model's up to its sign and zero, and returns
+    /// `None`.
     pub(super) fn own_state(&mut self, names: &[String], parts: StateParts, item: &Item<'a>) -> Option<StateParts> {
         let (mut state, mut derivative, mut matrix) = parts;
         let mut turned_moving = Vec::new();
@@ -149,7 +160,8 @@ impl<'a> Loading<'a, '_> {
                 turned_moving.push(at);
             }
         }
-        // A turned variable has a turned derivative; with a matrix, its column is turned.
+        // A variable with the opposite sign has a derivative with the opposite sign. With a matrix,
+        // its column changes sign.
         let moving: Vec<usize> =
             (0..names.len()).filter(|at| names[*at].ends_with('\'') || self.is_speed(&names[*at])).collect();
         for at in turned_moving {
@@ -166,12 +178,14 @@ impl<'a> Loading<'a, '_> {
         Some((state, derivative, matrix))
     }
 
+    /// True if a name belongs to a generalized speed of the model.
     fn is_speed(&self, name: &str) -> bool {
         self.model.speeds.iter().any(|s| s.name == name)
     }
 }
 
-/// Position of a value in a list, or of the value with the other sign, with true behind it.
+/// Index of a value in a list, or of its negative `turned`; true if the negative was found. `None`
+/// if neither is in the list.
 fn position(list: &[Expr], value: Expr, turned: Expr) -> Option<(usize, bool)> {
     let of = |e: Expr| list.iter().position(|one| *one == e);
     of(value).map(|at| (at, false)).or_else(|| of(turned).map(|at| (at, true)))

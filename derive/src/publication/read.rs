@@ -1,6 +1,8 @@
-//! Reads the text of a publication file as a [`Publication`]: the file as a whole, and the names that it declares.
+//! Reading of a publication file as a [`Publication`]: the file as a whole, and the names that it
+//! declares.
 //!
-//! Every error is reported once, at its cause; `None` always means that an error stands in the reader.
+//! Every error is reported once, at its cause. In this folder, `None` means that an error is
+//! reported in the reader.
 
 use super::entries::Item;
 use super::files::{Files, notation_of_file, read_named};
@@ -18,7 +20,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Keys at the top of a publication file.
+/// Keys that may occur at the top of a publication file.
 pub const KEYS: [&str; 19] = [
     "schema",
     "file",
@@ -45,7 +47,7 @@ const MAX_NAMES: usize = 1000;
 /// Number of errors after which no further formula is read.
 const MAX_ERRORS: usize = 1000;
 
-/// Reads a publication for its model; its formulas go to the model's arena.
+/// Reads a publication file for its model, and adds its formulas to the model's arena.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the publication file.
@@ -54,7 +56,8 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Publication, Diagnosti
     load_with(source, model, &|name| read_named(&folder.join(name)))
 }
 
-/// Reads a publication for its model, with a table of coordinates in the place of its own `[coordinates]`.
+/// Reads a publication file for its model, with `coordinates` instead of the file's own table
+/// `[coordinates]`.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the publication file.
@@ -67,10 +70,11 @@ pub fn load_in(
     load_all(source, model, &|name| read_named(&folder.join(name)), Some(coordinates))
 }
 
-/// Reads a publication for its model, with a reader of the files that the publication names beside it.
+/// Reads a publication file for its model; `read` reads the files to which the publication refers,
+/// by name.
 ///
 /// # Errors
-/// [`Diagnostics`] with every error of the publication file and of the files that it names.
+/// [`Diagnostics`] with every error of the publication file and of the files to which it refers.
 pub fn load_with(
     source: &Source,
     model: &mut Model,
@@ -79,6 +83,7 @@ pub fn load_with(
     load_all(source, model, read, None)
 }
 
+/// Reads a publication file, with optional coordinates instead of its own table `[coordinates]`.
 fn load_all(
     source: &Source,
     model: &mut Model,
@@ -126,34 +131,42 @@ fn load_all(
     Ok(Publication { source, title, reference, abbreviations, coordinates, redefined, shorthand, names, entries })
 }
 
-/// State of reading a publication file: the file, the model, and the names and entries read so far.
+/// State of the reading of a publication file: the file, the model, and the names and entries read
+/// so far.
 pub struct Loading<'a, 'm> {
+    /// Reader of the TOML text, which collects errors.
     pub reader: Reader<'a>,
+    /// Model to which the publication belongs.
     pub model: &'m mut Model,
+    /// Names that formulas may use, with their meanings.
     pub words: Words,
-    /// Notation of the formulas of entries that state none.
+    /// Notation of formulas for entries that state no notation.
     pub notation: Notation,
-    /// Point and order of approximation of entries that state none; `None` if formulas hold everywhere.
+    /// Point and order for entries that state none; `None` if their formulas hold everywhere.
     pub near: Option<Approximation>,
-    /// Byte range in the publication file of each id.
+    /// Byte range in the publication file of each entry's id.
     pub ids: FxHashMap<String, Range<usize>>,
-    /// Byte range at which each set states a value of a quantity.
+    /// Byte range of each stated number, by its set and quantity.
     pub values: FxHashMap<(String, Expr), Range<usize>>,
-    /// Files that the publication names.
+    /// Files to which the publication refers.
     pub files: Files<'m>,
-    /// Coordinates in the place of those that the publication file states.
+    /// Coordinates that replace the table `[coordinates]` of the file; `None` to use the file's
+    /// own.
     stated: Option<&'m [(String, String)]>,
-    /// Coordinates and speeds of the publication that the model does not have.
+    /// Coordinates and speeds that only the publication has: name and formula in the model's
+    /// variables.
     pub(super) coordinates: Vec<(String, Expr)>,
-    /// Coordinates and speeds of the model to which the publication gives another meaning.
+    /// Coordinates and speeds of the model to which the publication gives another meaning: name and
+    /// formula.
     redefined: Vec<(String, Expr)>,
 }
 
 impl<'a> Loading<'a, '_> {
-    /// Notation that a table states; without one, that of the publication file.
+    /// Notation that a table states, directly or by the ending of its file; else the notation of
+    /// the publication file.
     pub fn notation(&mut self, table: &'a DeTable<'a>) -> Notation {
         let Some(value) = self.reader.get(table, "notation") else {
-            // The name of a file tells its language.
+            // The ending of a file's name tells the language.
             let file = self.reader.get(table, "file").and_then(|file| file.get_ref().as_str());
             return file.and_then(notation_of_file).unwrap_or(self.notation);
         };
@@ -165,7 +178,8 @@ impl<'a> Loading<'a, '_> {
         })
     }
 
-    /// Reads a formula in the names of the model and of the publication file.
+    /// Reads a formula in the names of the model and of the publication file; `None` if an error is
+    /// reported.
     pub fn formula(&mut self, formula: &Located, notation: Notation) -> Option<Expr> {
         if self.reader.errors.len() > MAX_ERRORS {
             return None;
@@ -177,7 +191,8 @@ impl<'a> Loading<'a, '_> {
         self.words.formula(&mut self.reader, &mut self.model.arena, formula, notation)
     }
 
-    /// Reads the name of a derived quantity; reports a name that is none.
+    /// Reads the name of a derived quantity; reports a name that is not a quantity and returns
+    /// `None`.
     pub fn quantity(&mut self, name: &Located) -> Option<Quantity> {
         match Quantity::parse(&name.text, self.model) {
             Ok(quantity) => Some(quantity),
@@ -188,12 +203,12 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
-    /// Text under a key; `None` if the key is absent.
+    /// Text under a key of a table; `None` if the key is absent.
     pub fn text(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
         self.reader.prose(table, key)
     }
 
-    /// Values of an array; reports a value that is no array.
+    /// Values of a TOML array; reports a value that is not an array, which `what` names.
     pub fn array(
         &mut self,
         value: &'a Spanned<DeValue<'a>>,
@@ -209,7 +224,7 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
-    /// Fields of a section that declares names; reports too many.
+    /// Fields of a section that declares names, at most 1000; reports more.
     fn section(&mut self, table: &'a DeTable<'a>, key: &str, example: &str) -> Vec<Field<'a>> {
         let Some(value) = self.reader.get(table, key) else { return Vec::new() };
         let example = format!("[{key}] with lines such as {example}");
@@ -223,7 +238,8 @@ impl<'a> Loading<'a, '_> {
         fields
     }
 
-    /// Reads `[names]`: symbols for derived quantities. Each has its name, quantity and symbol.
+    /// Reads the table `[names]`: name, quantity and symbol of each derived quantity that the
+    /// publication names.
     fn names(&mut self, table: &'a DeTable<'a>) -> Vec<(String, Quantity, Expr)> {
         let mut names = Vec::new();
         for (name, value) in self.section(table, "names", "a1 = \"a(P) @ B [1]\"") {
@@ -240,7 +256,8 @@ impl<'a> Loading<'a, '_> {
         names
     }
 
-    /// Reads `[symbols]`: the publication's spelling of names of the model and of the publication file.
+    /// Reads the table `[symbols]`: the publication's spellings for names of the model and of the
+    /// publication file.
     fn symbols(&mut self, table: &'a DeTable<'a>) {
         for (symbol, value) in self.section(table, "symbols", "'I_{xx}' = \"I1\"") {
             if let Some(name) = self.reader.string(value, "the name of a symbol") {
@@ -249,8 +266,10 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
-    /// Reads `[coordinates]`: coordinates and speeds of the publication as formulas in those of the model. Their time
-    /// derivatives follow. A name of the model gets another meaning after all formulas are read.
+    /// Declares the coordinates and speeds of the publication, as formulas in the model's
+    /// variables, with their derivatives.
+    /// A formula is `None` if it is wrong and reported. A name that the model also has gets its new
+    /// meaning after all formulas are read.
     fn coordinates(&mut self, list: Vec<(Located, Option<Located>)>) {
         let mut renamed = Vec::new();
         for (name, formula) in list {
@@ -269,7 +288,9 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
-    /// Names and formulas of the coordinates of the publication.
+    /// Names and formulas of the publication's coordinates, from the caller or from the table
+    /// `[coordinates]`.
+    /// A formula is `None` if it is wrong and reported.
     fn stated_coordinates(&mut self, table: &'a DeTable<'a>) -> Vec<(Located, Option<Located>)> {
         if let Some(stated) = self.stated {
             let whole = self.reader.get(table, "coordinates").map_or(0..0, Spanned::span);
@@ -284,8 +305,10 @@ impl<'a> Loading<'a, '_> {
         formulas.collect()
     }
 
-    /// Reads `[abbreviations]`: names of formulas in the model's names and earlier abbreviations. A formula stands in
-    /// the publication file, or in the author's file under a label.
+    /// Reads the tables `[abbreviations]`, `[coordinates]` and `[symbols]`; returns the
+    /// abbreviations: (name, formula).
+    /// Formulas may use the model's names and earlier abbreviations. A formula stands in the
+    /// publication file, or in the author's file under a label.
     fn abbreviations(&mut self, table: &'a DeTable<'a>) -> Vec<(String, Expr)> {
         let section = self.section(table, "abbreviations", "s1 = \"sin(q1)\"");
         for (name, _) in &section {

@@ -1,9 +1,10 @@
-//! Text of a printed row of a linear system.
+//! Text of a printed row of a linear system, assembled from the texts of its entries.
 
 use crate::algebra::text::notation::Notation;
 use crate::algebra::text::print::latex_name;
 
-/// Text `a·x + b·y = c` of a row as transcribed, without its zero terms.
+/// Text `a·x + b·y = c` of a row of a linear system, in the row's notation, without terms whose
+/// entry is "0".
 pub fn row_text(entries: &[String], unknowns: &[String], right: &str, notation: Notation) -> String {
     let is_latex = notation == Notation::Latex;
     let (times, open, close) = if is_latex { (" ", "\\left(", "\\right)") } else { ("*", "(", ")") };

@@ -1,37 +1,40 @@
-//! Formulas of a publication as printed, with its abbreviations as symbols.
+//! Formulas of a publication as printed, in which its abbreviations are symbols.
 //!
-//! Entries are judged with abbreviations written out. Beside each such formula stands the one as printed, so that a
-//! mistake in an abbreviation is found in the abbreviation's own formula. The formulas as printed are in an arena of
-//! their own: they must not change the order of terms in that of the model.
+//! Entries are judged with abbreviations written out. For each written-out formula, the printed
+//! form is kept too, so that a mistake in an abbreviation is found in the abbreviation's own
+//! formula. Printed forms have their own arena: they must not change the order of terms in the
+//! model's arena.
 
 use crate::algebra::solve::linear::{LinearForm, row_term};
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::{Arena, Expr, Node};
 use rustc_hash::FxHashMap;
 
-/// An abbreviation of a publication that is more than another name of a symbol, number or function.
+/// Abbreviation of a publication whose formula is a sum or a product.
+/// Other names for a single symbol, number or function are not kept.
 #[derive(Clone, Debug)]
 pub struct Abbreviation {
-    /// Name of the abbreviation.
+    /// Name of the abbreviation, as declared in the publication file.
     pub name: String,
-    /// Symbol of the abbreviation in the arena of the shorthand.
+    /// Symbol of the abbreviation, in the arena of printed formulas.
     pub symbol: Expr,
-    /// Formula of the abbreviation as printed, with earlier abbreviations as symbols.
+    /// Formula of the abbreviation as printed, in which earlier abbreviations are symbols.
     pub formula: Expr,
 }
 
-/// Abbreviations of a publication, and the formulas that use them as printed.
+/// Abbreviations of a publication, with the formulas that use them in their printed form.
 #[derive(Clone, Default)]
 pub struct Shorthand {
-    /// Store of the terms of the formulas as printed.
+    /// Store of the terms of printed formulas, separate from the model's arena.
     pub(super) arena: Arena,
     /// Abbreviations in the order of the publication file.
     pub(super) list: Vec<Abbreviation>,
-    /// Formulas as printed, by the formula in the model's arena in which all abbreviations are written out.
+    /// Printed form of each formula, by the formula in the model's arena with all abbreviations
+    /// written out.
     pub(super) printed: FxHashMap<Expr, Expr>,
-    /// Names of the model's symbols, which are no names of abbreviations.
+    /// Names of the model's symbols, which cannot be names of abbreviations.
     reserved: Vec<String>,
-    /// Names of the model's parameters.
+    /// Names of the model's parameters, which come before variables in printed products.
     parameters: Vec<String>,
 }
 
@@ -42,17 +45,18 @@ impl std::fmt::Debug for Shorthand {
 }
 
 impl Shorthand {
-    /// Shorthand without abbreviations, for formulas in these parameters and in all the symbols of a model.
+    /// Empty store for printed formulas with abbreviations, in the symbols of the arena `model`.
     pub(super) fn of(model: &Arena, parameters: Vec<String>) -> Self {
         Self { reserved: model.symbol_names().to_vec(), parameters, ..Self::default() }
     }
 
-    /// Names in the order in which factors are written: abbreviations and parameters come before variables.
+    /// Names that come first in products: abbreviations and parameters are printed before
+    /// variables.
     pub fn leading(&self) -> impl Iterator<Item = &str> {
         self.list.iter().map(|one| &one.name).chain(&self.parameters).map(String::as_str)
     }
 
-    /// Store of the terms of the formulas as printed.
+    /// Arena that holds the terms of printed formulas.
     #[must_use]
     pub fn arena(&self) -> &Arena {
         &self.arena
@@ -64,14 +68,15 @@ impl Shorthand {
         &self.list
     }
 
-    /// Formula as printed, with abbreviations as symbols, in the arena of the shorthand. `None` if the formula uses no
-    /// abbreviation.
+    /// Printed form of a formula of the model's arena, as a term of the arena of printed formulas.
+    /// Returns `None` if the formula uses no abbreviation.
     #[must_use]
     pub fn as_printed(&self, e: Expr) -> Option<Expr> {
         self.printed.get(&e).copied()
     }
 
-    /// Abbreviations that a formula as printed uses, also through others, in the order of their declaration.
+    /// Abbreviations that a printed formula uses, directly or through others, in the order of their
+    /// declaration.
     #[must_use]
     pub fn used(&self, as_printed: Expr) -> Vec<&Abbreviation> {
         let mut formulas = vec![as_printed];
@@ -86,8 +91,9 @@ impl Shorthand {
         used
     }
 
-    /// Enters an abbreviation whose formula in the model's arena is `e`. Other names of symbols, numbers and functions,
-    /// such as s1 for sin(q1), are written out everywhere.
+    /// Adds the abbreviation `name`, whose formula in the model's arena is `e`.
+    /// An abbreviation of a single symbol, number or function, such as s1 for sin(q1), is not
+    /// added: it is written out everywhere.
     pub(super) fn enter(&mut self, model: &Arena, name: &str, e: Expr) {
         if self.arena.find_symbol(name).is_some()
             || self.reserved.iter().any(|one| one == name)
@@ -102,7 +108,8 @@ impl Shorthand {
         self.list.push(Abbreviation { name: name.to_owned(), symbol, formula });
     }
 
-    /// Keeps the difference left − right of an equation as printed, if one of its sides uses an abbreviation.
+    /// Records the printed form of the difference left − right of an equation, if either side uses
+    /// an abbreviation.
     pub(super) fn keep_difference(&mut self, model: &Arena, difference: Expr, left: Expr, right: Expr) {
         if self.as_printed(left).or(self.as_printed(right)).is_none() {
             return;
@@ -114,7 +121,7 @@ impl Shorthand {
         self.printed.entry(difference).or_insert(as_printed);
     }
 
-    /// Keeps the quotient of two formulas as printed, if one of them uses an abbreviation.
+    /// Records the printed form of a quotient, if its dividend or divisor uses an abbreviation.
     pub fn keep_quotient(&mut self, model: &Arena, quotient: Expr, dividend: Expr, divisor: Expr) {
         if self.as_printed(dividend).or(self.as_printed(divisor)).is_none() {
             return;
@@ -127,8 +134,10 @@ impl Shorthand {
         }
     }
 
-    /// Keeps a row of an equation as printed, its coefficients of the unknowns and then its right-hand side, if the
-    /// equation uses an abbreviation. In `row`, abbreviations are written out.
+    /// Records the printed forms of a row's coefficients and right-hand side, if the equation uses
+    /// an abbreviation.
+    /// In `row`, abbreviations are written out: one coefficient for each unknown, then the
+    /// right-hand side.
     pub(super) fn keep_row(&mut self, model: &mut Arena, equation: Expr, unknowns: &[Expr], row: &[Expr]) {
         let Some(as_printed) = self.as_printed(equation) else { return };
         let whole = row_term(model, unknowns, row);
@@ -145,19 +154,20 @@ impl Shorthand {
         }
     }
 
-    /// True if a formula is printed as the name of an abbreviation alone.
+    /// True if a formula is printed as the bare name of an abbreviation.
     #[must_use]
     pub fn is_name(&self, e: Expr) -> bool {
         self.as_printed(e).is_some_and(|printed| self.list.iter().any(|one| one.symbol == printed))
     }
 
-    /// Symbol of an abbreviation; `None` for a name that is no abbreviation or is written out.
+    /// Symbol of an abbreviation; `None` for a name that is no abbreviation or that is always
+    /// written out.
     pub(super) fn symbol(&self, name: &str) -> Option<Expr> {
         self.list.iter().find(|one| one.name == name).map(|one| one.symbol)
     }
 }
 
-/// True if a term is a sum of two terms at least, or a product of two factors at least.
+/// True if a term is a sum of at least two terms, or a product of at least two factors.
 fn is_formula(arena: &Arena, e: Expr) -> bool {
     match arena.node(e) {
         Node::Sum(constant, terms) => terms.len() > 1 || !constant.is_zero() || is_formula(arena, terms[0].0),

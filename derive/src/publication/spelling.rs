@@ -1,5 +1,5 @@
-//! Symbols that a publication writes for the names of a model: those of `[symbols]`, and the usual LaTeX form of a
-//! name.
+//! Spellings that a publication uses for the names of a model: those of `[symbols]`, and the usual
+//! LaTeX form of names.
 
 use super::locals::{Locals, local_name, local_number};
 use crate::algebra::text::notation::{Notation, Spell, Symbol, Unknown, ascii_names, is_index, read_symbol};
@@ -7,39 +7,40 @@ use crate::algebra::text::print::latex_name;
 use crate::diagnostic::shown;
 use rustc_hash::FxHashMap;
 
-/// Symbols of a publication, and the names for which they stand.
+/// Spellings of names in a publication, with the names that they mean.
 #[derive(Default)]
 pub struct Spellings {
-    /// Names by LaTeX symbols of `[symbols]`. The key is the symbol without its dots, and the number of its dots.
+    /// Names by their LaTeX symbols from `[symbols]`. The key is the symbol without dots, and the
+    /// number of dots.
     latex: FxHashMap<(String, usize), String>,
-    /// Names by program variables of `[symbols]`.
+    /// Names by their program variables from `[symbols]`.
     variables: FxHashMap<String, String>,
-    /// Names by their usual LaTeX symbols, for symbols absent from `[symbols]`; several names may share one.
+    /// Names by their usual LaTeX symbols; several names may share a symbol.
     usual: FxHashMap<String, Vec<String>>,
-    /// Names of several letters, which LaTeX sets in roman type.
+    /// Names with more than one letter, which LaTeX sets in roman type.
     words: Vec<String>,
 }
 
-/// Outcome of entering a symbol of `[symbols]`.
+/// Outcome of adding a spelling from `[symbols]`.
 pub enum Stated {
-    /// The symbol was free and now stands for its name.
+    /// The spelling was free and is added.
     New,
-    /// The symbol already stands for the other name given here.
+    /// The spelling is already in use for the name given here.
     Taken(String),
-    /// The text is no symbol in any notation.
+    /// The text is not a symbol in any notation.
     NoSymbol,
 }
 
 impl Spellings {
-    /// Enters a name of the model or of the publication file, with its usual LaTeX symbol. Names with primes are
-    /// ignored.
+    /// Adds a name of the model or of the publication file, with its usual LaTeX symbol. Names with
+    /// primes are ignored.
     pub fn enter(&mut self, name: &str) {
         if name.contains('\'') {
             return;
         }
         if let Some(symbol) = read_symbol(&latex_name(name)) {
             let mut spelled = vec![symbol.clone()];
-            // u_{psi} is u_{\psi}, too.
+            // The symbol u_{psi} is also written u_{\psi}.
             if symbol.subscript.starts_with('\\') {
                 spelled.push(Symbol { subscript: symbol.subscript.replace(['\\', '_'], ""), ..symbol });
             }
@@ -55,10 +56,11 @@ impl Spellings {
         }
     }
 
-    /// Enters a symbol of `[symbols]` for a name.
+    /// Adds the spelling `symbol` from `[symbols]` for the name `name`.
     pub fn state(&mut self, symbol: &str, name: &str) -> Stated {
         let variable = variable(symbol);
-        // A name in the form of a program variable is a LaTeX symbol too, as names of a model are.
+        // A spelling in the form of a program variable is also a LaTeX symbol, as names of a model
+        // are.
         let latex = match ascii_names(symbol).first() {
             Some(name) if is_name(name) => read_symbol(&latex_name(name)),
             Some(name) if !symbol.is_ascii() => read_symbol(&latex_name(name.trim_end_matches('\'')))
@@ -81,8 +83,8 @@ impl Spellings {
         Stated::New
     }
 
-    /// Name for which a program variable stands by `[symbols]`; the variable may end in primes. `None` if it stands for
-    /// none.
+    /// Name that a program variable means by `[symbols]`; the variable may end in primes. `None` if
+    /// it has no such meaning.
     pub fn variable(&self, text: &str) -> Option<String> {
         if let Some(name) = self.variables.get(text) {
             return Some(name.clone());
@@ -91,14 +93,14 @@ impl Spellings {
         self.variables.get(stem).map(|name| format!("{name}{}", &text[stem.len()..]))
     }
 
-    /// True if this is a name of the model or of the publication file; it may end in primes.
+    /// True if `name`, without its primes, is a name of the model or of the publication file.
     fn has(&self, name: &str) -> bool {
         let stem = name.trim_end_matches('\'');
         let of = |symbol: Symbol| self.usual.get(&symbol.still()).is_some_and(|names| names.iter().any(|n| n == stem));
         read_symbol(&latex_name(stem)).is_some_and(of)
     }
 
-    /// Names for which a LaTeX symbol may stand: none, one, or several that look alike.
+    /// Names that a LaTeX symbol may mean: none, one, or several with the same symbol.
     fn latex_names(&self, symbol: &Symbol) -> Vec<String> {
         let still = symbol.still();
         for own in (0..=symbol.dots).rev() {
@@ -111,12 +113,13 @@ impl Spellings {
     }
 }
 
-/// Replaces the symbols of one formula by names.
+/// Translator of the symbols of one formula into names.
 pub struct Speller<'a> {
+    /// Spellings that the publication uses for names.
     pub spellings: &'a Spellings,
-    /// Variables of the program that the formula belongs to.
+    /// Variables of the program to which the formula belongs.
     pub locals: &'a Locals,
-    /// Names of the model's coordinates.
+    /// Names of the model's coordinates, to recognize variables for their rates.
     pub coordinates: &'a [String],
     /// True if the last error may occur at many places of the file.
     pub repeated: bool,
@@ -143,7 +146,7 @@ impl Spell for Speller<'_> {
             let help = format!("say in [symbols] which of {} it is", names.join(", "));
             return Err((format!("`{symbol}` may stand for several names"), Some(help)));
         }
-        // The spelling of a coordinate holds for its rates too.
+        // The spelling of a coordinate applies to its time derivatives too.
         let stated = quoted(symbol.trim_end_matches('\''));
         let help = match self.spellings.words.iter().find(|word| *word == run) {
             Some(word) => {
@@ -180,8 +183,8 @@ impl Spell for Speller<'_> {
     }
 }
 
-/// Names, each with the order of a derivative, that a variable of a program may be called for, such as `theta_dot`,
-/// `xddot`, `dq1` or `dx_dt`. The names may be no coordinates.
+/// Readings of a program's variable as a time derivative: base name and order of the derivative.
+/// Examples are `theta_dot`, `xddot`, `dq1` and `dx_dt`. The base names need not be coordinates.
 fn rates_of(name: &str) -> Vec<(&str, usize)> {
     let over = name.strip_prefix('d').and_then(|rest| rest.strip_suffix("_dt").or_else(|| rest.strip_suffix("dt")));
     let twice = name.strip_prefix("d2").and_then(|rest| rest.strip_suffix("_dt2").or_else(|| rest.strip_suffix("dt2")));
@@ -200,18 +203,19 @@ fn rates_of(name: &str) -> Vec<(&str, usize)> {
     forms.into_iter().filter_map(|(stem, order)| Some((stem.filter(|stem| !stem.is_empty())?, order))).collect()
 }
 
-/// Text of a TOML key in quotes.
+/// Text as a quoted TOML key, in single quotes if it contains a backslash.
 fn quoted(text: &str) -> String {
     if text.contains('\\') { format!("'{text}'") } else { format!("\"{text}\"") }
 }
 
-/// True if a text is a name in the language of model files.
+/// True if a text has the form of a name in the language of model files.
 fn is_name(text: &str) -> bool {
     text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
         && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
-/// A program variable in one form: a name, members after points, indices. `None` if the text is no variable.
+/// Program variable in a uniform spelling: a name, members after points, indices; `None` if the
+/// text is no variable.
 fn variable(text: &str) -> Option<String> {
     let text = text.replace("->", ".").replace(' ', "").replace('"', "'");
     let (name, mut rest) = match text.find(['(', '[']) {
@@ -233,7 +237,7 @@ fn variable(text: &str) -> Option<String> {
     name.split('.').all(is_word).then_some(text)
 }
 
-/// Names of notations that a publication file may state.
+/// Names of the notations that a publication file may state.
 pub fn notations() -> [&'static str; 6] {
     let [a, b, c, d, e] = Notation::ALL.map(Notation::name);
     [a, b, c, "sympy", d, e]

@@ -1,14 +1,15 @@
-//! Reduction of a scene's equations to the smallest system that gives its outputs. The equations hold on the level set
-//! of the scene's momenta, and variables on which no output depends are left out.
+//! Reduction of a scene's equations to the smallest system that gives its outputs. The equations
+//! hold on the level set of the scene's momenta. Variables on which no output depends are left out.
 //!
-//! Every step is exact. Momenta of commuting symmetries remove speeds (`level`). A variable on which no needed term
-//! depends by meaning is left out. A constant replaces it in formulas that contain it (`slice`). Variables that a
-//! symmetry moves together become differences (`relative`). Quantities that follow from the states are computed when
-//! they are requested. The result is an ordinary model with equations, with the momenta among the parameters. So every
-//! program that runs, charts and emits equations accepts it.
+//! Every step is exact. Momenta of commuting symmetries remove speeds (`level`). A variable on
+//! which no needed term depends by meaning is left out, and a constant replaces it in formulas
+//! (`slice`). Variables that a symmetry moves together become differences (`relative`). Quantities
+//! that can be computed from the states are computed on request.
 //!
-//! A reduction contains no start values: it holds for every start on every level set. The exception is the distance
-//! from a singular surface, whose side the start decides.
+//! The result is an ordinary model with equations, with the momenta among the parameters. So every
+//! program that runs, charts and emits equations accepts it. A reduction contains no start values:
+//! it holds for every start on every level set. The exception is the distance from a singular
+//! surface, because the start decides its side.
 
 mod basis;
 mod frames;
@@ -32,26 +33,28 @@ use slices::outputs::Wanted;
 use slices::slice::Flow;
 use std::cmp::Reverse;
 
-/// Derives the reduced system of a scene of this model.
+/// Derives the reduced equations of a scene of a model.
 ///
 /// # Errors
-/// [`DeriveError`] if the model's own equations cannot be derived, or if an output needs a reaction that they do not
-/// determine. [`DeriveError::ReductionNotProved`] if not even the system without momenta is proved to give the scene's
-/// outputs.
+/// [`DeriveError`] if the model's own equations cannot be derived, if the model has loops or no
+/// speeds, or if an output needs a reaction that they do not determine.
+/// [`DeriveError::ReductionNotProved`] if not even the equations without constant momenta are
+/// proved to give the scene's outputs.
 pub fn reduce(model: &Model, scene: &Scene) -> Result<Reduction, DeriveError> {
     ReductionBasis::new(model)?.reduce(scene)
 }
 
-/// Frames in which a reduction may write its equations.
+/// Choice of the frames in which a reduction may write its equations.
 #[derive(Clone, Copy)]
 enum FrameChoice {
-    /// Moving frame, if one saves work; otherwise the inertial frame.
+    /// Moving frame if it saves work; otherwise the inertial frame.
     MayMove,
+    /// Inertial frame only, without a search for a moving frame.
     Inertial,
 }
 
 impl ReductionBasis {
-    /// Reduced system of a scene of the model that this basis was made from.
+    /// Derives the reduced equations of a scene of the model from which this basis was made.
     ///
     /// # Errors
     /// [`DeriveError`], for the same reasons as [`reduce`].
@@ -59,7 +62,8 @@ impl ReductionBasis {
         self.reduce_with(scene, FrameChoice::MayMove)
     }
 
-    /// Reduced system of a scene without a moving frame; its variables are functions of the model's variables.
+    /// Derives the reduced equations of a scene without a moving frame. Their variables are functions
+    /// of the model's variables.
     ///
     /// # Errors
     /// [`DeriveError`], for the same reasons as [`reduce`].
@@ -67,6 +71,8 @@ impl ReductionBasis {
         self.reduce_with(scene, FrameChoice::Inertial)
     }
 
+    /// Derives the reduced equations with the best choice of constant momenta and of a frame, and
+    /// proves them.
     fn reduce_with(&self, scene: &Scene, frame: FrameChoice) -> Result<Reduction, DeriveError> {
         self.has_motion_of_its_own()?;
         let mut basis = self.clone();
@@ -75,8 +81,8 @@ impl ReductionBasis {
         let wanted = basis.wanted(scene)?;
         let mut best: Option<(Weight, Vec<usize>)> = None;
         let choices = basis.choices();
-        // A single choice needs no comparison. Choices that hold most momenta come first: they are most often the best,
-        // and the work is limited.
+        // A single choice needs no comparison. Choices with most constant momenta come first: they are most
+        // often the best, and the work is limited.
         let mut compared = if choices.len() > 1 { choices.clone() } else { Vec::new() };
         compared.sort_by_key(|momenta| Reverse(momenta.len()));
         let mut work = Work::default();
@@ -118,7 +124,8 @@ impl ReductionBasis {
         found.map_err(|what| DeriveError::ReductionNotProved { what })
     }
 
-    /// Cost of the equations on the level set of these momenta; `None` if the equations are not determined.
+    /// Cost of the equations on the level set of the given momenta; `None` if the equations are not
+    /// determined.
     fn weight_on(&mut self, momenta: &[usize], wanted: &Wanted) -> Option<Weight> {
         let wanted = self.relative(momenta, wanted.clone());
         let level = self.level(momenta, None)?;
@@ -128,7 +135,8 @@ impl ReductionBasis {
         Some((core, integrated, operations, Reverse(momenta.len())))
     }
 
-    /// Reduced system of a scene that holds no momenta; its only divisors are those of the model's own equations.
+    /// Derives the reduced equations of a scene without constant momenta. Their only divisors are those
+    /// of the model's own equations.
     ///
     /// # Errors
     /// [`DeriveError`], for the same reasons as [`reduce`].
@@ -141,6 +149,7 @@ impl ReductionBasis {
         basis.on_level(&Choice::default(), &whole, scene).map_err(|what| DeriveError::ReductionNotProved { what })
     }
 
+    /// Checks that the model has speeds and no loops, which reductions need.
     fn has_motion_of_its_own(&self) -> Result<(), DeriveError> {
         match self.model.loops.first() {
             Some(one) => Err(DeriveError::LoopsReduced { name: one.name.clone() }),
@@ -149,8 +158,11 @@ impl ReductionBasis {
         }
     }
 
-    /// Reduced system on the level set of a choice's momenta, in the choice's frame. The error is the statement that is
-    /// not proved.
+    /// Derives and proves the reduced equations on the level set of a choice's momenta, in the choice's
+    /// frame.
+    ///
+    /// # Errors
+    /// Text of the statement that could not be proved.
     fn on_level(mut self, choice: &Choice, whole: &Whole, scene: &Scene) -> Result<Reduction, String> {
         let momenta = &choice.momenta;
         let wanted = self.differences(choice, &whole.wanted);
@@ -174,6 +186,6 @@ impl ReductionBasis {
     }
 }
 
-/// Criteria by which choices of momenta are compared, in this order: numbers of states, of integrated variables, of
-/// operations and of held momenta.
+/// Criteria by which choices of momenta are compared, in this order: numbers of states, of
+/// integrated variables, of operations and of constant momenta (most first).
 type Weight = (usize, usize, usize, Reverse<usize>);

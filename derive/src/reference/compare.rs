@@ -1,4 +1,5 @@
-//! Comparison of a reference with the derived equations, entry by entry.
+//! Comparison of a reference (equations by another program) with the derived equations, entry by
+//! entry.
 
 use super::{Reference, ReferenceError, System};
 use crate::algebra::Expr;
@@ -12,27 +13,29 @@ use crate::mechanics::{
 use crate::model::Model;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Entry of a reference with its verdict.
+/// Entry of a reference, with the derived value and the verdict.
 #[derive(Clone, Debug)]
 pub struct Compared {
-    /// Name of the quantity, or place of the entry in a system, such as `kane matrix[1,2]`.
+    /// Name of the quantity, or position of the entry in a system, such as `kane matrix[1,2]`.
     pub name: String,
-    /// Value in the reference; `None` if the reference lacks the entry.
+    /// Value in the reference as a term; `None` if the reference lacks the entry.
     pub reference: Option<Expr>,
-    /// Value derived by the program; `None` if it cannot be derived.
+    /// Value that Tripos derived; `None` if it cannot be derived.
     pub derived: Option<Expr>,
-    /// Verdict of reference against derived value. It is undecided if one of the values is missing.
+    /// Verdict on the claim that both values are equal; undecided if a value is missing.
     pub verdict: Verdict,
 }
 
-/// Judges every entry of a reference: its quantities, then its systems in the order of the formulations. Entries that
-/// the reference lacks are judged too.
+/// Judges every entry of a reference: its quantities, then its systems of equations in the order of
+/// the formulations. Entries that the reference lacks are judged too.
 ///
-/// Kane's and Lagrange's equations must agree entry by entry, including signs and factors. A row of Newton–Euler may be
-/// at another place or have a factor. The terms of the result are in the store of the derivations.
+/// Kane's and Lagrange's equations must agree entry by entry, including signs and factors. A row of
+/// Newton–Euler may have another position or a factor. The terms of the result are in the arena of
+/// the derivations.
 ///
 /// # Errors
-/// [`ReferenceError`] if the reference belongs to another model text, or uses names that the model lacks.
+/// [`ReferenceError`] if the reference belongs to another model text, was not derived, or uses
+/// names that the model lacks.
 pub fn compare(
     model: &Model,
     derivations: &mut Derivations,
@@ -63,15 +66,22 @@ pub fn compare(
     Ok(judge.found)
 }
 
+/// State of a comparison of a reference with derived equations.
 struct Judge<'a, 'b> {
+    /// Reference (equations by another program) that is judged.
     reference: &'a Reference,
+    /// Symbols of all names that formulas of the reference may contain.
     names: FxHashMap<String, Expr>,
+    /// Quantities as Tripos derives them, for comparison.
     quantities: Quantities<'b>,
+    /// Comparer of terms; it decides each verdict.
     comparer: Comparer,
+    /// Entries of the reference that were judged so far.
     found: Vec<Compared>,
 }
 
 impl Judge<'_, '_> {
+    /// Parses a formula of the reference. `name` is the entry to which it belongs, for errors.
     fn read(&mut self, name: &str, formula: &str) -> Result<Expr, ReferenceError> {
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let names = &self.names;
@@ -83,6 +93,7 @@ impl Judge<'_, '_> {
         result.map_err(wrong)
     }
 
+    /// Judges a quantity against its formula in the reference.
     fn quantity(&mut self, quantity: &Quantity, formula: &str) -> Result<(), ReferenceError> {
         let stated = self.read(quantity.name(), formula)?;
         match self.quantities.value(quantity) {
@@ -96,6 +107,7 @@ impl Judge<'_, '_> {
         Ok(())
     }
 
+    /// Compares two terms after rewriting them in the given variables, and records the verdict.
     fn compare(&mut self, name: String, stated: Expr, derived: Expr, variables: MotionVariables) {
         let stated = self.rewrite(stated, variables);
         let derived = self.rewrite(derived, variables);
@@ -103,7 +115,7 @@ impl Judge<'_, '_> {
         self.found.push(Compared { name, reference: Some(stated), derived: Some(derived), verdict });
     }
 
-    /// Rewrites a term in q and the given variables.
+    /// Rewrites a term in q and the given variables, u or q̇, and their rates.
     fn rewrite(&mut self, e: Expr, variables: MotionVariables) -> Expr {
         match variables {
             MotionVariables::Rates => self.quantities.in_rates(e),
@@ -111,11 +123,13 @@ impl Judge<'_, '_> {
         }
     }
 
+    /// Records an undecided verdict for an entry that is missing, with the reason.
     fn missing(&mut self, name: &str, why: &str) {
         let verdict = Verdict::Undecided(why.to_owned());
         self.found.push(Compared { name: name.to_owned(), reference: None, derived: None, verdict });
     }
 
+    /// Judges the equations by a formulation, or records that the reference lacks them.
     fn formulation(&mut self, formulation: Formulation) -> Result<(), ReferenceError> {
         let reference = self.reference;
         let stated = reference.systems.iter().find(|system| system.formulation == formulation);
@@ -136,7 +150,11 @@ impl Judge<'_, '_> {
         Ok(())
     }
 
-    /// Judges a system entry by entry. The rows of `derived` have the right-hand side at their end.
+    /// Judges a system of equations entry by entry. Each row of `derived` has the right-hand side at
+    /// its end.
+    ///
+    /// # Errors
+    /// `ReferenceError` if the unknowns differ from those of Tripos, or if a formula cannot be read.
     fn system(&mut self, system: &System, derived: &[Entries]) -> Result<(), ReferenceError> {
         let (name, variables) = (system.formulation.name(), system.formulation.method().variables);
         let unknowns = system.formulation.unknowns(self.quantities.model);
@@ -168,8 +186,9 @@ impl Judge<'_, '_> {
         Ok(())
     }
 
-    /// Matches rows that differ from the derived row of equal number with other derived rows, up to a factor. No two
-    /// rows are matched with one derived row.
+    /// Matches rows that differ from the derived row with the same number with other derived rows, up
+    /// to a factor. A derived row matches at most one row. `first` is the index of the system's first
+    /// entry in `found`.
     fn match_rows(&mut self, first: usize, stated: &[Entries], derived: &[Entries]) {
         let width = stated.len() + 1;
         let place = |i: usize| first + i * width..first + (i + 1) * width;
@@ -197,7 +216,7 @@ impl Judge<'_, '_> {
     }
 }
 
-/// Symbols of all names that a formula of a reference may use.
+/// Maps all names that a formula of a reference may use to their symbols.
 fn names(model: &Model) -> FxHashMap<String, Expr> {
     let mut names = FxHashMap::default();
     names.extend(model.parameters.iter().map(|p| (p.name.clone(), p.symbol)));
@@ -213,7 +232,7 @@ fn names(model: &Model) -> FxHashMap<String, Expr> {
     names
 }
 
-/// Quantities that every reference of a model states: see `tests/sympy/README.md`.
+/// Lists the quantities that every reference of a model must state: see `tests/sympy/README.md`.
 fn expected(model: &Model) -> Vec<Quantity> {
     let mut kinds = Vec::new();
     for (to, frame) in model.frames.iter().enumerate() {

@@ -1,10 +1,10 @@
-//! JSON Schemas of the files that people write, for editors: their keys, with kinds and meanings.
+//! JSON Schemas of the files that people write (models, scenes, states, publications), for editors.
 //!
-//! The tables beside this file state for each format what its reader accepts; a test compares their keys with those
-//! that the readers know. A schema describes form. The meaning of names, units and mathematics are checked by the
-//! readers.
+//! A table for each format states the keys that its reader accepts, their kinds of values and their
+//! meanings. A test compares the keys with those that the readers know. A schema describes form
+//! only. The readers check names, units and mathematics.
 //!
-//! JSON Schema, draft 7, which editors of TOML know (<https://json-schema.org/draft-07>).
+//! Editors of TOML know JSON Schema, draft 7 (`https://json-schema.org/draft-07`).
 
 mod model;
 mod publication;
@@ -13,21 +13,21 @@ mod scene;
 use crate::read::SCHEMA;
 use serde_json::{Map, Value, json};
 
-/// Format of the files that people write.
+/// Format of a file that people write: model, scene, state or publication.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// A mechanism, `model.toml`.
+    /// Format of a mechanism, `model.toml`.
     Model,
-    /// A run of a mechanism.
+    /// Format of a scene: the parameters, start and span of a run.
     Scene,
-    /// A state: one instant, given or sought.
+    /// Format of a state: a single instant whose values are given or solved for.
     State,
-    /// A published derivation, `publication.toml`.
+    /// Format of a printed derivation, `publication.toml`.
     Publication,
 }
 
 impl Format {
-    /// All formats, in the order of every list of them.
+    /// All formats, in the order in which commands list them.
     pub const ALL: [Self; 4] = [Self::Model, Self::Scene, Self::State, Self::Publication];
 
     /// Name of the format on the command line.
@@ -41,6 +41,7 @@ impl Format {
         }
     }
 
+    /// Title of the schema.
     const fn title(self) -> &'static str {
         match self {
             Self::Model => "Tripos model: a mechanism",
@@ -50,6 +51,7 @@ impl Format {
         }
     }
 
+    /// Keys of the format at the top level of its files.
     const fn keys(self) -> &'static [Key] {
         match self {
             Self::Model => model::KEYS,
@@ -59,7 +61,7 @@ impl Format {
         }
     }
 
-    /// The JSON Schema of the format.
+    /// JSON Schema (draft 7) of the format.
     #[must_use]
     pub fn schema(self) -> Value {
         let mut schema = table(self.keys());
@@ -70,59 +72,64 @@ impl Format {
     }
 }
 
-/// Key of a TOML table, with the kind of its value and its meaning.
+/// Key of a TOML table, with the kind of its value and its meaning for the schema.
 pub(crate) struct Key {
+    /// Name of the key in the file.
     name: &'static str,
+    /// Kind of value that the key accepts.
     kind: Kind,
+    /// True if the key is required; false if it may be absent.
     is_needed: bool,
+    /// Meaning of the key, shown by editors as its description.
     about: &'static str,
 }
 
-/// Kind of value that may stand under a key.
+/// Kind of value that a key of a TOML file accepts.
 #[derive(Clone, Copy)]
 pub(crate) enum Kind {
-    /// A text in words.
+    /// Kind for prose: any string.
     Text,
-    /// A number, or mathematics in quotes.
+    /// Number, or a formula in quotes.
     Formula,
-    /// Three formulas.
+    /// Array of three formulas, such as the components of a vector.
     Vector,
-    /// True or false.
+    /// Boolean: true or false.
     Flag,
-    /// A whole number that is at least this.
+    /// Whole number that is at least the given minimum.
     Whole(u32),
-    /// The number of an axis: 1, 2 or 3.
+    /// Number of an axis: 1, 2 or 3.
     Axis,
-    /// A text that is one of these words.
+    /// Text that is one of the listed words.
     Word(&'static [&'static str]),
-    /// The version number of the format.
+    /// Version number of the file format.
     Version,
-    /// A list of values of this kind.
+    /// Array of values of the given kind.
     List(&'static Kind),
-    /// A table whose keys are names, and whose values are of this kind.
+    /// Table with free names as keys, and with values of the given kind.
     Named(&'static Kind),
-    /// A table with these keys.
+    /// Table that accepts only the given keys.
     Table(&'static [Key]),
-    /// A value of one of these kinds.
+    /// Value of any of the given kinds.
     Either(&'static [Kind]),
 }
 
-/// Creates a key that may be absent.
+/// Creates an optional key: its name, the kind of its value, and its description.
 pub(crate) const fn key(name: &'static str, kind: Kind, about: &'static str) -> Key {
     Key { name, kind, is_needed: false, about }
 }
 
-/// Creates a key that must be there.
+/// Creates a required key: its name, the kind of its value, and its description.
 pub(crate) const fn needed(name: &'static str, kind: Kind, about: &'static str) -> Key {
     Key { name, kind, is_needed: true, about }
 }
 
-/// Key that states the version of the format, which every format may have.
+/// Key `schema`, which states the version of the file format; every format accepts it.
 pub(crate) const VERSION: Key = key("schema", Kind::Version, "the version of the format");
 
-/// Key for a line of text, which every entry may have.
+/// Key `about`, a line of prose that most entries accept.
 pub(crate) const ABOUT: Key = key("about", Kind::Text, "a line of text for the reader");
 
+/// JSON Schema of a TOML table that accepts only these keys.
 fn table(keys: &[Key]) -> Value {
     let mut properties = Map::new();
     for key in keys {
@@ -139,6 +146,7 @@ fn table(keys: &[Key]) -> Value {
 }
 
 impl Kind {
+    /// JSON Schema of a value of this kind.
     fn schema(self) -> Value {
         match self {
             Self::Text => json!({ "type": "string" }),

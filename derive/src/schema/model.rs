@@ -1,4 +1,4 @@
-//! The keys of a model file.
+//! Schema of a model file: its keys, with kinds and descriptions.
 
 use super::Kind::{Axis, Either, Flag, Formula, List, Named, Table, Text, Vector, Word};
 use super::{ABOUT, Key, Kind, VERSION, key, needed};
@@ -39,14 +39,22 @@ pub(crate) const KEYS: &[Key] = &[
     key("notation", Named(&Text), "the symbols by which documents show names, such as `omega_1` or `psi'`"),
 ];
 
+/// Key `unit` of a declared quantity.
 const UNIT: Key = needed("unit", Text, "a product of powers of SI units, such as \"kg*m^2\"");
+/// Key `frame`, the frame in which a vector's components are given.
 const FRAME_OF: Key = needed("frame", Text, "the frame of the components");
+/// Key `vector`, the three components of a load.
 const VECTOR: Key = needed("vector", Vector, "the components");
+/// Key `on`, the body or particle on which a load acts.
 const ON: Key = needed("on", Text, "the body or particle that it acts on");
+/// Key `at`, the point of application of a load.
 const AT: Key = key("at", Text, "point of application; by default the mass centre");
+/// Key `against`, the body that feels the opposite load.
 const AGAINST: Key = key("against", Text, "what feels the opposite");
+/// Key `against_at`, the point of application of the opposite load.
 const AGAINST_AT: Key = key("against_at", Text, "where the opposite acts");
 
+/// Schema of an entry of `parameters`: a unit, or a table.
 const PARAMETER: Kind = Either(&[
     Text,
     Table(&[
@@ -57,8 +65,10 @@ const PARAMETER: Kind = Either(&[
     ]),
 ]);
 
+/// Schema of a named formula: the formula alone, or a table with the key `value`.
 const WITH_VALUE: Kind = Either(&[Formula, Table(&[needed("value", Formula, "the formula"), ABOUT])]);
 
+/// Schema of an entry of `frames`.
 const FRAME: Kind = Table(&[
     needed("from", Text, "the frame that it is turned from"),
     key("axis", Either(&[Axis, Vector]), "the axis 1, 2 or 3, or a vector"),
@@ -70,6 +80,7 @@ const FRAME: Kind = Table(&[
     ABOUT,
 ]);
 
+/// Schema of an entry of `points`.
 const POINT: Kind = Table(&[
     needed("from", Text, "the point that it is placed from"),
     FRAME_OF,
@@ -77,6 +88,7 @@ const POINT: Kind = Table(&[
     ABOUT,
 ]);
 
+/// Schema of an entry of `bodies`.
 const BODY: Kind = Table(&[
     key("frame", Text, "frame fixed in the body; a joint brings one"),
     key("centre", Text, "its mass centre; a joint brings one"),
@@ -106,14 +118,17 @@ const BODY: Kind = Table(&[
     ABOUT,
 ]);
 
+/// Schema of a rotation given by successive turns about axes, in a joint.
 const TURNED: Kind = Table(&[
     needed("sequence", Text, "axes of turns that follow one another"),
     needed("angles", List(&Formula), "an angle for each of them"),
     key("fixed", Word(&["body", "space"]), "which frame the axes are of"),
 ]);
 
+/// Schema of a place on a body: the name of a point, or three components, m.
 const PLACE: Kind = Either(&[Text, Vector]);
 
+/// Schema of an entry of `joints`.
 const JOINT: Kind = Table(&[
     needed("kind", Word(&JOINT_KINDS), "what it lets the body do"),
     needed("body", Text, "body that the joint carries; a body placed already is tied by a loop"),
@@ -132,19 +147,24 @@ const JOINT: Kind = Table(&[
     ABOUT,
 ]);
 
+/// Schema of an entry of `particles`.
 const PARTICLE: Kind = Table(&[needed("point", Text, "where it is"), needed("mass", Formula, "kg"), ABOUT]);
 
+/// Schema of the table `gravity`.
 const GRAVITY: Kind = Table(&[
     FRAME_OF,
     needed("acceleration", Vector, "m/s^2"),
     key("zero_at", Named(&Formula), "a configuration at which the potential energy is 0"),
 ]);
 
+/// Schema of an entry of `forces`.
 const FORCE: Kind = Table(&[ON, AT, AGAINST, AGAINST_AT, FRAME_OF, VECTOR, ABOUT]);
 
+/// Schema of an entry of `torques`.
 const TORQUE: Kind =
     Table(&[needed("on", Text, "the rigid body or frame that it acts on"), AGAINST, FRAME_OF, VECTOR, ABOUT]);
 
+/// Schema of an entry of `springs`.
 const SPRING: Kind = Table(&[
     ON,
     AT,
@@ -156,6 +176,7 @@ const SPRING: Kind = Table(&[
     ABOUT,
 ]);
 
+/// Schema of an entry of `friction`.
 const FRICTION: Kind = Table(&[
     ON,
     AT,
@@ -172,8 +193,10 @@ const FRICTION: Kind = Table(&[
     ABOUT,
 ]);
 
+/// Schema of an entry of `inputs`.
 const INPUT: Kind = Table(&[UNIT, key("value", Formula, "a number, or a formula of t, q, q' and u"), ABOUT]);
 
+/// Schema of an entry of `reactions`.
 const REACTION: Kind = Table(&[
     key("kind", Word(&["force", "torque"]), "a force if it is left out"),
     ON,
@@ -185,6 +208,7 @@ const REACTION: Kind = Table(&[
     ABOUT,
 ]);
 
+/// Schema of an entry of `constraints`: the text of an equation, or a table.
 const CONSTRAINT: Kind = Either(&[
     Text,
     Table(&[
@@ -194,6 +218,7 @@ const CONSTRAINT: Kind = Either(&[
     ]),
 ]);
 
+/// Schema of an entry of `rolling`.
 const ROLLING: Kind = Table(&[
     needed("body", Text, "the rigid body that rolls"),
     needed("at", Text, "the point of contact"),
@@ -202,6 +227,7 @@ const ROLLING: Kind = Table(&[
     ABOUT,
 ]);
 
+/// Schema of an entry of `shapes`.
 const SHAPE: Kind = Table(&[
     needed("kind", Word(&SHAPE_KINDS), "what it is like"),
     key("body", Text, "body that the shape belongs to; it gives frame, mass centre and colour"),

@@ -1,36 +1,54 @@
-//! The keys of a publication file, which states a printed derivation.
+//! Schema of a publication file, which states a printed derivation: its keys, with kinds and
+//! descriptions.
 
 use super::Kind::{Either, Formula, List, Named, Table, Text, Whole, Word};
 use super::{Key, Kind, VERSION, key, needed};
 
+/// Schema of a list of formulas.
 const FORMULAS: Kind = List(&Formula);
+/// Schema of a matrix of formulas, row by row.
 const MATRIX: Kind = List(&FORMULAS);
+/// Key `id` of an entry.
 const ID: Key = needed("id", Text, "unique in the file, the equation number first, as in 2.11-a1");
+/// Key `section` of an entry, its place in the publication.
 const SECTION: Key = needed("section", Text, "where it is printed");
+/// Key `repaired` of an entry whose print is garbled.
 const REPAIRED: Key = key("repaired", Text, "remark on garbled print, and on its reading here");
+/// Key `note` of an entry, a remark.
 const NOTE: Key = key("note", Text, "a remark");
+/// Formulations with which printed equations can be compared.
 const FORMULATIONS: &[&str] = &["kane", "lagrange", "newton-euler"];
+/// Required key `formulation` of an entry.
 const FORMULATION: Key = needed("formulation", Word(FORMULATIONS), "what it is compared with");
 
+/// Key `notation`, the language of printed formulas.
 const NOTATION: Key = key(
     "notation",
     Word(&["tripos", "latex", "python", "sympy", "matlab", "c"]),
     "notation of the formulas; by default tripos, the language of model files",
 );
 
+/// Key `about`, the point near which printed formulas hold.
 const ABOUT: Key =
     key("about", Named(&Formula), "the point near which formulas hold, as { q1 = 0, u3 = \"w\" }; {} for everywhere");
+/// Key `small`, the parameters in which printed formulas are expanded.
 const SMALL: Key = key("small", List(&Text), "parameters near 0, up to the order, as [\"epsilon\"]");
+/// Key `order`, the order of an expansion about a point.
 const ORDER: Key = key("order", Whole(1), "order in the deviations from that point; by default 1");
 
+/// Key `file`, a LaTeX file or a program beside the publication file.
 const FILE: Key =
     key("file", Text, "a file beside this one: paper.tex, or a program such as model.m, model.py, model.c");
+/// Key `part`, a part of a program.
 const PART: Key =
     key("part", Text, "part of a program: a function, lines such as 12-40, or the NAME in `begin NAME` and `end NAME`");
+/// Key `label`, an equation of a LaTeX file.
 const LABEL: Key = key("label", Text, "label of an equation of the file, in place of `printed`");
+/// Key `line`, a line of an equation with several lines.
 const LINE: Key = key("line", Whole(1), "which equation of the label, from 1");
 
-/// Keys of an entry with formulas: those that every such entry may have, then its own.
+/// Builds the keys of an entry with formulas: the keys that all these entries accept, then the
+/// entry's own keys.
 macro_rules! of_formulas {
     ($($own:expr),* $(,)?) => {
         &[ID, SECTION, REPAIRED, NOTE, NOTATION, FILE, PART, ABOUT, SMALL, ORDER, $($own),*]
@@ -60,8 +78,10 @@ pub(crate) const KEYS: &[Key] = &[
     key("initial", List(&Table(INITIAL)), "numbers: parameters, or values at the start"),
 ];
 
+/// Keys of an abbreviation that an equation of the author's file defines.
 const DEFINED: &[Key] = &[needed("label", Text, "label of the equation of the file that defines it")];
 
+/// Keys of an entry `equation`: a printed formula of a quantity, or an equation of motion.
 const EQUATION: &[Key] = of_formulas![
     key("quantity", Text, "derived quantity, such as v(P) @ A [1]; left out for an equation of motion"),
     key("printed", Formula, "formula as printed, or the name of a variable of the program"),
@@ -71,6 +91,7 @@ const EQUATION: &[Key] = of_formulas![
     key("frame", Text, "the frame of the components of a Newton-Euler equation"),
 ];
 
+/// Keys of an entry `matrix`: a matrix printed as a whole.
 const WHOLE_MATRIX: &[Key] = of_formulas![
     needed("quantity", Text, "matrix quantity without its indices, such as M or I(disk) @ B"),
     key("printed", Text, "the whole matrix, as in [a, b; c, d]"),
@@ -79,8 +100,10 @@ const WHOLE_MATRIX: &[Key] = of_formulas![
     key("claims", List(&Text), "claims on C: christoffel, skew-symmetric"),
 ];
 
+/// Keys of an entry `definition`, which is not judged.
 const DEFINITION: &[Key] = &[ID, SECTION, REPAIRED, NOTE, needed("printed", Text, "as it is printed")];
 
+/// Keys of an entry `system`: a printed linear system.
 const SYSTEM: &[Key] = of_formulas![
     FORMULATION,
     key("frame", Text, "the frame of the components of a Newton-Euler system"),
@@ -94,6 +117,7 @@ const SYSTEM: &[Key] = of_formulas![
     key("right_ids", Text, "ids of single entries, with {i}"),
 ];
 
+/// Keys of an entry `listing`: a program that computes the derivative of a state.
 const LISTING: &[Key] = of_formulas![
     FORMULATION,
     needed("state", List(&Text), "what is integrated"),
@@ -101,6 +125,7 @@ const LISTING: &[Key] = of_formulas![
     key("matrix", MATRIX, "E of dz = E \\ dz for the speeds"),
 ];
 
+/// Keys of an entry `initial`: a printed number of a parameter or of a start.
 const INITIAL: &[Key] = &[
     ID,
     SECTION,

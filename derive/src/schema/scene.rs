@@ -1,21 +1,34 @@
-//! The keys of scene and state files.
+//! Schema of scene files and state files: their keys, with kinds and descriptions.
 
 use super::Kind::{Either, Flag, Formula, List, Named, Table, Text, Whole, Word};
 use super::{ABOUT, Key, Kind, VERSION, key, needed};
 use crate::scene::{FIGURES, ImpactLaw, Integrator, SOLVES};
 
+/// Key `model`, the path of the model file.
 const MODEL: Key = key("model", Text, "path of the model file, relative to this file; by default ../model.toml");
+/// Key `title` of a scene or state.
 const TITLE: Key = key("title", Text, "a title for the page");
+/// Key `parameters`, the values of parameters.
 const PARAMETERS: Key = key("parameters", NUMBERS, "values that differ from the model's defaults");
+/// Key `inputs`, the signals of the model's inputs.
 const INPUTS: Key = key("inputs", Named(&INPUT), "what the model's inputs are");
+/// Key `outputs`, the quantities to show.
 const OUTPUTS: Key = key("outputs", List(&OUTPUT), "what to show");
+/// Key `free`, the parameters that stay symbols in the reduced equations.
 const FREE: Key = key("free", List(&Text), "parameters that stay letters in the scene's reduced equations");
+/// Key `ladder`, further values of a number of the start.
 const LADDER: Key = key("ladder", Named(&List(&Formula)), "other values of one number of the start");
+/// Key `span`, the first and the last instant of a run.
 const SPAN: Key = key("span", List(&Formula), "first and last instant, s");
+/// Key `integration`, the settings of the integrator.
 const INTEGRATION: Key = key("integration", Table(INTEGRATION_KEYS), "how to integrate");
+/// Key `events`, the events of a run.
 const EVENTS: Key = key("events", List(&Table(EVENT)), "what to notice");
+/// Key `impacts`, the contacts of bodies that can meet.
 const IMPACTS: Key = key("impacts", Named(&Table(IMPACT)), "contacts, where bodies meet");
+/// Key `figures`, the figures of the page.
 const FIGURE_LIST: Key = key("figures", List(&Table(FIGURE)), "figures of the page");
+/// Schema of a table of formulas by name.
 const NUMBERS: Kind = Named(&Formula);
 
 /// Keys of a scene file at its top level.
@@ -38,7 +51,8 @@ pub(crate) const KEYS: &[Key] = &[
     FIGURE_LIST,
 ];
 
-/// Keys of a state file at its top level. They include those of a scene file, which may stand in its place.
+/// Keys of a state file at its top level. They include all keys of a scene file, since a scene file
+/// may be read as a state.
 pub(crate) const STATE_KEYS: &[Key] = &[
     VERSION,
     MODEL,
@@ -61,6 +75,7 @@ pub(crate) const STATE_KEYS: &[Key] = &[
     FIGURE_LIST,
 ];
 
+/// Schema of an entry of `inputs`: a formula, or a column of a CSV file.
 const INPUT: Kind = Either(&[
     Formula,
     Table(&[
@@ -71,9 +86,11 @@ const INPUT: Kind = Either(&[
     ]),
 ]);
 
+/// Schema of an entry of `outputs`: a name, or a name with its formula.
 const OUTPUT: Kind =
     Either(&[Text, Table(&[needed("name", Text, "what it is called"), needed("value", Formula, "the formula")])]);
 
+/// Keys of the table `integration`.
 const INTEGRATION_KEYS: &[Key] = &[
     key("method", Word(&Integrator::NAMES), "the method"),
     key("solve", Word(&SOLVES), "how accelerations are found"),
@@ -88,6 +105,7 @@ const INTEGRATION_KEYS: &[Key] = &[
     key("distance", Either(&[Word(&["none"]), NUMBERS]), "coordinate whose distance from a right angle is integrated"),
 ];
 
+/// Keys of an entry of `impacts`.
 const IMPACT: &[Key] = &[
     needed("gap", Formula, "gap, m: positive if the bodies are apart, 0 if they touch"),
     needed("restitution", Formula, "from 0 to 1"),
@@ -98,6 +116,7 @@ const IMPACT: &[Key] = &[
     ABOUT,
 ];
 
+/// Keys of an entry of `events`.
 const EVENT: &[Key] = &[
     needed("name", Text, "how it is reported"),
     needed("zero", Formula, "it is where this crosses zero"),
@@ -106,4 +125,5 @@ const EVENT: &[Key] = &[
     ABOUT,
 ];
 
+/// Keys of an entry of `figures`.
 const FIGURE: &[Key] = &[needed("kind", Word(&FIGURES), "what is drawn"), key("caption", Text, "its text")];

@@ -1,4 +1,5 @@
-//! Poses of a mechanism during a motion for moving pictures, and its sketch.
+//! Pictures of a mechanism: its sketch on a sheet, and its poses during a motion for moving
+//! pictures.
 
 pub mod sketch;
 pub mod view;

@@ -46,35 +46,38 @@ use tripos_derive::model::TIME;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, State};
 
-/// Greatest width and height of the solids on a sketch's sheet, px.
+/// Greatest width and height of the solids on the sheet of a sketch, px.
 const ROOM: (f64, f64) = (340.0, 280.0);
-/// Width of the empty margin of a sheet, px.
+/// Width of the empty margin around a sketch, px.
 const MARGIN: f64 = 8.0;
-/// Number of poses by which fixed points are found.
+/// Number of poses, far from the drawn pose, that decide which points are fixed.
 const FAR: usize = 5;
 
 /// Sketch of a mechanism in one pose: marks and labels on a sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sketch {
-    /// Title of the mechanism.
+    /// Title of the sketched mechanism.
     pub title: String,
     /// Description of the drawing, in sentences.
     pub about: String,
-    /// Values of the coordinates at which the mechanism is drawn, in a sentence.
+    /// Values of the coordinates in the drawn pose, as a sentence.
     pub drawn: String,
-    /// Width and height of the sheet, px. All marks and labels lie within it.
+    /// Width and height of the sheet, px. All marks and labels lie within the sheet.
     pub size: SheetPoint,
     /// Lines and areas of the sketch, from back to front.
     pub marks: Vec<Mark>,
     /// Labels in front of the marks. No label covers another.
     pub labels: Vec<Label>,
-    /// Coordinates that are drawn at other values than at the start, since their marks could not be seen at the start.
+    /// Coordinates drawn at other values than at the start, because their marks could not be seen
+    /// at the start.
     pub changed: Vec<Changed>,
 }
 
-/// Values of the parameters and coordinates that are drawn.
+/// Values of the parameters and coordinates in the drawn pose.
 struct DrawnState<'a> {
+    /// Values of the parameters, in the order of the model.
     parameters: &'a [f64],
+    /// Values of the coordinates, in the order of the model.
     q: Vec<f64>,
     /// Coordinates whose values were changed so that their marks are visible.
     changed: Vec<Changed>,
@@ -83,12 +86,13 @@ struct DrawnState<'a> {
 }
 
 impl Sketch {
-    /// Draws a mechanism at the start of a scene. Angles and lengths that could not be seen there are drawn at other
-    /// values, unless the mechanism has loops.
+    /// Draws a mechanism at the start of a scene.
+    /// Angles and lengths that could not be seen at the start are drawn at other values, unless the
+    /// mechanism has loops.
     ///
     /// # Errors
-    /// [`Error::Request`] if a shape has a length that is not positive, or the place of a frame or point is not a
-    /// finite number at this start.
+    /// [`Error::Request`] if a shape has a length that is not positive, or the place of a frame or
+    /// point is not a finite number at this start.
     pub fn of_scene(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let name = path_in_line(&scene.source.path);
         let of =
@@ -96,10 +100,12 @@ impl Sketch {
         Self::seen(mechanism, Configuration { parameters: &scene.parameters, q: &scene.q }, of)
     }
 
-    /// Draws a mechanism without a scene, at the values of its file and in a pose that shows everything.
+    /// Draws a mechanism without a scene: at the parameter values of the model file, and in a pose
+    /// that shows all its marks.
     ///
     /// # Errors
-    /// Errors of [`Self::of_scene`]; also [`Error::Request`] if a parameter has no value, or no pose closes the loops.
+    /// Errors of [`Self::of_scene`]; also [`Error::Request`] if a parameter has no value, or no
+    /// pose closes the loops.
     pub fn of_model(mechanism: &Mechanism) -> Result<Self, Error> {
         let (parameters, q) = without_scene(mechanism)?;
         Self::seen(mechanism, Configuration { parameters: &parameters, q: &q }, "the model by itself".to_owned())
@@ -116,13 +122,22 @@ impl Sketch {
         Self::new(mechanism, &terms, &poses, given)
     }
 
-    /// Draws a mechanism after coordinates whose marks could not be seen were changed. `of` names the pose.
+    /// Draws a mechanism in a pose in which every mark is visible: values that would hide a mark
+    /// are changed.
+    /// `of` names the original pose, for the description.
+    ///
+    /// # Errors
+    /// Errors of `Self::of_scene`.
     fn seen(mechanism: &Mechanism, at: Configuration<'_>, of: String) -> Result<Self, Error> {
         let (terms, poses) = (Terms::new(mechanism)?, Poses::new(mechanism)?);
         let (q, changed) = drawn_pose::shown(mechanism, &terms, &poses, at)?;
         Self::new(mechanism, &terms, &poses, DrawnState { parameters: at.parameters, q, changed, of })
     }
 
+    /// Draws a mechanism in exactly the given pose.
+    ///
+    /// # Errors
+    /// `Error::Request` if a frame or point has no finite place in this pose.
     fn new(mechanism: &Mechanism, terms: &Terms, poses: &Poses, given: DrawnState<'_>) -> Result<Self, Error> {
         let at = Configuration { parameters: given.parameters, q: &given.q };
         let pose = poses.of(given.parameters, &given.q);
@@ -166,7 +181,8 @@ fn file(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
-/// Poses far from a configuration. A point that has the same place in all of them is fixed.
+/// Poses at coordinates far from a configuration. A point with the same place in all of them counts
+/// as fixed.
 fn far(poses: &Poses, at: Configuration<'_>) -> Vec<Pose> {
     let moved = |step: usize| {
         // Multiples of irrational numbers, which are the same on every machine.
@@ -177,7 +193,10 @@ fn far(poses: &Poses, at: Configuration<'_>) -> Vec<Pose> {
     all.filter(is_somewhere).collect()
 }
 
-/// Chooses the camera of a sketch and its scale.
+/// Chooses the direction of view of a sketch and its scale, and stores them in `subject`.
+///
+/// # Errors
+/// `Error::Request` if the view of the mechanism cannot be made.
 fn look(subject: &mut Subject<'_>, at: Configuration<'_>) -> Result<(), Error> {
     let moving: Vec<Pose> = std::iter::once(subject.pose.clone()).chain(subject.far.iter().cloned()).collect();
     let plane = View::of_poses(subject.mechanism, at, &[&moving])?.plane;
@@ -198,7 +217,8 @@ fn look(subject: &mut Subject<'_>, at: Configuration<'_>) -> Result<(), Error> {
     Ok(())
 }
 
-/// Puts points on the sheet, with their names if the file gives them. Coinciding points share one dot.
+/// Adds the points of the model to the sheet, with their names if the model file gives them.
+/// Coinciding points share a dot.
 fn points(subject: &Subject<'_>, sheet: &mut Sheet) {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for point in 0..subject.pose.points.len() {
@@ -229,7 +249,7 @@ fn points(subject: &Subject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// Puts a mark of every coordinate on the sheet. Returns the marks.
+/// Adds a mark of every coordinate to the sheet; returns the kind of mark of each coordinate.
 fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<MarkedCoordinate> {
     let mut arcs = Arcs::default();
     let (mut shown, mut alone) = (Vec::new(), Vec::new());
@@ -277,11 +297,11 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<MarkedCoordinate
     shown
 }
 
-/// Puts the names of bodies beside them, if there is room.
+/// Adds the names of bodies beside their solids, if there is room.
 fn body_names(subject: &Subject<'_>, sheet: &mut Sheet) {
     for (at, body) in subject.mechanism.bodies.iter().enumerate() {
         let own = subject.view.solids.iter().filter(|solid| solid.body == Some(at));
-        // A particle is named at its place, not along a rod.
+        // The name of a particle stands at the particle, not along a rod.
         let is_rigid = body.rigid.is_some();
         let rods = own.clone().filter_map(|solid| match solid.form {
             Form::Rod { ends, .. } if is_rigid => Some(ends.map(|end| subject.spot(end))),
@@ -302,8 +322,8 @@ fn body_names(subject: &Subject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// Places the labels of a sheet, and moves it so that all marks and labels lie on it. Returns the size of the sheet,
-/// px, its marks and its labels.
+/// Places the labels of a sheet, and moves its origin so that all marks and labels lie on it.
+/// Returns the size of the sheet, px, its marks and its labels.
 fn finish(sheet: Sheet) -> (SheetPoint, Vec<Mark>, Vec<Label>) {
     let (mut labels, leaders) = place::placed(&sheet.wishes, &sheet.marks);
     let mut marks = sheet.marks;

@@ -1,18 +1,5 @@
-//! Solids of a mechanism and their poses during a motion. Code that draws them is elsewhere on purpose.
-//!
-//! ```
-//! use tripos::Scene;
-//! use tripos::pictures::view::{Motion, View};
-//!
-//! let scene = Scene::read("../models/pendulum/scenes/over.toml")?;
-//! let motion = Motion::of_scene(scene.mechanism(), scene.description(), None)?;
-//! let view = View::new(scene.mechanism(), scene.description(), &[&motion])?;
-//! assert!(view.solids.iter().any(|solid| solid.label == "bob"));
-//! // The bob hangs a metre below the origin at first.
-//! let bob = scene.mechanism().points.iter().position(|point| point.name == "P").unwrap();
-//! assert_eq!(motion.poses[0].points[bob], [0.0, -1.0, 0.0]);
-//! # Ok::<(), tripos::Error>(())
-//! ```
+//! View of a mechanism: its solids, and their poses during a motion. Drawing them is left to other
+//! code on purpose.
 
 mod arrows;
 mod body_forms;
@@ -49,28 +36,31 @@ pub struct View {
     pub up: Triple,
     /// Normal of the plane in which all points stay, of length 1; `None` if there is no such plane.
     pub plane: Option<Triple>,
-    /// Size of the mechanism, m: the greatest distance of two visible points at one instant.
+    /// Size of the mechanism, m: the greatest distance between two visible points at any instant.
     pub size: f64,
-    /// Indices of the points whose paths are worth tracing: points of contact, otherwise particles, otherwise one mass
-    /// centre.
+    /// Indices of the points whose paths are shown: points of contact, else particles, else a
+    /// single mass centre.
     pub traced: Vec<usize>,
-    /// Index of the frame and of the mass centre of each rigid body, where its axes can be drawn.
+    /// Pairs (frame, mass centre) of indices, one for each rigid body, for drawing the body's axes.
     pub triads: Vec<(usize, usize)>,
 }
 
 impl View {
-    /// Makes the view of several motions of one mechanism. The first motion determines the size and the plane.
+    /// Makes the view of a mechanism for several motions of a scene. The first motion determines
+    /// the size and the plane.
     ///
     /// # Errors
-    /// [`Error::Request`] if a shape has a length that is not positive at the parameters of the scene.
+    /// [`Error::Request`] if a shape has a length that is not positive at the parameters of the
+    /// scene.
     pub fn new(mechanism: &Mechanism, scene: &Scene, motions: &[&Motion]) -> Result<Self, Error> {
         let at = Configuration { parameters: &scene.parameters, q: &scene.q };
         let motions: Vec<&[Pose]> = motions.iter().map(|motion| motion.poses.as_slice()).collect();
         Self::of_poses(mechanism, at, &motions)
     }
 
-    /// Makes the view of a mechanism that moves through given poses from a configuration. The first motion determines
-    /// the size and the plane.
+    /// Makes the view of a mechanism that starts at the configuration `at` and moves through the
+    /// given poses.
+    /// The first motion determines the size and the plane.
     ///
     /// # Errors
     /// [`Error::Request`] if a shape has a length that is not positive at the given parameters.
@@ -100,7 +90,8 @@ impl View {
     }
 }
 
-/// Direction against gravity at the start of a motion, of length 1; the third inertial axis without gravity.
+/// Unit vector against gravity, in the inertial frame at the start of a motion; the third inertial
+/// axis without gravity.
 fn up(mechanism: &Mechanism, parameters: &[f64], poses: &[Pose]) -> Result<Triple, Error> {
     let third = [0.0, 0.0, 1.0];
     let (Some(gravity), Some(pose)) = (&mechanism.gravity, poses.first()) else { return Ok(third) };
@@ -109,7 +100,7 @@ fn up(mechanism: &Mechanism, parameters: &[f64], poses: &[Pose]) -> Result<Tripl
     Ok(space::unit(fall).map_or(third, |down| down.map(|x| 0.0 - x)))
 }
 
-/// Evaluates terms that depend only on parameters; `what` names them in an error.
+/// Values of terms that depend only on parameters; `what` names the terms in an error.
 fn values(
     mechanism: &Mechanism,
     parameters: &[f64],

@@ -1,8 +1,10 @@
-//! Moves a start along symmetries to the section of a scene's moving frame, to 32 digits.
+//! Moves the start of a run along the symmetries of a moving frame until the frame's conditions
+//! hold, to 32 digits.
 //!
-//! A motion along symmetries changes nothing that the scene shows, however far it goes. So Newton's method may choose
-//! the lengths of motions in doubles, as long as each motion is exact and the pins end at zero. Pins are functions of
-//! the state that are zero on the section.
+//! A moving frame describes motions up to symmetries by states in which certain functions, its
+//! pins, are zero. These states form the section of the frame. A motion along symmetries changes no
+//! quantity that the scene shows, whatever its length. So Newton's method may choose the lengths in
+//! doubles, if each motion is exact and the pins end at zero.
 
 use crate::code::tape;
 use crate::error::Error;
@@ -12,28 +14,37 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::reduce::MovingFrame;
 use tripos_traits::DoubleDouble;
 
-/// Greatest number of Newton steps towards the section of a moving frame.
+/// Greatest number of Newton steps from a start to the section of a moving frame, where its pins
+/// are zero.
 const STEPS: usize = 60;
-/// Greatest length of one Newton step along a symmetry, in the parameter of the symmetry.
+/// Greatest length of one Newton step along any symmetry, in the parameter of the symmetry's flow.
 const FARTHEST: f64 = 0.5;
-/// Greatest number of columns of an extrapolation to step length zero.
+/// Greatest number of columns in the extrapolation of a midpoint rule to step length zero.
 const COLUMNS: usize = 16;
-/// Accepted difference of the last two columns of an extrapolation, relative to the size of the state.
+/// Accepted difference of the last two columns of an extrapolation, relative to the size of the
+/// state.
 const EXACT: f64 = 1e-31;
-/// Greatest number of times that a motion along symmetries is halved because its extrapolation does not converge.
+/// Greatest number of times that a motion along symmetries is halved if its extrapolation does not
+/// converge.
 const HALVINGS: usize = 6;
-/// Accepted residual of a pin, a function that is zero on the section, relative to the size of the state.
+/// Accepted value of a pin (a function that is zero on the section), relative to the size of the
+/// state.
 const PINNED: f64 = 1e-29;
-/// Lengths by which a start is first moved along each symmetry, since it may be singular for the frame: zero, then
-/// unrelated numbers.
+/// Lengths by which a start is first moved along each symmetry, in the order in which they are
+/// tried. The first is zero. The others are unrelated numbers, for starts at which the frame is
+/// singular.
 const DETOURS: [f64; 5] = [0.0, 0.7, -1.1, 1.9, -2.3];
-/// Ratio to the largest singular value of the pins' slopes below which a singular value counts as zero.
+/// Fraction of the largest singular value of the pins' slopes below which a singular value counts
+/// as zero.
 const NOTHING: f64 = 1e-9;
 
-/// Moves coordinates and speeds of the whole model along the symmetries of a frame until its pins are zero.
+/// Moves a start (q, u) of the whole model along the symmetries of a moving frame until the frame's
+/// pins are zero. `symbols` are the parameters, coordinates and speeds. Returns the moved start in
+/// the same order as `start`.
 ///
 /// # Errors
-/// [`Error::Stopped`] if no such motion is found; [`Error::Request`] if the frame mentions a symbol without a value.
+/// [`Error::Stopped`] if no motion along the symmetries makes the pins zero; [`Error::Request`] if
+/// the frame contains a symbol without a value.
 pub fn turned(
     arena: &Arena,
     frame: &MovingFrame,
@@ -57,20 +68,24 @@ pub fn turned(
     })
 }
 
-/// Symmetries and pins of a moving frame as tapes of 32 digits, with the values of the parameters.
+/// Symmetries and pins of a moving frame as tapes in 32 digits, with the values of the parameters.
+/// The pins are functions of the state that the frame makes zero.
 struct Turning<'a> {
+    /// Values of the model's parameters, to 32 digits.
     parameters: &'a [DoubleDouble],
-    /// Directions of the symmetries, one after the other, each with one component for each state.
+    /// Directions of the symmetries, a block for each; a block has a component for each coordinate and
+    /// speed.
     fields: Tape<DoubleDouble>,
-    /// Values of all pins, then their slopes along the symmetries, row by row.
+    /// Values of all pins, followed by their slopes along the symmetries, a row for each pin.
     pins: Tape<DoubleDouble>,
-    /// Number of pins, which is also the number of symmetries.
+    /// Number of pins, equal to the number of symmetries.
     count: usize,
 }
 
 impl Turning<'_> {
-    /// Solves for zero pins by Newton's method, from a start that is first moved by about `detour` along each symmetry.
-    /// `None` if the slopes of the pins are singular or the method does not converge.
+    /// Solves for a state with zero pins by Newton's method. The start is first moved by about `detour`
+    /// along each symmetry. `None` if the slopes of the pins are singular or the method does not
+    /// converge.
     fn to_section(&self, start: &[DoubleDouble], detour: f64) -> Option<Vec<DoubleDouble>> {
         let count = self.count;
         let detours: Vec<f64> = (0..count).map(|at| detour / (1.0 + 0.3 * at as f64)).collect();
@@ -98,8 +113,9 @@ impl Turning<'_> {
         None
     }
 
-    /// Moves a state by the lengths `far` along all symmetries together. Halves the motion up to `halvings` times if
-    /// the extrapolation does not converge; `None` if that does not help.
+    /// Moves a state by the lengths `far` along all symmetries at once. If the extrapolation does not
+    /// converge, the motion is made in two halves, up to `halvings` times in a row. `None` if even the
+    /// shortest part does not converge.
     fn moved(&self, start: &[DoubleDouble], far: &[f64], halvings: usize) -> Option<Vec<DoubleDouble>> {
         if let Some(end) = self.extrapolated(start, far) {
             return Some(end);
@@ -109,8 +125,9 @@ impl Turning<'_> {
         self.moved(&middle, &half, halvings - 1)
     }
 
-    /// Moves a state along the symmetries by W. B. Gragg's modified midpoint rule with 2, 4, 6, … steps and
-    /// extrapolation in the squares of the step length. `None` if the extrapolation does not converge.
+    /// Moves a state by the lengths `far` along all symmetries at once. It uses W. B. Gragg's modified
+    /// midpoint rule with 2, 4, 6, … steps and extrapolation in the square of the step length. `None`
+    /// if the extrapolation does not converge.
     fn extrapolated(&self, start: &[DoubleDouble], far: &[f64]) -> Option<Vec<DoubleDouble>> {
         let mut columns: Vec<Vec<DoubleDouble>> = Vec::new();
         for k in 0..COLUMNS {
@@ -137,7 +154,8 @@ impl Turning<'_> {
         None
     }
 
-    /// Moves a state along the symmetries by the modified midpoint rule with an even number of steps.
+    /// Moves a state by the lengths `far` along all symmetries at once, with the modified midpoint rule
+    /// and an even number of steps.
     fn midpoint(&self, start: &[DoubleDouble], far: &[f64], steps: usize) -> Vec<DoubleDouble> {
         let h = DoubleDouble::from(1.0) / DoubleDouble::from(steps as f64);
         let along = |from: &[DoubleDouble], at: &[DoubleDouble], h: DoubleDouble| -> Vec<DoubleDouble> {
@@ -153,7 +171,8 @@ impl Turning<'_> {
         now
     }
 
-    /// Rate of the state along all symmetries together: Σ farᵢ ζᵢ(x) with the directions ζᵢ of the symmetries.
+    /// Rate of the state along all symmetries at once: Σ farᵢ ζᵢ(x), with the direction ζᵢ of each
+    /// symmetry.
     fn rate(&self, x: &[DoubleDouble], far: &[f64]) -> Vec<DoubleDouble> {
         let values = self.fields.evaluate(&[self.parameters, x].concat());
         let mut rate = vec![DoubleDouble::from(0.0); x.len()];

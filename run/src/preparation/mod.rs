@@ -1,4 +1,5 @@
-//! Preparation of a run: its start, its equations, and the contacts and changes of speeds on its way.
+//! Preparation of a run: its start, its equations, its contacts, and changes of its generalized
+//! speeds.
 
 pub(super) mod frame_start;
 pub(super) mod impacts;

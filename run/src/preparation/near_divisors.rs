@@ -1,4 +1,4 @@
-//! Text that names divisors of the equations that are nearly zero at a configuration.
+//! Text that names the divisors of the equations which are nearly zero at a configuration.
 
 use crate::code::tape;
 use crate::error::Error;
@@ -12,18 +12,19 @@ use tripos_derive::mechanics::load_divisors;
 use tripos_derive::model::{Coordinate, Unit};
 use tripos_derive::plain::significant;
 
-/// Share of the typical size of a divisor's terms below which the divisor counts as nearly zero, in any unit.
+/// Fraction of the typical size of a divisor's terms below which the divisor counts as nearly zero.
 const NEAR: f64 = 1e-6;
 
-/// Names the divisors of the equations that are nearly zero at a configuration, as the end of a sentence: ", where
-/// sin(theta) = 1.2e-16". The meaning of a divisor of loads is added. Empty if no divisor is nearly zero.
+/// Names the divisors of the equations that are nearly zero at a configuration `q`, as the end of a
+/// sentence: ", where sin(theta) = 1.2e-16". For a divisor of a load, its meaning is added. Empty
+/// if no divisor is nearly zero.
 ///
 /// # Errors
-/// [`Error::Request`] if a divisor mentions a symbol that has no value during a run.
+/// [`Error::Request`] if a divisor contains a symbol that has no value during a run.
 pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<String, Error> {
     let inputs = [model.p(), model.q()].concat();
-    // A reduced system may divide by symbols that its steps define. A reader could not find a place where these are
-    // zero.
+    // A reduced system may divide by symbols that its steps define. Such a divisor is left out: a
+    // reader could not find the configurations at which it is zero.
     let is_place = |arena: &Arena, e: Expr| {
         let symbols = arena.reachable(&[e]).into_iter();
         symbols.filter(|e| matches!(arena.node(*e), Node::Symbol(_))).all(|e| inputs.contains(&e))
@@ -49,8 +50,9 @@ pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<Str
     Ok(if list.is_empty() { String::new() } else { format!(", where {}", list.join(" and ")) })
 }
 
-/// Typical size of each parameter, then of each coordinate. A coordinate that happens to be small counts as large as
-/// the largest parameter of its unit, an angle as a radian.
+/// Typical sizes of the parameters, followed by those of the coordinates, each in its own unit. A
+/// coordinate counts at least as large as the largest parameter of its unit, or as 1 if no
+/// parameter has this unit. An angle counts at least as large as 1 rad.
 fn extents(model: &Model, parameters: &[f64], q: &[f64]) -> Vec<f64> {
     let alike = |coordinate: &Coordinate| {
         let of = model.parameters.iter().zip(parameters).filter(|(p, _)| p.unit == coordinate.unit);
@@ -60,7 +62,8 @@ fn extents(model: &Model, parameters: &[f64], q: &[f64]) -> Vec<f64> {
     parameters.iter().map(|value| value.abs()).chain(coordinates).collect()
 }
 
-/// Typical sizes of terms, computed from the sizes of symbols, with sines and cosines at 1 and without cancellation.
+/// Evaluator of the typical size of a term from the sizes of its symbols. All summands count as
+/// positive, so nothing cancels. Sines and cosines count as 1.
 struct Sizes<'a>(&'a FxHashMap<Expr, f64>);
 
 impl Fold for Sizes<'_> {

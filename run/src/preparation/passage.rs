@@ -1,11 +1,18 @@
-//! Runs of constrained mechanisms that change their independent speeds on the way.
+//! Runs of constrained mechanisms that change between chosen generalized speeds and the rates of
+//! all coordinates.
 //!
-//! Chosen speeds u fail where they do not distinguish the motions that the constraints allow. The speed of a rocker
-//! fails in the dead points of its linkage. Near such a place the run goes on in the rates of all coordinates, in short
-//! all rates. It uses Lagrange's equations with multipliers, solved whatever their rank ([`tripos_sim::Multipliers`]).
-//! It returns to the chosen speeds where these hold again. Each change is a restart at the end of a step. A step in
-//! chosen speeds is made in all rates instead if the chosen speeds hardly hold at its end. The whole solution is given
-//! in (q, q̇), from which the shown quantities are computed; u keeps its meaning.
+//! Chosen speeds u fail in poses where they do not distinguish the motions that the constraints
+//! allow. The speed of a rocker, for example, fails in the dead points of its linkage. Near such a
+//! pose, the run continues in the rates of all coordinates ("all rates"). It then uses Lagrange's
+//! equations with multipliers, which are solved at any rank of the constraints
+//! ([`tripos_sim::Multipliers`]). It returns to the chosen speeds where they determine the motion
+//! again.
+//!
+//! The standing of a state measures how well the chosen speeds determine the motion, and how
+//! independent the constraints are. Each change of variables is a restart at the end of a step. If
+//! the standing is poor at the end of a step in chosen speeds, this step is repeated in all rates.
+//! The whole solution is given in (q, q̇). The shown quantities, and the speeds u among them, are
+//! computed from it.
 
 mod changes;
 mod parts;
@@ -27,92 +34,109 @@ use tripos_sim::{
 };
 use tripos_traits::System;
 
-/// Equations of motion of one mechanism in all rates and in the chosen speeds.
+/// Equations of motion of one mechanism twice: in the rates of all coordinates, and in the chosen
+/// speeds.
 #[derive(Clone, Copy)]
 pub struct Systems<'a> {
     /// Equations of motion in the rates of all coordinates.
     pub rates: &'a dyn System<f64>,
     /// Equations of motion in the chosen speeds.
     pub speeds: &'a dyn System<f64>,
-    /// Parameters of both sets of equations.
+    /// Values of the parameters, for both sets of equations, in the order of the model file.
     pub parameters: &'a [f64],
 }
 
-/// Function that gives the power at an instant and a state (q, q̇), W.
+/// Function that computes the power of the loads, W, from an instant, s, and a state (q, q̇).
 type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
-/// Power of a run, and its balance of energy.
+/// Power of the loads in a run, and a flag that tells if the energy balance must hold.
 pub struct Energy<'a> {
-    /// Power whose integral is the work, W; `None` if no work is integrated.
+    /// Power whose integral over the run is the work, W; `None` if no work is integrated.
     pub power: Option<Power<'a>>,
-    /// True if T + V minus the work of the power is constant in every motion.
+    /// True if T + V minus the work of the power is constant in every motion. A run then checks this
+    /// near singular poses.
     pub is_kept: bool,
 }
 
-/// Share of the best standing so far below which a run leaves the chosen speeds. The standing tells how well these
-/// speeds determine the motion.
+/// Fraction of the best standing so far below which a run leaves the chosen speeds. The standing,
+/// from 0 to 1, measures how well these speeds determine the motion.
 const LEAVES: f64 = 0.3;
-/// Share of the best standing so far above which a run returns to the chosen speeds.
+/// Fraction of the best standing so far above which a run returns to the chosen speeds. The
+/// standing, from 0 to 1, measures how well these speeds determine the motion.
 const RETURNS: f64 = 0.5;
-/// Standing of the chosen speeds below which a run does not begin in them.
+/// Standing (measure from 0 to 1 of how well the chosen speeds determine the motion) that a start
+/// in these speeds needs.
 const BEGINS: f64 = 0.05;
-/// Relative change of a state below which it counts as the same state: a correction by constraints changes less.
+/// Relative difference of two states up to which they count as equal. A correction onto constraints
+/// changes less.
 const SAME: f64 = 1e-9;
-/// Share of the best standing of the constraints below which they count as nearly dependent.
+/// Fraction of the best independence of the constraints so far below which the constraints count as
+/// nearly dependent.
 const SINGULAR: f64 = 0.1;
-/// Factors by which tolerances are widened near dependent constraints, in the order in which they are tried.
+/// Factors by which tolerances are widened where constraints are nearly dependent, in the order in
+/// which they are tried.
 const COARSER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
-/// Number of steps after which the next factor of `COARSER` is tried.
+/// Number of steps after which a run that is stuck tries the next factor of its tolerances.
 const FEW: u64 = 2000;
-/// Share of the energy that a run may lose near dependent constraints.
+/// Fraction of the energy that a run may lose where constraints are nearly dependent.
 const LOST: f64 = 1e-3;
 
-/// Equations in chosen speeds that run as far as these speeds determine the motion, beside a problem in all rates.
+/// Equations in chosen speeds, which supplement a problem whose own equations are in the rates of
+/// all coordinates. They run wherever these speeds determine the motion.
 #[derive(Clone, Copy)]
 pub struct Chosen<'a> {
-    /// The formulation in chosen speeds.
+    /// Formulation, such as Kane's, whose equations are in the chosen speeds.
     pub by: &'a EquationsOrigin,
-    /// Compiled equations in chosen speeds.
+    /// Runnable equations in the chosen speeds, compiled or interpreted.
     pub code: &'a Code,
-    /// Way in which the accelerations of the equations in chosen speeds are found.
+    /// Method that finds the accelerations of the equations in chosen speeds: eliminated beforehand or
+    /// solved numerically.
     pub solve: Solve,
-    /// Parts of the last run that were computed in the rates of all coordinates.
+    /// Output: the parts of the last run that were computed in the rates of all coordinates.
     pub changes: &'a Mutex<Vec<Change>>,
 }
 
-/// A run under way that may change between its chosen speeds and all rates.
+/// State of a run that may change between chosen speeds and the rates of all coordinates.
 struct Passage<'r> {
     /// Equations of motion in the rates of all coordinates.
     rates: &'r dyn System<f64>,
     /// Equations of motion in the chosen speeds.
     speeds: &'r dyn System<f64>,
+    /// Values of the parameters, in the order of the model file.
     parameters: &'r [f64],
-    /// Right-hand side in all rates, with multipliers. It also computes the standing of the chosen speeds.
+    /// Right-hand side in all rates, with multipliers. It also computes how well the chosen speeds
+    /// determine the motion.
     multipliers: RefCell<Multipliers<'r>>,
-    /// Best standing of the chosen speeds and of the constraints so far.
+    /// Best values so far of two measures: how well the chosen speeds determine the motion, and how
+    /// independent the constraints are.
     best: RefCell<Standing>,
-    /// False while a run that began where the chosen speeds fail has only moved away from that place.
+    /// True if the best standing is known from a good pose. False while a run that began in a bad pose
+    /// only moves away.
     is_best_known: Cell<bool>,
-    /// Last state (q, q̇) whose standing was computed, and the standing there; `None` if it has no value.
+    /// Last state (q, q̇) at which the standing (quality of speeds and constraints) was computed, and
+    /// its value; `None` if the equations have no value there.
     last_standing: RefCell<(Vec<f64>, Option<Standing>)>,
-    /// Last state that was converted to (q, q̇); kept to reuse its memory.
+    /// Buffer for a state that is converted to (q, q̇).
     in_rates: RefCell<Vec<f64>>,
-    /// Least duration of the next part of the run in all rates, s.
+    /// Least duration of the next part of the run in all rates, s, before it may return to chosen
+    /// speeds.
     dwell: f64,
-    /// Duration of the last part of the run in all rates, s.
+    /// Duration of the last part of the run in the rates of all coordinates, s.
     lasted: f64,
-    /// Parts of the run so far that were computed in all rates.
+    /// Parts of the run so far that were computed in the rates of all coordinates, in the order of
+    /// time.
     changes: Vec<Change>,
-    /// True if T + V minus the work of the power is constant in every motion.
+    /// True if T + V minus the work of the power is constant in every motion, so that the run checks
+    /// the energy.
     keeps_energy: bool,
 }
 
-/// Integrates from a start (q, q̇) over its span. It uses the equations in chosen speeds, whose right-hand side is
-/// given, as far as these speeds determine the motion. Elsewhere it uses the equations in all rates. Returns the
-/// solution in (q, q̇), and the parts that were computed in all rates.
+/// Integrates from a start (q, q̇) over its span. Wherever the chosen speeds determine the motion,
+/// their equations run with the right-hand side `rhs`. Elsewhere the equations in all rates run.
+/// Returns the solution in (q, q̇), and the parts that were computed in all rates.
 ///
 /// # Errors
-/// [`SimError`] if the request is invalid.
+/// [`SimError`] if the options or the start do not fit the equations, or these have no multipliers.
 pub fn solve(
     systems: Systems<'_>,
     rhs: &mut dyn RightHandSide<f64>,
@@ -148,11 +172,13 @@ pub fn solve(
     Ok((whole, passage.changes))
 }
 
-/// Runs from a start (q, v) in the chosen speeds alone. `None` if these speeds fail on the way, or hardly determine the
-/// motion: such runs need [`solve`].
+/// Integrates from a start (q, v) by the equations in chosen speeds alone; the solution is in (q,
+/// v). `None` if these speeds fail on the way, or hardly determine the motion: such runs need
+/// [`solve`].
 ///
 /// # Errors
-/// Errors of [`solve`].
+/// `SimError` if the options or the start do not fit the equations, or those in all rates have no
+/// multipliers.
 pub fn in_speeds_alone(
     systems: Systems<'_>,
     rhs: &mut dyn RightHandSide<f64>,
@@ -175,6 +201,10 @@ pub fn in_speeds_alone(
 }
 
 impl<'r> Passage<'r> {
+    /// Prepares a run that has computed no part yet.
+    ///
+    /// # Errors
+    /// `SimError` if the equations in all rates have no multipliers.
     fn new(systems: Systems<'r>, options: &Options) -> Result<Self, SimError> {
         let Systems { rates, speeds, parameters } = systems;
         let none = || SimError::Option { name: "equations in all rates", must: "equations with multipliers" };
@@ -194,15 +224,16 @@ impl<'r> Passage<'r> {
         })
     }
 
-    /// True if a run can begin in the chosen speeds at (q, q̇).
+    /// True if the chosen speeds determine the motion at (q, q̇) well enough to begin a run in them.
     fn begins_in_speeds(&self, y: &[f64]) -> bool {
         let stands = self.has_standing(y, LEAVES) == Some(true) && self.best.borrow().speeds > BEGINS;
         self.is_best_known.set(stands);
         stands
     }
 
-    /// True if the standing of the chosen speeds at (q, q̇) is above the share `part` of the best standing so far.
-    /// `None` where the standing has no value.
+    /// True if the standing at (q, q̇) is above the fraction `part` of the best so far. This holds for
+    /// both measures: how well the chosen speeds determine the motion, and how independent the
+    /// constraints are. Updates the best values. `None` if the equations have no value at this state.
     fn has_standing(&self, y: &[f64], part: f64) -> Option<bool> {
         let now = self.standing(y)?;
         let mut best = self.best.borrow_mut();
@@ -213,8 +244,9 @@ impl<'r> Passage<'r> {
         Some(now.speeds > part * best.speeds && now.constraints > part * best.constraints)
     }
 
-    /// Standing of the chosen speeds at (q, q̇); `None` where it has no value. A state that differs from the last
-    /// requested one only by a correction has the standing of that state.
+    /// Computes how well the chosen speeds determine the motion at (q, q̇), and how independent the
+    /// constraints are; `None` if the equations have no value there. The last result is reused for a
+    /// state that differs only by a correction.
     fn standing(&self, y: &[f64]) -> Option<Standing> {
         let mut last = self.last_standing.borrow_mut();
         let (before, stood) = &mut *last;
@@ -228,16 +260,17 @@ impl<'r> Passage<'r> {
         *stood
     }
 
-    /// True if the standing of the chosen speeds at a state in these speeds is above the share `part` of the best; see
-    /// [`Self::has_standing`].
+    /// Converts a state (q, v) in chosen speeds to (q, q̇), and compares its standing with the best so
+    /// far; see [`Self::has_standing`].
     fn has_standing_in_speeds(&self, y: &[f64], part: f64) -> Option<bool> {
         let mut in_rates = self.in_rates.borrow_mut();
         write_state_in_rates(self.speeds, self.parameters, y, &mut in_rates);
         self.has_standing(&in_rates, part)
     }
 
-    /// Runs a part in the chosen speeds, up to a place where they hardly determine the motion. Also returns the end of
-    /// the last attempted step, s.
+    /// Runs a part in the chosen speeds from (q, v), up to a pose where they hardly determine the
+    /// motion. Returns the solution in (q, v), and the instant at which the last attempted step would
+    /// have ended, s.
     fn leg(
         &self,
         rhs: &mut dyn RightHandSide<f64>,
@@ -261,7 +294,8 @@ impl<'r> Passage<'r> {
         Ok((leg, beyond.get()))
     }
 
-    /// Runs a part in the chosen speeds, and converts its solution to (q, q̇).
+    /// Runs a part in the chosen speeds from a start (q, q̇), up to a pose where they hardly determine
+    /// the motion. Returns the solution converted to (q, q̇).
     fn by_speeds(
         &mut self,
         rhs: &mut dyn RightHandSide<f64>,
@@ -288,8 +322,9 @@ impl<'r> Passage<'r> {
         Ok(leg)
     }
 
-    /// Runs a part in the rates of all coordinates, with wider tolerances near a singular pose if the run gets stuck
-    /// there.
+    /// Runs a part in the rates of all coordinates from a start (q, q̇). If the run gets stuck near a
+    /// singular pose, it is repeated with wider tolerances. Records the part among the changes. The
+    /// stop of the solution tells of a failure.
     fn in_rates(
         &mut self,
         start: InitialState<'_>,
@@ -300,7 +335,8 @@ impl<'r> Passage<'r> {
         let InitialState { span, y } = start;
         let options = options_in_rates(options, y.len() / 2);
         let mut power = power.map(|power| power.as_mut() as &mut dyn FnMut(f64, &[f64]) -> f64);
-        // Near a singular pose rounding may exceed the tolerances, and steps become tiny. Wider tolerances lead across.
+        // Near a singular pose, rounding errors may exceed the tolerances. Steps then become tiny. Wider
+        // tolerances help.
         let (mut leg, mut is_singular, mut coarser) = (None, false, 1.0);
         for times in COARSER {
             let few = Options { step_limit: options.step_limit.min(FEW), ..coarsened(&options, times) };
@@ -342,8 +378,8 @@ impl<'r> Passage<'r> {
         Ok(leg)
     }
 
-    /// Attempts a part in all rates. Also returns the least distance of the constraints from dependence during this
-    /// part.
+    /// Attempts a part of a run in the rates of all coordinates. Returns the solution, and the least
+    /// independence of the constraints in this part, from 0 (dependent) to 1.
     fn leg_in_rates(
         &self,
         start: InitialState<'_>,
@@ -363,8 +399,8 @@ impl<'r> Passage<'r> {
         Ok((leg, rhs.nearest()))
     }
 
-    /// Relative change of the energy, less the work done, from a state to the end of a part. `None` if it is below the
-    /// limit [`LOST`], or energy is not conserved.
+    /// Relative change of the energy T + V, less the work, from a state `y` = (q, q̇) to the end of a
+    /// part. `None` if it is at most the limit [`LOST`], or if the energy balance need not hold.
     fn lost(&self, y: &[f64], leg: &Solution) -> Option<f64> {
         if !self.keeps_energy {
             return None;
@@ -380,7 +416,7 @@ impl<'r> Passage<'r> {
         (part > LOST).then_some(part)
     }
 
-    /// Converts a state (q, q̇) to the variables (q, v) of the equations in chosen speeds.
+    /// Converts a state (q, q̇) to the state (q, v) of the equations in chosen speeds.
     fn state_in_speeds(&self, y: &[f64]) -> Vec<f64> {
         let (q, q_dot) = y.split_at(y.len() / 2);
         let mut u = vec![0.0; self.rates.lengths().speeds];
@@ -391,13 +427,13 @@ impl<'r> Passage<'r> {
     }
 }
 
-/// True if a run stopped because its steps became too small or too many.
+/// True if a run stopped because its steps became too small or too many, or a value was not finite.
 fn is_stuck(stop: &Stop) -> bool {
     matches!(stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. } | Stop::StepLimit { .. })
 }
 
-/// Converts an event that is a function of (q, q̇) to an event in other variables; `to_rates` converts these to (q,
-/// q̇).
+/// Converts an event, a function of (q, q̇), to an event that is a function of other variables.
+/// `to_rates` converts a state in these variables to (q, q̇).
 fn event_in_other_variables<'e>(event: &'e mut Event<'_>, to_rates: &'e dyn Fn(&[f64]) -> Vec<f64>) -> Event<'e> {
     let function = &mut event.function;
     let in_other = move |t: f64, y: &[f64]| function(t, &to_rates(y));
@@ -410,7 +446,8 @@ fn event_in_other_variables<'e>(event: &'e mut Event<'_>, to_rates: &'e dyn Fn(&
     }
 }
 
-/// Integrates equations whose steps are watched.
+/// Integrates equations with conditions that are tested at each step, such as the need to change
+/// variables.
 fn run(
     mut rhs: Accompanied<'_>,
     start: InitialState<'_>,
@@ -420,14 +457,14 @@ fn run(
     integrate(Lent(&mut rhs as &mut dyn RightHandSide<f64>), start.span, start.y, options, events)
 }
 
-/// Converts an integrated state (q, v) to (q, q̇).
+/// Converts an integrated state (q, v) to (q, q̇), of length 2 n.
 fn state_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64]) -> Vec<f64> {
     let mut out = Vec::new();
     write_state_in_rates(system, p, y, &mut out);
     out
 }
 
-/// Converts an integrated state (q, v) to (q, q̇), which is written into `out`.
+/// Converts an integrated state (q, v) to (q, q̇), of length 2 n, and writes the result to `out`.
 fn write_state_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64], out: &mut Vec<f64>) {
     let n = system.lengths().coordinates;
     let (q, v) = y.split_at(n);

@@ -1,7 +1,8 @@
-//! A scene made ready to be integrated by one set of equations.
+//! A scene together with one set of equations of motion, ready to be integrated.
 //!
-//! Equations may be written in the distance of a coordinate from a singular surface. The integrated state then holds
-//! that distance; states that people see hold the coordinate.
+//! Equations may use the distance of a coordinate from a singular surface, such as an angle minus
+//! 90°. The integrated state then contains this distance. States for the user contain the
+//! coordinate itself.
 
 mod contacts;
 mod extended_precision;
@@ -25,57 +26,64 @@ use tripos_sim::{
 };
 use tripos_traits::{DoubleDouble, Real, Scalar, System};
 
-/// Power at an integrated state, W, as a function of t and y.
+/// Function that computes the power of the loads, W, from the time t, s, and the integrated state
+/// y.
 pub type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
-/// Scene with the equations that run it and the way in which their accelerations are found.
+/// Scene with the equations of motion that run it, and the method that finds their accelerations.
 pub struct Problem<'a> {
-    /// The scene's mechanism.
+    /// Mechanism of the scene: its model with the compiled equations.
     pub mechanism: &'a Mechanism,
-    /// Model that the equations belong to: the mechanism's, or the reduced one.
+    /// Model to which the equations belong: the mechanism's, or the reduced model of the scene.
     pub model: &'a Model,
-    /// The scene, in the variables of the equations.
+    /// Scene in the variables of the equations, which are reduced variables for reduced equations.
     pub scene: &'a Scene,
-    /// The scene as its file gives it.
+    /// Scene as its file gives it, in the variables of the mechanism's model.
     pub shown: &'a Scene,
-    /// Name of the equations of motion that run.
+    /// Origin of the equations of motion, such as Kane's method or a publication.
     pub by: &'a EquationsOrigin,
-    /// The equations ready to run, in the scene's distance from a singular surface if it has one.
+    /// Equations of motion ready to run. They use the distance from a singular surface if the scene
+    /// asks for it.
     pub code: &'a Code,
-    /// Way in which accelerations are found.
+    /// Method that finds the accelerations: eliminated beforehand, or solved for numerically at each
+    /// state.
     pub solve: Solve,
-    /// Equations in chosen speeds that run as far as these speeds determine the motion. `None` unless the problem's own
-    /// equations are in all rates.
+    /// Additional equations in chosen speeds, which run wherever these speeds determine the motion.
+    /// `None` unless the problem's own equations are in the rates of all coordinates.
     pub chosen: Option<Chosen<'a>>,
-    /// Offset of the coordinate that is integrated as a distance from a singular surface; `None` if there is no such
-    /// coordinate.
+    /// Coordinate that is integrated as its distance from a singular surface; `None` if there is no
+    /// such coordinate.
     origin: Option<Origin>,
 }
 
-/// Number of convolutions per component of a state up to which a run by Taylor's method costs no more than one by
-/// DOP853. Measured: 2.4 convolutions (a disk) cost 0.9 to 1.1 times as much, 6.5 (a cart with three pendulums) 2.3
-/// times.
+/// Number of convolutions per component of the state up to which Taylor's method costs no more than
+/// DOP853. Measured: with 2.4 convolutions (a disk) a run costs 0.9 to 1.1 times as much. With 6.5
+/// convolutions (a cart with three pendulums) it costs 2.3 times as much.
 const MOST_CONVOLUTIONS: usize = 4;
 
-/// Parameters and the integrated state, to 32 digits.
+/// Parameters, and the integrated state at the start, both to 32 digits.
 pub type ExtendedStart = (Vec<DoubleDouble>, Vec<DoubleDouble>);
 
-/// Offset of an integrated variable, which is the coordinate minus this value.
+/// Coordinate that is integrated as its difference from a fixed value, to keep digits near a
+/// singular surface.
 #[derive(Clone, Copy)]
 struct Origin {
-    /// Index of the coordinate.
+    /// Index of the coordinate, from 0.
     at: usize,
-    /// Value of the coordinate on the singular surface, rad.
+    /// Value of the coordinate on the singular surface, rad. The integrated variable is the coordinate
+    /// minus this value.
     value: DoubleDouble,
 }
 
 impl<'a> Problem<'a> {
-    /// Makes a problem from a scene and equations, which are in the scene's distance if it has one. Without `solve` the
-    /// scene decides how accelerations are found. If the scene does not say, they are eliminated where the equations
+    /// Makes a problem from a scene and equations, which must use the scene's distance from a singular
+    /// surface if it has one. `solve` is the method that finds the accelerations. If it is `None`, the
+    /// scene decides. If the scene does not say, accelerations are eliminated wherever the equations
     /// allow it.
     ///
     /// # Errors
-    /// [`Error::Request`] if accelerations are to be eliminated and cannot be; [`Error::Input`] if a moving body has no
+    /// [`Error::Request`] if the accelerations are not eliminated although they must be, or if the
+    /// scene has contacts that these equations do not allow. [`Error::Input`] if a moving body has no
     /// mass at these parameters.
     pub fn new(
         mechanism: &'a Mechanism,
@@ -87,10 +95,12 @@ impl<'a> Problem<'a> {
         Self::among(&InertiaCheck::new(mechanism), mechanism, scene, by, code, solve)
     }
 
-    /// Makes a problem for one of many scenes of a mechanism, with one inertia check for all of them.
+    /// Makes a problem for one of many scenes of a mechanism. The inertia check, prepared once, serves
+    /// all of them.
     ///
     /// # Errors
-    /// Errors of [`Problem::new`].
+    /// `Error::Request` if the accelerations are not eliminated although they must be, or for forbidden
+    /// contacts. `Error::Input` if a moving body has no mass at the scene's parameters.
     pub fn among(
         inertia: &InertiaCheck<'_>,
         mechanism: &'a Mechanism,
@@ -104,10 +114,12 @@ impl<'a> Problem<'a> {
         Self::with(mechanism, &mechanism.model, scene, by, code, solve)
     }
 
-    /// Makes a problem from a scene and its own reduced equations. Their reduction has already checked the inertia.
+    /// Makes a problem from a scene and its own reduced equations. The reduction has already checked
+    /// the inertia.
     ///
     /// # Errors
-    /// Errors of [`Problem::new`].
+    /// `Error::Request` if the accelerations are not eliminated although the scene asks for it, or it
+    /// has contacts.
     pub fn reduced(
         mechanism: &'a Mechanism,
         reduced: &'a Reduced,
@@ -118,6 +130,12 @@ impl<'a> Problem<'a> {
         Ok(Self { shown, ..Self::with(mechanism, &reduction.model, scene, by, code, None)? })
     }
 
+    /// Makes a problem without a check of the inertia. `solve` is the method that finds the
+    /// accelerations; `None` leaves the choice to the scene.
+    ///
+    /// # Errors
+    /// `Error::Request` for accelerations that are not eliminated although they must be, or for
+    /// forbidden contacts.
     fn with(
         mechanism: &'a Mechanism,
         model: &'a Model,
@@ -152,7 +170,7 @@ impl<'a> Problem<'a> {
         })
     }
 
-    /// Makes a problem with the same equations and another scene that differs only in its numbers.
+    /// Makes a problem with the same equations for another scene that differs only in its numbers.
     #[must_use]
     pub fn with_scene<'b>(&self, scene: &'b Scene) -> Problem<'b>
     where
@@ -162,8 +180,9 @@ impl<'a> Problem<'a> {
         Problem { mechanism, model, scene, shown, by, code, solve, chosen, origin }
     }
 
-    /// True if the run can use Taylor coefficients with few convolutions. Larger systems need more, which cost more
-    /// than a step of a Runge–Kutta method. Convolutions of interpreted equations are not counted.
+    /// True if the recurrences of Taylor coefficients are short enough for Taylor's method to cost no
+    /// more than DOP853. Always false without eliminated accelerations or recurrences. Convolutions of
+    /// interpreted equations are not counted.
     #[must_use]
     pub fn has_short_series(&self) -> bool {
         let system = self.system();
@@ -173,13 +192,14 @@ impl<'a> Problem<'a> {
         self.solve == Solve::Eliminated && system.has_taylor() && is_short
     }
 
-    /// The equations of motion in double precision.
+    /// Equations of motion in double precision.
     #[must_use]
     pub fn system(&self) -> &'a dyn System<f64> {
         self.code.system()
     }
 
-    /// Coordinates of an integrated state, or of its leading components. A distance is converted to its coordinate.
+    /// Coordinates of an integrated state `y`, of which the leading components suffice. A distance from
+    /// a singular surface is converted to its coordinate.
     #[must_use]
     pub fn coordinates(&self, y: &[f64]) -> Vec<f64> {
         let mut q = y[..self.system().lengths().coordinates].to_vec();
@@ -189,8 +209,9 @@ impl<'a> Problem<'a> {
         q
     }
 
-    /// Shown quantities of an integrated state: coordinates, then generalized speeds, or the outputs of a reduced
-    /// scene.
+    /// Quantities that the scene shows at time `t`, s, and integrated state `y`. They are the
+    /// coordinates followed by the generalized speeds, or the outputs of the scene for reduced
+    /// equations.
     #[must_use]
     pub fn state(&self, t: f64, y: &[f64]) -> Vec<f64> {
         let system = self.system();
@@ -206,21 +227,22 @@ impl<'a> Problem<'a> {
         [self.coordinates(y), u].concat()
     }
 
-    /// Integrated state at the start of the run.
+    /// Integrated state (q, v) at the start of the run, in double precision.
     ///
     /// # Errors
-    /// [`Error::Stopped`] if the generalized speeds do not determine the motion variables at the start.
+    /// [`Error::Stopped`] if the generalized speeds do not determine the motion variables v at the
+    /// start.
     pub fn start(&self) -> Result<Vec<f64>, Error> {
         let (system, scene) = (self.system(), self.scene);
         let mut q = scene.q.clone();
         if let Some(Origin { at, value }) = self.origin {
-            // The exact number of the scene file is used. The double nearest to it has lost digits that the distance
+            // The exact number of the scene file is used. Its nearest double has lost digits that the distance
             // keeps.
             q[at] = (scene.exact.q[at] - value).to_f64();
         }
         let mut v = vec![0.0; system.lengths().variables];
         match &scene.exact.motion {
-            // The generalized speeds may not determine the rates, as in a dead point.
+            // In some poses, such as dead points, the generalized speeds do not determine the rates.
             InitialMotion::Rates(rates) if self.is_constrained_in_rates() => {
                 v = rates.iter().map(|rate| rate.to_f64()).collect();
             }
@@ -236,12 +258,14 @@ impl<'a> Problem<'a> {
         Ok([q, v].concat())
     }
 
-    /// True if the motion variables are the rates of coordinates under motion constraints.
+    /// True if the motion variables are the rates q̇ of the coordinates, and motion constraints
+    /// restrict them.
     fn is_constrained_in_rates(&self) -> bool {
         !self.model.motion_constraints.is_empty() && self.by.formulation().is_some_and(Formulation::is_in_rates)
     }
 
-    /// Names of the components of the integrated state: coordinates, then speeds or rates.
+    /// Names of the components of the integrated state: the coordinates, followed by speeds or by rates
+    /// such as `q1'`.
     #[must_use]
     pub fn variables(&self) -> Vec<String> {
         let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
@@ -252,18 +276,20 @@ impl<'a> Problem<'a> {
         coordinates.chain(speeds).collect()
     }
 
-    /// Names the divisors of the equations that are nearly zero at an integrated state; see [`near_divisors`].
+    /// Names the divisors of the equations that are nearly zero at an integrated state, as the end of a
+    /// sentence. Empty if there are none; see [`near_divisors`].
     ///
     /// # Errors
-    /// [`Error::Request`] if a divisor mentions a symbol without a value during a run.
+    /// [`Error::Request`] if a divisor contains a symbol without a value during a run.
     pub fn near_divisors(&self, y: &[f64]) -> Result<String, Error> {
         near_divisors(self.model, &self.scene.parameters, &self.coordinates(y))
     }
 
-    /// Reason why the equations or the outputs have no value at the start; `None` if they have one.
+    /// Returns the reason why a rate or an output has no finite value at the start. `None` if all have
+    /// finite values, or if the accelerations are not eliminated.
     ///
     /// # Errors
-    /// [`Error`] if the start does not determine the motion variables.
+    /// [`Error`] if the speeds do not determine the motion variables at the start.
     pub fn singular_start(&self) -> Result<Option<String>, Error> {
         let Some(mut rhs) = Eliminated::new(self.system(), &self.scene.parameters) else { return Ok(None) };
         let y0 = self.start()?;
@@ -283,18 +309,19 @@ impl<'a> Problem<'a> {
         Ok(Some(format!("{what} has no value at the start{}", self.near_divisors(&y0)?)))
     }
 
-    /// Integrates from the integrated state `y0` over the span of the scene.
+    /// Integrates from the integrated state `y0` at the scene's first instant over the span of the
+    /// scene.
     ///
     /// # Errors
-    /// [`SimError`] if the request is invalid.
+    /// [`SimError`] if the options or the start do not fit the equations.
     pub fn integrate(&self, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Solution, SimError> {
         self.integrate_over(self.scene.span, y0, options, events)
     }
 
-    /// Integrates from `y0` over a span other than the scene's.
+    /// Integrates from the integrated state `y0` over a given span, s, instead of the scene's.
     ///
     /// # Errors
-    /// [`SimError`] if the request is invalid.
+    /// [`SimError`] if the options or the start do not fit the equations.
     pub fn integrate_over(
         &self,
         span: (f64, f64),
@@ -309,8 +336,8 @@ impl<'a> Problem<'a> {
         integrate(Lent(rhs.as_mut()), span, y0, &self.options(options), events)
     }
 
-    /// Adds to given options what a run needs to be followed and interrupted. The steps of the run end at the corners
-    /// of prescribed motions and forces.
+    /// Adds to integration options the observer of the run, and the corners: the instants at which
+    /// prescribed motions and forces have kinks or jumps. A step ends at each corner.
     #[must_use]
     pub fn options(&self, options: &Options) -> Options {
         let corners = self.model.corners(&self.scene.parameters).into_iter();
@@ -318,10 +345,11 @@ impl<'a> Problem<'a> {
         Options { corners, clock: self.model.time(), ..self.mechanism.follow.options(options) }
     }
 
-    /// Right-hand side of the equations, with eliminated accelerations or with a linear solve, as the problem says.
+    /// Right-hand side of the equations. The accelerations are evaluated, or solved for numerically, as
+    /// the problem says.
     ///
     /// # Errors
-    /// [`SimError`] if the parameters do not fit the equations.
+    /// [`SimError`] if the number of parameters does not fit the equations.
     pub(crate) fn right_hand_side(&self) -> Result<Box<dyn RightHandSide<f64> + '_>, SimError> {
         Ok(match Eliminated::new(self.system(), &self.scene.parameters) {
             Some(rhs) if self.solve == Solve::Eliminated => Box::new(rhs),
@@ -329,11 +357,13 @@ impl<'a> Problem<'a> {
         })
     }
 
-    /// Runs the problem as the scene asks: by steps, by projected steps or by quadrature. With a power it also
-    /// integrates the work.
+    /// Runs the problem over the scene's span from the integrated state `y0`, as the scene asks: by
+    /// steps, by projected steps or by quadrature. If a power is given, its work is integrated too,
+    /// except by quadrature or with projection.
     ///
     /// # Errors
-    /// [`Error::Request`] if the request is invalid, or these equations cannot be run so.
+    /// [`Error::Request`] if the options are invalid, or the equations do not allow the scene's way of
+    /// integration.
     pub fn solve(
         &self,
         y0: &[f64],
@@ -402,7 +432,7 @@ impl<'a> Problem<'a> {
         run.map_err(|error| refused(self.scene, &error))
     }
 
-    /// Advice that names the condition for a motion by quadrature that these equations do not meet.
+    /// Advice that names the condition for quadrature that the equations do not meet.
     fn no_quadrature(&self) -> &'static str {
         let system = self.system();
         if !self.by.is_reduced() {
@@ -416,7 +446,8 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// Linear system for the accelerations at each state.
+    /// Linear system for the accelerations v̇ and the reactions, which is solved numerically at each
+    /// state.
     ///
     /// # Errors
     /// [`SimError`] if the number of parameters does not fit the equations.

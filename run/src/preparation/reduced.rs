@@ -1,4 +1,5 @@
-//! Reduced equations of a scene, ready to run: the smallest system that gives all that the scene asks for.
+//! Reduced equations of a scene, ready to run: the smallest system that gives all outputs of the
+//! scene.
 
 use super::frame_start::turned;
 use super::start::known;
@@ -13,13 +14,13 @@ use tripos_derive::reduce::{Quantity, Reduction, ReductionBasis};
 use tripos_derive::scene::{Exact, InitialMotion, Scene, SceneEvent};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble};
 
-/// The reduced equations of a scene, and the scene in their variables.
+/// Reduced equations of motion of a scene, and the scene expressed in their variables.
 pub struct Reduced {
-    /// Derived equations of the reduced system.
+    /// Derived equations of the reduced system, with their proof.
     pub reduction: Reduction,
-    /// Scene in the variables of the reduced model, with the constant momenta among its parameters.
+    /// Scene in the variables of the reduced model. The constant momenta are among its parameters.
     pub scene: Scene,
-    /// Name of the reduced equations, always [`EquationsOrigin::Reduced`].
+    /// Origin of the equations, always [`EquationsOrigin::Reduced`].
     pub by: EquationsOrigin,
 }
 
@@ -33,7 +34,8 @@ impl Reduced {
         Self::of_basis(&basis, model, scene)
     }
 
-    /// Derives the reduced equations of a scene of the model that `basis` was derived from.
+    /// Derives the reduced equations of a scene from the prepared basis of its model. If the start
+    /// cannot be moved to the section of the moving frame, the equations are derived without a frame.
     ///
     /// # Errors
     /// [`Error`] if the model does not determine an output of the scene.
@@ -41,7 +43,8 @@ impl Reduced {
         let reduction = basis.reduce(scene).map_err(|error| model.diagnose(&error))?;
         let turns = reduction.frame.is_some();
         match Self::with(reduction, model, scene) {
-            // Some starts cannot be moved to the section of the moving frame.
+            // Some starts cannot be moved to the section of the moving frame (the states that the frame
+            // represents).
             Err(Error::Stopped(_)) if turns => {
                 let plain = basis.reduce_without_frame(scene).map_err(|error| model.diagnose(&error))?;
                 Self::with(plain, model, scene)
@@ -50,23 +53,23 @@ impl Reduced {
         }
     }
 
-    /// Derives reduced equations that use no constant momenta. They are singular only where the model's own equations
-    /// are.
+    /// Derives the reduced equations of a scene without the use of constant momenta. They are singular
+    /// only in states where the model's own equations are singular.
     ///
     /// # Errors
-    /// Errors of [`Reduced::of_basis`].
+    /// `Error` if the model does not determine an output of the scene, or the start of a reduced
+    /// variable has no value.
     pub fn without_momenta(basis: &ReductionBasis, model: &Model, scene: &Scene) -> Result<Self, Error> {
         let reduction = basis.reduce_without_momenta(scene).map_err(|error| model.diagnose(&error))?;
         Self::with(reduction, model, scene)
     }
 
-    /// Makes the reduced equations of a scene from the reduction of another scene that differs only in its numbers.
-    ///
-    /// Both scenes must have the same model, outputs, events and names of parameters.
+    /// Makes the reduced equations of a scene from the reduction of another scene that differs only in
+    /// its numbers. Both scenes must have the same model, outputs, events and names of parameters.
     ///
     /// # Errors
-    /// [`Error::Request`] if a variable depends on a symbol that has no value at the start; [`Error::Stopped`] if the
-    /// start cannot be moved to the section of the moving frame.
+    /// [`Error::Request`] if a variable depends on a symbol that has no value at the start;
+    /// [`Error::Stopped`] if the start cannot be moved to the section of the moving frame.
     pub fn with(reduction: Reduction, model: &Model, scene: &Scene) -> Result<Self, Error> {
         let [parameters, q, v] = start(&reduction, model, &scene.exact)?;
         let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<_>>();
@@ -89,10 +92,11 @@ impl Reduced {
         Ok(Self { reduction, scene: own, by: EquationsOrigin::Reduced })
     }
 
-    /// Makes the reduced equations ready to run. Compiled code is used if it was generated from the same reduction.
+    /// Makes the reduced equations ready to run. They are compiled if the program contains code that
+    /// was generated from the same reduction. Otherwise they are interpreted.
     ///
     /// # Errors
-    /// [`Error`] if the equations cannot be interpreted.
+    /// [`Error`] if the equations cannot be compiled to tapes.
     pub fn code(&self, mechanism: &Mechanism) -> Result<Code, Error> {
         match compiled_scene(mechanism, &self.reduction, Ready::for_runs(&self.scene)) {
             Some(code) => Ok(code),
@@ -100,11 +104,12 @@ impl Reduced {
         }
     }
 
-    /// Reason why the reduced equations are no gain over the whole ones: they have as many variables, and a call costs
-    /// at least as much. `None` if they are a gain.
+    /// Returns the reason why the reduced equations are no gain over the full ones. Either impacts
+    /// break their constants, or they have as many variables and each evaluation costs at least as
+    /// much. `None` if they are a gain.
     ///
     /// # Errors
-    /// [`Error`] if the model has no Kane's equations.
+    /// [`Error`] if Kane's equations cannot be derived for the model.
     pub fn no_gain(&self, model: &Model) -> Result<Option<String>, Error> {
         if !self.scene.impacts.is_empty() {
             return Ok(Some("impacts change what reduced equations hold constant".to_owned()));
@@ -121,19 +126,25 @@ impl Reduced {
         }))
     }
 
-    /// Constants of the motion that the reduction uses, with their values in this scene.
+    /// Constants of the motion that the reduction uses, each with its value in this scene.
     pub fn constants(&self) -> impl Iterator<Item = (&Quantity, f64)> {
         let first = self.scene.parameters.len() - self.reduction.constants.len();
         self.reduction.constants.iter().zip(self.scene.parameters[first..].iter().copied())
     }
 }
 
-/// Parameters, coordinates and motion variables of a reduced system at the start, from the scene's own numbers.
+/// Computes the parameters, coordinates and motion variables of a reduced system at the start of a
+/// scene, in this order and to 32 digits. `exact` holds the start of the whole model.
+///
+/// # Errors
+/// `Error::Request` for a symbol without a value; `Error::Stopped` if the start cannot be moved to
+/// the frame's section.
 fn start(reduction: &Reduction, model: &Model, exact: &Exact) -> Result<[Vec<DoubleDouble>; 3], Error> {
     let (mut symbols, mut values) = known(model, exact)?;
     if let Some(frame) = &reduction.frame {
         let count = model.parameters.len() + model.coordinates.len() + model.speeds.len();
-        // Rates in the scene file belong to the state before the turn; the speeds give the same information.
+        // Rates in the scene file belong to the start before its motion along symmetries. The speeds say
+        // the same.
         symbols.truncate(count);
         values.truncate(count);
         let states = values.split_off(model.parameters.len());
@@ -154,8 +165,9 @@ fn start(reduction: &Reduction, model: &Model, exact: &Exact) -> Result<[Vec<Dou
     Ok([parameters, q, v])
 }
 
-/// Absolute tolerance of each reduced variable: the one of the whole model's variable that it is or replaces. `each`
-/// holds those of the whole model's coordinates and speeds.
+/// Absolute tolerances of the reduced variables, each in its unit. Each is the least tolerance of
+/// the whole model's variables from which the reduced variable is computed. `each` has those of the
+/// coordinates and speeds.
 fn tolerances(reduction: &Reduction, model: &Model, each: &[f64]) -> Vec<f64> {
     let arena = reduction.terms();
     let own: Vec<_> = model.q().into_iter().chain(model.u()).collect();

@@ -1,7 +1,7 @@
-//! The start of a scene to 32 digits.
+//! The start of a scene in numbers of 32 digits.
 //!
-//! Invariant: no number of the scene file is rounded to a double on the way. Momenta and angles near a singular surface
-//! are small differences, which rounding would destroy.
+//! Invariant: no number of the scene file is rounded to a double on the way. Momenta, and angles
+//! near a singular surface, are small differences of large numbers, which rounding would destroy.
 
 use crate::code::tape;
 use crate::error::Error;
@@ -10,10 +10,11 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::scene::{Exact, InitialMotion};
 use tripos_traits::DoubleDouble;
 
-/// Generalized speeds at the start of a scene, in the order of the model.
+/// Computes the generalized speeds at the start of a scene to 32 digits, in the order of the model.
 ///
 /// # Errors
-/// [`Error::Request`] if the definition of a speed mentions a symbol that has no value at the start.
+/// [`Error::Request`] if the definition of a speed contains a symbol that has no value at the
+/// start.
 pub fn speeds(model: &Model, exact: &Exact) -> Result<Vec<DoubleDouble>, Error> {
     match &exact.motion {
         InitialMotion::Speeds(u) => Ok(u.clone()),
@@ -26,11 +27,12 @@ pub fn speeds(model: &Model, exact: &Exact) -> Result<Vec<DoubleDouble>, Error> 
     }
 }
 
-/// Symbols that have a value at the start of a scene, with their values: parameters, coordinates, generalized speeds,
-/// and rates if the scene file states them.
+/// Returns the symbols that have a value at the start of a scene, and their values. They are
+/// parameters, coordinates and generalized speeds, followed by the rates q̇ if the scene file
+/// states them.
 ///
 /// # Errors
-/// Errors of [`speeds`].
+/// `Error::Request` if the definition of a speed contains a symbol that has no value at the start.
 pub fn known(model: &Model, exact: &Exact) -> Result<(Vec<Expr>, Vec<DoubleDouble>), Error> {
     let mut symbols = [model.p(), model.q(), model.u()].concat();
     let mut values = [&exact.parameters[..], &exact.q, &speeds(model, exact)?].concat();

@@ -1,4 +1,4 @@
-//! Runs of scenes, and the results that they return.
+//! Simulation of scenes, and the results of their runs.
 
 pub(super) mod outputs;
 pub(super) mod run;

@@ -1,8 +1,8 @@
-//! Shown quantities at states of full equations, by any formulation, with any solve: every coordinate and speed, and
-//! the other outputs of a scene.
+//! Quantities that a run by full equations shows: every coordinate and speed, and further outputs
+//! of the scene.
 //!
-//! Invariant: an output that has no value at a state is NaN; no other number ever replaces it. Reduced equations have
-//! outputs of their own ([`tripos_traits::System::outputs`]).
+//! Invariant: an output that has no value at a state is NaN; no other number ever replaces it.
+//! Reduced equations have outputs of their own ([`tripos_traits::System::outputs`]).
 
 use crate::code::{Code, Ready, code, tape};
 use crate::error::{Error, refused};
@@ -22,31 +22,35 @@ pub fn state_names(model: &Model) -> Vec<String> {
     coordinates.chain(model.speeds.iter().map(|s| s.name.clone())).collect()
 }
 
-/// Computes the quantities that a scene shows from a state of full equations.
+/// Quantities that a scene shows, computed from states of full equations.
 #[derive(Clone)]
 pub struct ShownQuantities {
-    /// Names of coordinates and generalized speeds, then of the other outputs of the scene.
+    /// Names of the shown quantities: coordinates, generalized speeds, then further outputs of the
+    /// scene.
     pub names: Vec<String>,
-    /// Outputs that are not states; `None` if the scene asks only for states.
+    /// Outputs that are not states; `None` if the scene requests only states.
     outputs: Option<Outputs>,
 }
 
 /// Outputs of a scene as functions of p, q, q̇, u, u̇, reactions and energies.
 #[derive(Clone)]
 struct Outputs {
+    /// Program for all further outputs of the scene.
     tape: Tape,
+    /// True if an output contains an acceleration u̇.
     needs_accelerations: bool,
-    /// Equations of the force balance; `None` if no output needs a reaction.
+    /// Newton–Euler equations that give the reactions; `None` if no output needs a reaction.
     balance: Option<Code>,
-    /// Indices of the energies that the scene names, in [`ENERGIES`]: 0 kinetic, 1 potential, 2 total.
+    /// Indices of the energies that the outputs contain: 0 kinetic, 1 potential, 2 total.
     energies: Vec<usize>,
 }
 
 impl ShownQuantities {
-    /// Prepares the shown quantities of a scene of this model.
+    /// Compiles the quantities that a scene of this model shows.
     ///
     /// # Errors
-    /// [`Error`] if an output needs a reaction that the model does not determine.
+    /// [`Error`] if an output needs a reaction that the model does not determine, or needs
+    /// accelerations or reactions in a scene with impacts.
     pub fn new(model: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let mut names = state_names(model);
         let others: Vec<_> = scene.outputs.iter().filter(|o| !names.contains(&o.name)).collect();
@@ -82,7 +86,8 @@ impl ShownQuantities {
         Ok(Self { names, outputs: Some(outputs) })
     }
 
-    /// Computes the shown quantities of an integrated state of full equations.
+    /// Computes the shown quantities at the time `t`, s, and the integrated state `y` of full
+    /// equations.
     ///
     /// # Errors
     /// [`Error::Request`] if the number of parameters does not fit the equations.
@@ -99,7 +104,8 @@ impl ShownQuantities {
 }
 
 impl Outputs {
-    /// Computes the outputs at an integrated state `y`, whose coordinates and generalized speeds are `state`.
+    /// Computes the outputs at the integrated state `y`; `state` has the coordinates and
+    /// generalized speeds of this state.
     fn of(&self, problem: &Problem<'_>, state: &[f64], t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
         let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
         let (variables, v) = y.split_at(system.lengths().coordinates);
@@ -114,7 +120,11 @@ impl Outputs {
         Ok(self.tape.evaluate(&[p, q, &q_dot, u, &u_dot, &reactions, &energies].concat()))
     }
 
-    /// Accelerations u̇ in the way in which the run finds them; NaN if no output needs them, or they have no value.
+    /// Accelerations u̇, found in the same way as in the run; NaN if no output needs them, or if
+    /// they have no value.
+    ///
+    /// # Errors
+    /// `Error::Request` if the number of parameters does not fit the equations.
     fn accelerations(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
         let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
         let Lengths { coordinates: n, speeds, .. } = system.lengths();
@@ -127,14 +137,17 @@ impl Outputs {
             _ => Box::new(problem.dynamics().map_err(|error| refused(problem.scene, &error))?),
         };
         let mut rates = vec![0.0; y.len()];
-        // A state without accelerations shows NaN; the run reports why it stops there.
+        // At a state without accelerations, NaN is shown; the run reports why it stops there.
         if rhs.rhs(t, y, &mut rates).is_ok() {
             system.generalized_speed_rates(p, &y[..n], &y[n..], &rates[n..], &mut u_dot);
         }
         Ok(u_dot)
     }
 
-    /// Values of all reactions of the model; NaN if no output needs them, or they have no value.
+    /// Values of all reactions of the model; NaN if no output needs them, or if they have no value.
+    ///
+    /// # Errors
+    /// `Error::Request` if the number of parameters does not fit the equations.
     fn reactions(&self, problem: &Problem<'_>, q: &[f64], u: &[f64]) -> Result<Vec<f64>, Error> {
         let count = problem.model.reactions.len();
         let Some(balance) = &self.balance else { return Ok(vec![f64::NAN; count]) };

@@ -1,4 +1,4 @@
-//! Result of one run of a scene.
+//! Result of a run of a scene, with its checks.
 
 use crate::code::{Code, Form};
 use crate::error::{Error, refused};
@@ -11,47 +11,50 @@ use tripos_derive::plain::within;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::{Dynamics, EventRecord, ImpactRecord, Kind, Solution};
 
-/// States, errors and checks of a run.
+/// Result of a run of a scene: states, estimated errors and checks.
 pub struct Run {
-    /// Equations of motion that ran.
+    /// Equations of motion that were integrated: a formulation, printed or reduced equations.
     pub by: EquationsOrigin,
-    /// Form of the code that ran.
+    /// Form of the code that was used, such as compiled or interpreted.
     pub code: Form,
-    /// Way in which accelerations were found.
+    /// Way in which accelerations were found: eliminated or numerically.
     pub solve: Solve,
-    /// Solution that the integrator returned.
+    /// Solution that the integrator returned, in the integrated variables.
     pub solution: Solution,
-    /// Reason why the run ended, with the names of its variables.
+    /// Reason why the run ended, in words.
     pub why: String,
     /// Sentence that says when, after how many steps and why the run ended.
     pub ending: String,
-    /// Sentence that names the first shown quantity without a value and its instant; `None` if all have values. Set by
-    /// [`Run::look_for_missing`].
+    /// Sentence that names the first shown quantity without a value, and its instant; `None` if all
+    /// have values.
+    /// It is set by [`Run::look_for_missing`].
     pub(crate) missing: Option<String>,
     /// Names of the shown quantities: coordinates and generalized speeds, or the outputs of a scene.
     pub names: Vec<String>,
-    /// Values of the shown quantities at each sample.
+    /// Values of the shown quantities at each sample: one list for each sample, in the order of
+    /// `names`.
     pub states: Vec<Vec<f64>>,
-    /// Kinetic and potential energy at each sample, J; empty where a scene shows outputs of its own.
+    /// Kinetic and potential energy at each sample, J; empty if the scene shows its own outputs.
     pub energies: Vec<(f64, f64)>,
-    /// Values of the shown quantities at the end of the run.
+    /// Values of the shown quantities at the end of the run, in the order of `names`.
     pub end: Vec<f64>,
-    /// Correct digits of the shown quantities; `None` if the run took no step or was interrupted.
+    /// Estimated errors and correct digits of the shown quantities; `None` if the run took no step
+    /// or was interrupted.
     pub digits: Option<Digits>,
     /// Largest change of total energy over the samples, J; `None` if it is not known.
     pub energy_drift: Option<f64>,
-    /// Change of each first integral that was watched.
+    /// Largest change of each first integral that was watched.
     pub drifts: Vec<Drift>,
-    /// Residuals of the constraints onto which the run is kept.
+    /// Largest residuals of the constraints that the run enforces.
     pub residuals: Vec<Residual>,
-    /// Notes on the way in which the run was made. They are not reasons to distrust it.
+    /// Notes on how the run was made; they are no reasons to distrust it.
     pub notes: Vec<String>,
-    /// Warnings to read before trusting the numbers of the run.
+    /// Warnings about the numbers of the run, one text for each.
     pub warnings: Vec<String>,
 }
 
 impl Run {
-    /// Values of the shown quantity with the given name, at each sample.
+    /// Values of the shown quantity `name` at each sample.
     ///
     /// # Errors
     /// [`Error::Request`] if the run does not show this quantity.
@@ -68,20 +71,21 @@ impl Run {
         self.solution.t.iter().copied().zip(self.states.iter().map(Vec::as_slice))
     }
 
-    /// Events and domain conditions that the run met, in order, with their instants and states.
+    /// Events and crossings of domain conditions in the run, in order, with their instants and
+    /// states.
     #[must_use]
     pub fn events(&self) -> &[EventRecord] {
         &self.solution.events
     }
 
-    /// The impacts of the run, in order.
+    /// Impacts of the run, in order.
     #[must_use]
     pub fn impacts(&self) -> &[ImpactRecord] {
         &self.solution.impacts
     }
 
-    /// Estimated error of the instant of an impact, s; `None` where it was not assessed, and for an impact at the
-    /// start.
+    /// Estimated error of the instant of an impact, s; `None` if it was not estimated, and for an
+    /// impact at the start.
     #[must_use]
     pub fn error_of_impact(&self, impact: &ImpactRecord) -> Option<f64> {
         let at = self
@@ -92,32 +96,35 @@ impl Run {
         self.digits.as_ref().and_then(|digits| digits.events[at])
     }
 
-    /// Reasons not to trust the run to the requested end, one in each string; empty if it can be trusted.
+    /// Reasons not to trust the run to its requested end, one text for each; empty if the run can
+    /// be trusted.
     #[must_use]
     pub fn objections(&self) -> Vec<String> {
         self.failure().into_iter().chain(self.warnings.iter().cloned()).collect()
     }
 
-    /// True if the run can be trusted to its end: there are no objections, and its digits were assessed.
+    /// True if the run can be trusted to its end: there are no objections, and errors were
+    /// estimated to the end.
     #[must_use]
     pub fn is_trusted(&self) -> bool {
         self.objections().is_empty() && self.digits.as_ref().is_none_or(Digits::is_complete)
     }
 
-    /// Sentence that says why the run could not go on, or which quantity has no value; `None` if the run is complete.
+    /// Sentence that says why the run could not go on, or which quantity has no value; `None` if
+    /// the run is complete.
     #[must_use]
     pub fn failure(&self) -> Option<String> {
         if self.solution.stop.is_failure() { Some(self.ending.clone()) } else { self.missing.clone() }
     }
 
-    /// Checks that all shown quantities have a value, as they are shown now, and sets `missing`.
+    /// Looks for shown quantities without a finite value, and sets `missing`.
     ///
     /// # Errors
     /// Errors of [`Problem::near_divisors`].
     pub(crate) fn look_for_missing(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
         self.missing = None;
         let Solution { t, y, t_end, y_end, .. } = &self.solution;
-        // The last sample is the end, except where only certain instants were requested.
+        // The last sample is the end, unless only certain instants were requested.
         let end = Some(((t_end, y_end), &self.end)).filter(|_| t.last() != Some(t_end));
         let samples = t.iter().zip(y).zip(&self.states).chain(end);
         let without = samples.filter_map(|(at, values)| Some((at, values.iter().position(|x| !x.is_finite())?)));
@@ -134,14 +141,16 @@ impl Run {
         Ok(())
     }
 
-    /// Computes all watched quantities along the run; `code` is the code that made the run.
+    /// Computes the values of all watched quantities at the samples of the run; `code` is the code
+    /// that made the run.
     ///
     /// # Errors
     /// [`Error::Request`] if the number of parameters does not fit the equations.
     pub fn course(&self, watch: &Watch, scene: &Scene, code: &Code) -> Result<Course, Error> {
         let (integrals, divisors) = watch.along(&scene.parameters, &self.states);
         let (mut determinant, mut condition) = (Vec::new(), Vec::new());
-        // A scene's reduced equations are solved. They have no matrix, and their parameters differ.
+        // A scene's reduced equations are solved for the rates: they have no matrix, and other
+        // parameters.
         if !self.by.is_reduced() {
             let mut dynamics =
                 Dynamics::new(code.system(), &scene.parameters).map_err(|error| refused(scene, &error))?;

@@ -1,4 +1,4 @@
-//! Runs of prepared problems, with their energies, first integrals, errors and notes.
+//! Runs of prepared problems, with energies, first integrals, error estimates and notes.
 
 use super::outputs::{ShownQuantities, state_names};
 use super::run::Run;
@@ -22,10 +22,13 @@ use tripos_derive::scene::Scene;
 use tripos_derive::{Formulation, Model};
 use tripos_sim::{Event, Options, Solution, Stop};
 
-/// Replaces the energies of a run by those of the whole model, computed from the shown states. A run that shows outputs
-/// of its scene has no such energies, but keeps the drift of its own energy if it has one.
+/// Replaces the energies of a run by the energies of the whole model, computed from the shown
+/// states.
+/// A run that shows outputs of its scene has no such energies. It keeps the drift of its own energy
+/// if it has one.
 ///
-/// The energies of reduced equations differ from these: motion due to constant momenta counts as potential energy.
+/// The energies of reduced equations differ from those of the whole model: motion due to constant
+/// momenta counts as potential energy.
 ///
 /// # Errors
 /// [`Error`] if the model has no Kane's equations.
@@ -47,7 +50,8 @@ pub fn whole_energies(model: &Mechanism, scene: &Scene, run: &mut Run) -> Result
     Ok(())
 }
 
-/// Names of the quantities that a run shows: the outputs of a scene, or coordinates and generalized speeds.
+/// Names of the shown quantities: the outputs of a reduced scene, else coordinates and generalized
+/// speeds.
 fn shown_names(problem: &Problem<'_>) -> Vec<String> {
     if problem.by.is_reduced() {
         problem.shown.outputs.iter().map(|o| o.name.clone()).collect()
@@ -56,8 +60,9 @@ fn shown_names(problem: &Problem<'_>) -> Vec<String> {
     }
 }
 
-/// Proves the first integrals of a model, to watch them in runs. `None` for a large model, whose proof may take longer
-/// than the run; then only energy is watched.
+/// Proves the first integrals of a model, so that runs can watch them.
+/// Returns `None` for a model with more than eight coordinates, whose proof may take longer than
+/// the run, and for a model without speeds.
 ///
 /// # Errors
 /// [`Error`] if the model cannot be derived.
@@ -65,7 +70,8 @@ pub fn proved(model: &Mechanism) -> Result<Option<Watch>, Error> {
     is_proved(model).then(|| Watch::of_model(model)).transpose()
 }
 
-/// True if the first integrals of a model are proved before a run watches them.
+/// True if the first integrals of a model are proved before a run: it has at most eight
+/// coordinates, and a speed.
 pub fn is_proved(model: &Mechanism) -> bool {
     // A fully prescribed motion conserves nothing of its own.
     model.coordinates.len() <= MOST_PROVED && !model.speeds.is_empty()
@@ -74,10 +80,12 @@ pub fn is_proved(model: &Mechanism) -> bool {
 /// Greatest number of coordinates for which a run proves the first integrals before it watches them.
 const MOST_PROVED: usize = 8;
 
-/// Runs a scene by one set of equations that is ready to run, in the scene's distance if it has one.
+/// Runs a scene by one set of equations, compiled in the scene's distance from a singularity if it
+/// has one.
 ///
 /// # Errors
-/// [`Error`] if the run cannot begin; one that began and could not go on is a [`Run`] that says so.
+/// [`Error`] if the run cannot begin; a run that began and could not go on is a [`Run`] that says
+/// so.
 pub fn run_code(
     model: &Mechanism,
     scene: &Scene,
@@ -88,21 +96,29 @@ pub fn run_code(
     run_problem(&Problem::new(model, scene, by, code, None)?, watch)
 }
 
-/// Runs a problem over the span of its scene, as the scene says, and shows its states.
+/// Runs a problem over the span of its scene with the scene's integration settings, and shows its
+/// states.
+/// `watch` holds the first integrals to watch; `None` watches only the energy.
 ///
 /// # Errors
-/// [`Error`] if the run cannot begin; one that began and could not go on is a [`Run`] that says so.
+/// [`Error`] if the run cannot begin; a run that began and could not go on is a [`Run`] that says
+/// so.
 pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, Error> {
     run_shown(problem, watch, None)
 }
 
-/// Runs a problem, and shows the quantities `shown` of its states. Without `shown` it shows the states, or the outputs
-/// of a reduced scene.
+/// Runs a problem and shows the quantities `shown`; `None` shows the states, or the outputs of a
+/// reduced scene.
+/// `watch` holds the first integrals to watch; `None` watches only the energy.
+///
+/// # Errors
+/// Errors of `run_problem`.
 pub fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&ShownQuantities>) -> Result<Run, Error> {
     run_by(problem, watch, shown, |y0, options, events| problem.solve(y0, options, events, accounted(problem)?))
 }
 
-/// Runs a problem by `solve`, which gets the integrated state at the start, the options and the watched events.
+/// Runs a problem by the function `solve`, which gets the integrated start state, the options and
+/// the watched events.
 ///
 /// # Errors
 /// Errors of [`run_problem`], and the errors of `solve`.
@@ -132,13 +148,14 @@ pub fn run_by(
     Ok(run)
 }
 
-/// Notes on the instants at which the last run changed between its chosen speeds and all rates.
+/// Notes on the instants at which the run changed between its chosen speeds and all coordinate
+/// rates.
 fn changes(model: &Model, chosen: Chosen<'_>) -> Vec<String> {
     let speeds: Vec<String> = model.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();
     chosen.changes.lock().map_or_else(|_| Vec::new(), |list| passage::notes_on_changes(&list, &speeds, chosen.by))
 }
 
-/// Makes the result of a run from its solution: shown values, energies, notes and objections.
+/// Completes a solution to the result of a run: shown values, energies, notes and objections.
 fn finish(
     problem: &Problem<'_>,
     solution: Solution,
@@ -195,7 +212,8 @@ fn finish(
     Ok(run)
 }
 
-/// Consequence for a load of the zero divisor with the given name, as the end of a sentence; empty if no load has it.
+/// Explanation, as the end of a sentence, that the divisor that became zero belongs to a load;
+/// empty if it belongs to none.
 fn meaning(problem: &Problem<'_>, divisor: &str) -> String {
     let mut arena = problem.mechanism.arena.clone();
     let loads = load_divisors(&mut arena, problem.mechanism);
@@ -203,14 +221,15 @@ fn meaning(problem: &Problem<'_>, divisor: &str) -> String {
     of_load.map_or_else(String::new, |load| format!(": {}", load.meaning()))
 }
 
-/// Note that the energy of a driven mechanism is no measure of a run; `None` if constraints do not drive it.
+/// Note that the energy of a driven mechanism cannot check a run; `None` if constraints do not
+/// drive the mechanism.
 fn driven(problem: &Problem<'_>) -> Option<String> {
     problem.mechanism.is_driven().then(|| {
         "constraints drive the mechanism: their forces change the energy, and no drift of energy is stated".to_owned()
     })
 }
 
-/// Notes on the coordinates and rates that were solved for at the start, to close the loops and satisfy the
+/// Notes on the coordinates and rates that were solved for at the start, to close loops and satisfy
 /// constraints.
 fn closed(scene: &Scene) -> impl Iterator<Item = String> {
     let solved = |is_rate: bool| -> Option<String> {

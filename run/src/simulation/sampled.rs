@@ -1,13 +1,15 @@
-//! Runs whose inputs are set from outside and held between instants: recorded signals, and controllers that sample the
-//! state.
+//! Runs whose inputs are set from outside and held constant between instants: by recorded signals
+//! or by a controller.
 //!
-//! The run is made in windows, one from each instant to the next. An input is a parameter of the equations in each
-//! window. A window ends exactly at its instant and the next begins there, so no step and no stage uses two values of
-//! an input. This holds for every method and every kind of code, and the same controller gives the same bits.
+//! The run is made in windows, from each instant to the next. In each window an input is a
+//! parameter of the equations. A window ends exactly at its instant and the next window begins
+//! there. So no step and no stage of a method uses two values of an input. This holds for every
+//! method and every kind of code, and the same controller gives the same bits.
 //!
-//! A second run gives the errors. It takes finer steps and uses a new controller of its own. The controller decides
-//! from the states of the second run, so the difference of the two runs contains the errors that the decisions amplify.
-//! Source: K. J. Åström & B. Wittenmark, *Computer-Controlled Systems*, 3rd edition (1997), § 2.3 (zero-order hold).
+//! A second run gives the errors. It takes finer steps and uses a new controller. The controller
+//! decides from the states of the second run, so the difference of the two runs contains the errors
+//! that the decisions amplify. Source: K. J. Åström & B. Wittenmark, *Computer-Controlled Systems*,
+//! 3rd edition (1997), § 2.3 (zero-order hold).
 
 mod windows;
 
@@ -26,16 +28,16 @@ use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::{EventRecord, Stop};
 use windows::{Loop, finer};
 
-/// State of a run at an instant, as a controller sees it.
+/// State of a run at an instant, as passed to a controller.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<'a> {
-    /// Instant at which the controller is called, s.
+    /// Instant at which the controller sets the inputs, s.
     pub t: f64,
-    /// Index of the instant among all instants of decisions, from 0.
+    /// Index of the instant among all instants at which inputs are set, from 0.
     pub index: usize,
-    /// Names of coordinates, then of generalized speeds.
+    /// Names of the coordinates, then of the generalized speeds.
     pub names: &'a [String],
-    /// Values of coordinates and generalized speeds, in SI units, in the order of `names`.
+    /// Values of the coordinates and generalized speeds, in SI units, in the order of `names`.
     pub state: &'a [f64],
 }
 
@@ -47,66 +49,69 @@ impl Sample<'_> {
     }
 }
 
-/// Recorded signal of an input. From each instant on, the input has the value of the same index.
+/// Recorded signal of an input, held constant between instants.
+/// From each instant on, the input has the value with the same index.
 #[derive(Clone, Copy, Debug)]
 pub struct Held<'a> {
-    /// Name of the input that the signal sets.
+    /// Name of the input of the model that the signal sets.
     pub input: &'a str,
-    /// Instants at which the value changes, in increasing order, s. Before the first instant the input has the value of
-    /// the scene.
+    /// Instants at which the value changes, s, in increasing order. Before the first instant, the
+    /// input has the scene's value.
     pub instants: &'a [f64],
-    /// Values of the input from each instant on, in its SI unit; one for each instant.
+    /// Values of the input in its SI unit, one for each instant, valid from that instant on.
     pub values: &'a [f64],
 }
 
-/// Values of the inputs from an instant on, with the state and its errors at that instant.
+/// Values of the inputs from an instant on, with the state and its estimated errors at that
+/// instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decision {
-    /// Instant from which the values hold, s.
+    /// Instant from which the values are valid, s.
     pub t: f64,
-    /// A value for each input, in the order of [`SampledRun::inputs`].
+    /// Values of the inputs, in the order of [`SampledRun::inputs`].
     pub values: Vec<f64>,
     /// State at the instant, in the order of [`SampledRun::names`].
     pub state: Vec<f64>,
-    /// Estimated error of each value of the state, in its unit; `None` if the second run did not reach the instant.
+    /// Estimated error of each value of the state, in its unit; `None` if the second run did not
+    /// reach the instant.
     pub errors: Option<Vec<f64>>,
 }
 
 /// Result of a run whose inputs were set from outside.
 #[derive(Clone, Debug)]
 pub struct SampledRun {
-    /// Equations of motion that ran.
+    /// Equations of motion that were integrated: a formulation of the model.
     pub by: EquationsOrigin,
-    /// Form of the code that ran.
+    /// Form of the code that was used, such as compiled or interpreted.
     pub code: Form,
-    /// Names of the inputs that were set.
+    /// Names of the inputs that were set from outside.
     pub inputs: Vec<String>,
-    /// Names of coordinates, then of generalized speeds.
+    /// Names of the coordinates, then of the generalized speeds.
     pub names: Vec<String>,
     /// Instants of the samples, s.
     pub t: Vec<f64>,
-    /// State at each sample.
+    /// State at each sample, in the order of `names`.
     pub states: Vec<Vec<f64>>,
-    /// Values of the inputs from each instant on, in the order of time.
+    /// Values of the inputs at each instant at which they were set, in the order of time.
     pub decisions: Vec<Decision>,
-    /// Events and conditions of the domain that the run met, in order.
+    /// Events and crossings of domain conditions in the run, in order.
     pub events: Vec<EventRecord>,
     /// Instant at which the run ends, s.
     pub t_end: f64,
-    /// State at the end of the run.
+    /// State at the end of the run, in the order of `names`.
     pub end: Vec<f64>,
     /// Estimated error of each value of `end`, in its unit; `None` if the second run did not reach the end.
     pub errors_at_end: Option<Vec<f64>>,
-    /// Numbers of accepted and of rejected steps.
+    /// Numbers of accepted and of rejected steps, in this order.
     pub steps: (u64, u64),
-    /// Reason why the run ended.
+    /// Reason why the run ended, such as the end of the span or an event.
     pub stop: Stop,
-    /// Warnings to read before trusting the numbers of the run.
+    /// Warnings about the numbers of the run, one text for each.
     pub warnings: Vec<String>,
 }
 
 impl SampledRun {
-    /// Values of the coordinate or generalized speed with the given name, at each sample.
+    /// Values of the coordinate or generalized speed `name` at each sample.
     ///
     /// # Errors
     /// [`Error::Request`] if the model has no coordinate or speed of this name.
@@ -119,10 +124,13 @@ impl SampledRun {
     }
 }
 
-/// Runs a scene with recorded signals for some of its inputs, and estimates the errors by a second run.
+/// Runs a scene with recorded signals for some of its inputs, and estimates the errors by a second
+/// run.
+/// `by` names the equations; `None` takes the first formulation of the model.
 ///
 /// # Errors
-/// Errors of [`simulate_sampled`]; [`Error::Request`] for signals without as many values as instants.
+/// Errors of [`simulate_sampled`]; [`Error::Request`] for signals without as many values as
+/// instants.
 pub fn simulate_held(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -134,7 +142,8 @@ pub fn simulate_held(
             let what = format!("`{input}` has {} instants and {} values", instants.len(), values.len());
             return Err(Error::request(what, "give as many values as instants"));
         }
-        // The instants of all signals together may be in order although those of one signal are not.
+        // The instants of all signals together can be in order although those of a single signal
+        // are not.
         check_instants(scene, instants)?;
     }
     let inputs: Vec<&str> = signals.iter().map(|signal| signal.input).collect();
@@ -151,15 +160,19 @@ pub fn simulate_held(
     simulate_sampled(mechanism, scene, &inputs, &all, decide, by)
 }
 
-/// Runs a scene whose inputs `inputs` are set by a controller at the given instants, and held until the next instant.
-/// Two runs are made, each with a new controller. A controller returns a value for each input, in its SI unit.
+/// Runs a scene whose inputs are set by a controller at the given instants, s, and held until the
+/// next instant.
+/// Two runs are made, each with a new controller, so that their difference gives the errors. A
+/// controller returns a value for each of `inputs`, in its SI unit. `by` names the equations;
+/// `None` takes the first formulation of the model.
 ///
-/// No decision is asked for at an instant at the end of the span.
+/// The controller is not called at an instant at the end of the span.
 ///
 /// # Errors
-/// [`Error::Request`] for unknown inputs or inputs with formulas; for instants that are not in order or outside the
-/// span; for a decision with a wrong number of values or a value that is not finite; for a run backwards, by
-/// quadrature, projected or with impacts. Otherwise the errors of [`simulate`](crate::simulate()).
+/// [`Error::Request`] for unknown inputs or inputs with formulas; for instants that are not in
+/// order or outside the span; for a decision with a wrong number of values or a value that is not
+/// finite; for a run backwards, by quadrature, projected or with impacts. Otherwise the errors of
+/// [`simulate`](crate::simulate()).
 pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -216,10 +229,15 @@ fn places(mechanism: &Mechanism, inputs: &[&str]) -> Result<Vec<usize>, Error> {
     Ok(places)
 }
 
-/// Least distance of two instants, in roundings of the later one; nearer instants leave no room for a step.
+/// Least distance of two instants, in units of the rounding error of the later; closer instants
+/// leave no room for a step.
 const ROUNDINGS: f64 = 64.0;
 
-/// Refuses instants that are outside the span, not in order or too close to each other, and a span backwards in time.
+/// Checks that instants are inside the span, in order and not too close to one another, and that
+/// time goes forwards.
+///
+/// # Errors
+/// `Error::Request` if a check fails.
 fn check_instants(scene: &Scene, instants: &[f64]) -> Result<(), Error> {
     let (from, to) = scene.span;
     if to < from {
@@ -245,7 +263,10 @@ fn check_instants(scene: &Scene, instants: &[f64]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Refuses a scene whose way of integration does not allow inputs that are set from outside.
+/// Checks that a scene can have inputs from outside: no quadrature, no projection and no impacts.
+///
+/// # Errors
+/// `Error::Request` if the scene has any of these.
 fn check_integration(scene: &Scene) -> Result<(), Error> {
     let how = &scene.integration;
     if how.method == Integrator::Quadrature || how.project.is_some() {

@@ -22,9 +22,10 @@ use tripos_derive::reduce::ReductionBasis;
 use tripos_derive::scene::{Integrator, Scene, Solve};
 use tripos_sim::{Solution, Stop};
 
-/// Runs a scene by the equations named `by`, such as `kane`; `reduced` names the scene's own. Without a name the
-/// scene's reduced equations run if they are a gain and reach the end. Otherwise, and for a numeric solve, whole
-/// equations run.
+/// Runs a scene by the equations `by`, such as `kane`; `reduced` means the scene's own reduced
+/// equations.
+/// With `None`, the scene's reduced equations run if they have an advantage and reach the end.
+/// Otherwise, and for a numeric solve, full equations run.
 ///
 /// # Errors
 /// [`Error`] if there are no equations of this name, or they cannot be run.
@@ -47,13 +48,15 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&EquationsName>
 /// Condition on which a scene's reduced equations run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ReducedRun {
-    /// The caller asked for them: they run in any case.
+    /// The reduced equations are requested: they run in any case.
     Asked,
-    /// The caller named no equations: they run if they are a gain.
+    /// No equations are requested: the reduced equations run if they have an advantage over full
+    /// equations.
     IfGain,
 }
 
-/// Reason why full equations run and a scene's reduced equations are not tried; `None` if these are tried.
+/// Reason why a scene's reduced equations are not tried and full equations run; `None` if they are
+/// tried.
 fn without_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Option<&'static str> {
     if scene.integration.solve == Some(Solve::Numeric) {
         return Some(
@@ -77,8 +80,9 @@ fn without_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Opt
     })
 }
 
-/// Runs a scene by its own reduced equations. If the caller did not ask for these and they do not exist, are no gain,
-/// or do not reach the end, full equations run.
+/// Runs a scene by its own reduced equations, or by full equations if these are better.
+/// Full equations run if the reduced equations were not requested, and do not exist, have no
+/// advantage, or do not reach the end.
 fn simulate_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Result<Run, Error> {
     let basis = ReductionBasis::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
     let watch = is_proved(mechanism).then(|| Watch::of_basis(mechanism, &basis)).transpose()?;
@@ -101,15 +105,15 @@ fn simulate_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Re
     }
 }
 
-/// Result of trying to run a scene by its own reduced equations.
+/// Result of a trial run by a scene's own reduced equations.
 enum Own {
-    /// A run by the scene's reduced equations.
+    /// Run that the scene's reduced equations gave.
     Run(Box<Run>),
-    /// Reason why the scene's reduced equations are no gain over whole ones.
+    /// Reason why the scene's reduced equations have no advantage over full equations.
     NoGain(String),
 }
 
-/// Runs a scene by its own reduced equations if these are a gain over full equations.
+/// Runs a scene by its own reduced equations, if they have an advantage over full equations.
 fn run_gain(mechanism: &Mechanism, scene: &Scene, basis: &ReductionBasis, watch: Option<&Watch>) -> Result<Own, Error> {
     let reduced = Reduced::of_basis(basis, mechanism, scene)?;
     match reduced.no_gain(mechanism)? {
@@ -118,12 +122,14 @@ fn run_gain(mechanism: &Mechanism, scene: &Scene, basis: &ReductionBasis, watch:
     }
 }
 
-/// Replaces a run that could not go on by a run of other equations of the same motion, if one goes on: Kane's, or
-/// Lagrange's, whose motion variables are the rates. The new run starts again and shows all that the scene shows.
+/// Replaces a run that could not go on by a run of other equations of the same motion that goes on.
+/// The other equations are Kane's, or Lagrange's, whose motion variables are the rates. The new run
+/// starts again and shows all that the scene shows. Without a better run, the given run is
+/// returned.
 ///
-/// A scene's reduced equations contain momenta and may be in a moving frame. The motion may be regular at a pole of
-/// that frame, so a failed run by them is replaced for any reason. A run by full equations is replaced only if these
-/// divide by zero.
+/// A scene's reduced equations contain momenta and may be in a moving frame. The motion may be
+/// regular at a pole of that frame, so a failed run by them is replaced for any reason. A run by
+/// full equations is replaced only if these divide by zero.
 fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, run: Run) -> Result<Run, Error> {
     let Some(why) = left_for(&run) else { return Ok(run) };
     let mut doubtful = None;
@@ -134,7 +140,7 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
         }
         let mut other = match run_whole(mechanism, scene, &by, watch) {
             Ok(other) => other,
-            // A formulation that the model does not have cannot help.
+            // A formulation that the model does not have cannot replace the run.
             Err(Error::Unsupported(_) | Error::Stopped(_)) => continue,
             Err(error) => return Err(error),
         };
@@ -147,7 +153,7 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
             if other.warnings.is_empty() {
                 return Ok(other);
             }
-            // Another formulation may give no warning.
+            // Another formulation may give no warnings.
             doubtful = doubtful.or(Some(other));
         } else if matches!(other.solution.stop, Stop::StepLimit { .. } | Stop::Interrupted) {
             break;
@@ -156,7 +162,8 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
     Ok(doubtful.unwrap_or(run))
 }
 
-/// Reason why a run must be replaced, as the end of a sentence about its equations; `None` if the run is kept.
+/// Reason why a run must be replaced, as the end of a sentence about its equations; `None` if the
+/// run is kept.
 fn left_for(run: &Run) -> Option<String> {
     let t = within(run.solution.t_end, None);
     match &run.solution.stop {
@@ -168,7 +175,7 @@ fn left_for(run: &Run) -> Option<String> {
     }
 }
 
-/// True if a run of a scene comes at least as far as another run.
+/// True if `run` ends no earlier than `other`, in the direction of time of the scene's span.
 fn comes_as_far(scene: &Scene, run: &Run, other: &Run) -> bool {
     (run.solution.t_end - other.solution.t_end) * (scene.span.1 - scene.span.0).signum() >= 0.0
 }
@@ -176,14 +183,16 @@ fn comes_as_far(scene: &Scene, run: &Run, other: &Run) -> bool {
 /// Runs a scene by one set of full equations, and shows the requested quantities.
 ///
 /// # Errors
-/// [`Error`] if the model does not have the formulation, or the equations cannot give a requested quantity.
+/// [`Error`] if the model does not have the formulation, or the equations cannot give a requested
+/// quantity.
 pub fn run(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) -> Result<Run, Error> {
-    // Impacts change the conserved quantities, so no proof is tried.
+    // Impacts change the conserved quantities, so first integrals are not proved.
     let watch = if scene.impacts.is_empty() { proved(model)? } else { None };
     run_whole(model, scene, by, watch.as_ref())
 }
 
-/// Runs a scene by one set of full equations with known first integrals.
+/// Runs a scene by one set of full equations.
+/// `watch` holds the first integrals to watch; `None` watches only the energy.
 ///
 /// # Errors
 /// Errors of [`run`].
@@ -202,14 +211,19 @@ pub fn run_whole(model: &Mechanism, scene: &Scene, by: &EquationsOrigin, watch: 
     }
 }
 
-/// Runs a problem by its chosen speeds alone; `None` if the run has to change them.
+/// Solves a problem by its chosen generalized speeds alone; `None` if the run has to change to all
+/// coordinate rates.
+///
+/// # Errors
+/// `Error` if the problem cannot be run.
 fn alone(problem: &Problem<'_>, rates: &Code) -> Result<Option<Solution>, Error> {
     let balance = Balance::new(problem.mechanism, problem.model, problem.scene, problem.by)?;
     let mut events = events(problem, &balance);
     problem.in_speeds_alone(rates, &options(problem.scene), &mut events, accounted(problem)?)
 }
 
-/// Runs a scene by full equations. `None` unless the run changes its speeds and does not fail.
+/// Runs a scene by full equations; `None` unless the run changes between its speeds and all rates,
+/// and does not fail.
 ///
 /// # Errors
 /// Errors of [`run`].
@@ -227,8 +241,9 @@ pub fn changes_speeds(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) ->
     Ok((!run.solution.stop.is_failure()).then_some(run))
 }
 
-/// Equations in the rates of all coordinates, for places where the speeds of a run do not determine the motion. `None`
-/// if no constraint makes such places, or the model has no equations in all rates.
+/// Equations in the rates of all coordinates, for places where the speeds of a run do not determine
+/// the motion.
+/// `None` if no constraint makes such places, or the model has no equations in all rates.
 ///
 /// # Errors
 /// [`Error::Input`] if the model cannot be derived.
@@ -245,8 +260,10 @@ pub fn in_rates(problem: &Problem<'_>) -> Result<Option<Code>, Error> {
     }
 }
 
-/// Runs a problem in its chosen speeds as far as these determine the motion, and elsewhere in all rates by `code`.
-/// Returns the result of `run`.
+/// Prepares a problem that changes between its chosen speeds and all coordinate rates, and returns
+/// the result of `run`.
+/// The speeds are used where they determine the motion; elsewhere `code`, the equations in all
+/// rates, is used.
 ///
 /// # Errors
 /// Errors of [`Problem::new`], and the errors of `run`.
@@ -262,11 +279,13 @@ pub fn changing_speeds<T>(
     run(&rates)
 }
 
-/// Runs a scene by its own reduced equations. If these have no value at the start, the run uses reduced equations
-/// without constant momenta: a speed may not be determined by a momentum there.
+/// Runs a scene by its own reduced equations.
+/// If these have no value at the start, reduced equations without constant momenta run, because a
+/// momentum may not determine a speed there.
 ///
 /// # Errors
-/// [`Error`] if the run cannot begin; one that began and could not go on is a [`Run`] that says so.
+/// [`Error`] if the run cannot begin; a run that began and could not go on is a [`Run`] that says
+/// so.
 fn run_reduced(
     model: &Mechanism,
     scene: &Scene,
@@ -292,7 +311,7 @@ fn run_reduced(
     Ok(run)
 }
 
-/// Runs a scene by the given reduced equations of its own.
+/// Runs a scene by the reduced equations `reduced`, and computes the energies of the whole model.
 fn run_own(
     model: &Mechanism,
     scene: &Scene,

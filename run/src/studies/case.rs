@@ -1,4 +1,5 @@
-//! Cases of a chart: equations of motion, ways in which accelerations are found, and methods of the runs.
+//! Cases of a work-precision chart: equations of motion, the method that finds their accelerations,
+//! and integrators.
 
 use crate::code::{Code, Ready, code};
 use crate::error::{Error, refused};
@@ -12,25 +13,28 @@ use tripos_derive::scene::{Integrator, Scene, Solve};
 use tripos_sim::work_precision::options;
 use tripos_sim::{Method, Options, Solution, quadrature};
 
-/// Methods that also run a scene's reduced equations with an absolute tolerance alone. Their errors are so small that
-/// relative tolerances cannot be fine enough.
+/// Integrators that also run reduced equations with an absolute tolerance alone. Their errors are
+/// so small that relative tolerances cannot be fine enough.
 const FINE: [Method; 2] = [Method::Dop853, Method::Taylor];
 
-/// Equations of motion with the way in which their accelerations are found, as one case of a chart.
+/// Case of a work-precision chart: equations of motion, with the method that finds their
+/// accelerations.
 pub struct Case {
-    /// Name of the equations of motion.
+    /// Origin of the equations of motion: a formulation, a publication or the scene's reduction.
     pub by: EquationsOrigin,
-    /// Compiled or interpreted equations, in the scene's distance if it has one.
+    /// Equations ready to run. They use the distance of a coordinate from a singular surface if the
+    /// scene asks for it.
     pub code: Code,
-    /// Way in which accelerations are found.
+    /// Method that finds the accelerations: eliminated beforehand, or solved for numerically at each
+    /// state.
     pub solve: Solve,
-    /// Reduction that gave a scene's reduced equations; `None` for those of the whole model.
+    /// Reduction from which a scene's reduced equations come; `None` for equations of the whole model.
     pub reduction: Option<Reduction>,
 }
 
 impl Case {
-    /// True if a method can run the case. An implicit method needs a Jacobian, and Taylor's method needs eliminated
-    /// accelerations.
+    /// True if an integrator can run the case. Implicit integrators need a Jacobian. Taylor's method
+    /// needs eliminated accelerations and their series.
     #[must_use]
     pub fn has(&self, method: Method) -> bool {
         let system = self.code.system();
@@ -38,7 +42,8 @@ impl Case {
         (!method.needs_jacobian() || system.has_accelerations()) && (!method.needs_series() || series)
     }
 
-    /// Lists the methods that can run the case, at each of the given tolerances, and quadrature if it gives the motion.
+    /// Lists the integrators that can run the case, each at every given tolerance (the finest last).
+    /// Quadrature follows if it can compute the motion.
     #[must_use]
     pub fn ways(&self, tolerances: &[f64]) -> Vec<MethodAtTolerance> {
         let mut list = Vec::new();
@@ -54,41 +59,49 @@ impl Case {
         list
     }
 
-    /// True if the motion of the case can be computed by quadrature.
+    /// True if quadrature can compute the motion of the case: reduced equations with a potential of one
+    /// coordinate.
     #[must_use]
     pub fn has_quadrature(&self) -> bool {
         self.reduction.is_some() && self.code.system().has_potential_slope()
     }
 
-    /// Prepares the case for the start of a scene. The scene must have the model and the outputs of the case.
+    /// Prepares the case for the start of a scene, which must have the model and the outputs of the
+    /// case.
     ///
     /// # Errors
-    /// Errors of [`Reduced::with`].
+    /// `Error` if the reduced equations have no value at the scene's start, or this cannot be moved to
+    /// their frame.
     pub fn prepare<'a>(&'a self, model: &'a Mechanism, scene: &'a Scene) -> Result<Prepared<'a>, Error> {
         let reduction = self.reduction.clone();
         let mut reduced = reduction.map(|reduction| Reduced::with(reduction, model, scene)).transpose()?;
         if let Some(reduced) = &mut reduced {
-            // The reduced equations have only the case's way of solving.
+            // The reduced equations exist only with the case's way to find accelerations.
             reduced.scene.integration.solve = Some(self.solve);
         }
         Ok(Prepared { case: self, model, scene, reduced })
     }
 }
 
-/// A case of a chart that is prepared for the start of a scene.
+/// Case of a work-precision chart that is prepared for the start of a scene.
 pub struct Prepared<'a> {
+    /// Equations of the case, and the method that finds their accelerations.
     case: &'a Case,
+    /// Mechanism of the scene.
     model: &'a Mechanism,
+    /// Scene whose start and span are used.
     scene: &'a Scene,
-    /// Reduced equations from the start of the scene; `None` for equations of the whole model.
+    /// Reduced equations for the start of the scene; `None` if the case has equations of the whole
+    /// model.
     reduced: Option<Reduced>,
 }
 
 impl Prepared<'_> {
-    /// Makes the problem of the case, ready to be integrated.
+    /// Makes the problem of the case: the scene with its equations, ready to be integrated.
     ///
     /// # Errors
-    /// Errors of [`Problem::new`].
+    /// `Error` if the accelerations are not eliminated although they must be, or a moving body has no
+    /// mass.
     pub fn problem(&self) -> Result<Problem<'_>, Error> {
         let Self { case, model, scene, reduced } = self;
         match reduced {
@@ -98,20 +111,20 @@ impl Prepared<'_> {
     }
 }
 
-/// Method and tolerance of a run of a case.
+/// Integrator and tolerance of a run in a work-precision chart.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MethodAtTolerance {
-    /// Steps of a method, with one number for relative and absolute tolerance.
+    /// Steps of an integrator, with the same number as relative and absolute tolerance.
     Steps(Method, f64),
-    /// Steps of a method at an absolute tolerance alone. It can be finer than a relative tolerance, which is at least
-    /// several roundings.
+    /// Steps of an integrator with an absolute tolerance alone. It may be finer than a relative
+    /// tolerance, which must exceed the rounding of a double several times.
     Absolute(Method, f64),
-    /// Integrals over the coordinate, exact to rounding.
+    /// Quadrature: the time as an integral over the only coordinate, exact to rounding.
     Quadrature,
 }
 
 impl MethodAtTolerance {
-    /// Method of the steps; `None` for quadrature.
+    /// Integrator of the steps; `None` for quadrature.
     #[must_use]
     pub fn method(self) -> Option<Method> {
         match self {
@@ -120,13 +133,13 @@ impl MethodAtTolerance {
         }
     }
 
-    /// Name of the method, or of quadrature.
+    /// Name of the integrator, or of quadrature, for tables.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.method().map_or(Integrator::Quadrature, Integrator::Steps).name()
     }
 
-    /// Tolerance of the steps; `None` for quadrature.
+    /// Tolerance of the steps, relative or absolute; `None` for quadrature.
     #[must_use]
     pub fn tolerance(self) -> Option<f64> {
         match self {
@@ -135,7 +148,7 @@ impl MethodAtTolerance {
         }
     }
 
-    /// Name of the way in which accelerations are found; `-` for quadrature, which needs none.
+    /// Name of the method that finds accelerations, for tables; `-` for quadrature, which needs none.
     #[must_use]
     pub fn solve(self, solve: Solve) -> &'static str {
         match self {
@@ -144,7 +157,7 @@ impl MethodAtTolerance {
         }
     }
 
-    /// Integration options for a span of the given length, s.
+    /// Integration options for a span of `length` s, with at most `step_limit` steps.
     #[must_use]
     pub fn options(self, length: f64, step_limit: u64) -> Options {
         match self {
@@ -157,10 +170,11 @@ impl MethodAtTolerance {
         }
     }
 
-    /// Integrates a problem over a span from the integrated state `y0`.
+    /// Integrates a problem over a span, s, from the integrated state `y0`.
     ///
     /// # Errors
-    /// [`Error::Request`] if the request is invalid, or quadrature does not give the motion.
+    /// [`Error::Request`] if the options are invalid, or quadrature does not give the motion.
+    /// `Error::Interrupted` if the observer of the run ended it.
     pub fn run(
         self,
         problem: &Problem<'_>,
@@ -183,21 +197,21 @@ impl MethodAtTolerance {
     }
 }
 
-/// Treatment of the equations of a publication beside the derived ones.
+/// Choice to run the equations of a publication in addition to the derived equations, or not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Printed {
     /// The printed equations are run as they stand.
     Included,
-    /// Only derived equations are run.
+    /// Only derived equations are run, no printed equations.
     LeftOut,
 }
 
-/// Lists every formulation of the model with each way to find its accelerations. Printed equations follow, as they
-/// stand, if `printed` includes them, and then the scene's reduced equations. Also returns the reasons why cases are
-/// missing.
+/// Lists the cases of a work-precision chart: every standard formulation with each way to find its
+/// accelerations. Printed equations follow if `printed` includes them, then the scene's reduced
+/// equations. The second list gives the reason for each missing case.
 ///
 /// # Errors
-/// [`Error`] if no equations can be run.
+/// [`Error`] if no equations of the whole model can be run.
 pub fn cases(model: &Mechanism, scene: &Scene, printed: Printed) -> Result<(Vec<Case>, Vec<String>), Error> {
     let (mut list, mut left_out) = whole(model, scene, printed)?;
     match own(model, scene) {
@@ -207,10 +221,11 @@ pub fn cases(model: &Mechanism, scene: &Scene, printed: Printed) -> Result<(Vec<
     Ok((list, left_out))
 }
 
-/// Lists the cases with equations of the whole model. Also returns the reasons why cases are missing.
+/// Lists the cases with equations of the whole model: derived, and printed if `printed` includes
+/// them. The second list gives the reason for each missing case.
 ///
 /// # Errors
-/// Errors of [`cases`].
+/// `Error` if no equations can be run, or the publication has errors.
 pub fn whole(model: &Mechanism, scene: &Scene, printed: Printed) -> Result<(Vec<Case>, Vec<String>), Error> {
     let (mut list, mut left_out) = (Vec::new(), Vec::new());
     let mut why = None;
@@ -237,10 +252,10 @@ pub fn whole(model: &Mechanism, scene: &Scene, printed: Printed) -> Result<(Vec<
     }
 }
 
-/// Makes the case of a scene's reduced equations.
+/// Makes the case of a scene's reduced equations, whose accelerations are eliminated.
 ///
 /// # Errors
-/// [`Error`] if the scene has no reduced equations; the other cases can still be charted.
+/// [`Error`] if the scene has no reduced equations. Other cases may still exist.
 pub fn own(model: &Mechanism, scene: &Scene) -> Result<Case, Error> {
     let reduced = Reduced::new(model, scene)?;
     let code = reduced.code(model)?;

@@ -1,5 +1,5 @@
-//! Charts of speed against accuracy: every formulation, solve and method at many tolerances, measured against a
-//! reference.
+//! Work-precision charts: the duration of runs against their error. Every formulation and
+//! integrator is measured at many tolerances, with errors from a reference in higher precision.
 
 pub mod session;
 
@@ -17,28 +17,30 @@ use tripos_sim::work_precision::{Spread, error, interleaved};
 use tripos_sim::{Options, Output, Stop};
 use tripos_traits::larger;
 
-/// Extent of the measurements of a chart.
+/// Extent of the measurements of a work-precision chart.
 pub struct Plan {
-    /// Tolerances of the runs, the loosest first.
+    /// Tolerances of the runs, without unit; the largest comes first.
     pub tolerances: Vec<f64>,
-    /// Number of timed runs for each measurement.
+    /// Number of timed runs of each measured point, in addition to the first run.
     pub repeats: usize,
-    /// Number of steps after which a run is given up.
+    /// Number of steps after which a run is stopped.
     pub step_limit: u64,
-    /// True if a method is not tried at finer tolerances after one used up its steps.
+    /// True if an integrator is not run at finer tolerances once a run has used up the step limit.
     pub quick: bool,
-    /// Duration above which a run is not repeated, s.
+    /// Duration of a run, s, above which it is not repeated.
     pub patience: f64,
 }
 
 impl Plan {
-    /// Makes the full plan.
+    /// Makes the plan of a full chart: tolerances 1e-2 to 1e-14, seven repeats, and up to a million
+    /// steps.
     #[must_use]
     pub fn full() -> Self {
         Self { tolerances: powers_of_ten(2..=14), repeats: 7, step_limit: 1_000_000, quick: false, patience: 1.0 }
     }
 
-    /// Makes a plan whose measurements take less than two minutes.
+    /// Makes the plan of a quick chart that takes less than two minutes, with every second tolerance
+    /// and three repeats.
     #[must_use]
     pub fn quick() -> Self {
         let tolerances = powers_of_ten((3..=13).step_by(2));
@@ -46,57 +48,62 @@ impl Plan {
     }
 }
 
-/// Tolerances 10⁻ⁿ for the given n.
+/// Tolerances 10⁻ⁿ for the given powers n.
 fn powers_of_ten(powers: impl Iterator<Item = i32>) -> Vec<f64> {
     powers.map(|n| 10_f64.powi(-n)).collect()
 }
 
-/// Measured point of a chart: one case, one method and one tolerance.
+/// Measured point of a work-precision chart: one case run by one integrator at one tolerance.
 pub struct Measurement {
-    /// Equations of motion that ran.
+    /// Origin of the equations of motion that ran: a formulation, a publication or the scene's
+    /// reduction.
     pub by: EquationsOrigin,
-    /// Way in which accelerations were found, where the method needs them.
+    /// Method that found the accelerations; without meaning for quadrature.
     pub solve: Solve,
-    /// Method and tolerance of the run.
+    /// Integrator and tolerance of the run.
     pub way: MethodAtTolerance,
-    /// Durations of the repeated runs, s.
+    /// Statistics of the durations of the repeated runs, s.
     pub seconds: Spread,
-    /// Error of the run against the reference; `None` if the run did not reach the end.
+    /// Largest error of a compared quantity at the end, |found − reference| / (1 + |reference|); at
+    /// least the reference's uncertainty. `None` if the run did not reach the end.
     pub error: Option<f64>,
-    /// Number of accepted steps of the run.
+    /// Number of accepted steps in the run.
     pub steps: u64,
-    /// Number of calls of the right-hand side in the run.
+    /// Number of evaluations of the right-hand side in the run.
     pub evaluations: u64,
-    /// Reason why the run ended.
+    /// Reason why the run ended, such as the end of the span or a failure.
     pub stop: Stop,
-    /// Largest change of each first integral along the run; empty if the first integrals were not computed.
+    /// Largest change of each first integral over the run, in its unit; empty if the first integrals
+    /// were not computed.
     pub drifts: Vec<f64>,
 }
 
-/// Reference, compared quantities and first integrals that runs are measured against.
+/// Reference solution, compared quantities and first integrals by which the runs of a chart are
+/// judged.
 pub struct Truth<'a> {
     /// Reference solution from which errors are measured.
     pub reference: &'a Reference,
-    /// Quantities in which runs are compared.
+    /// Quantities in which runs are compared with the reference: outputs of the scene, or all states.
     pub compared: &'a Compared,
-    /// First integrals of the motion, whose drift is measured.
+    /// First integrals of the motion, whose changes over a run are measured.
     pub watch: &'a Watch,
 }
 
-/// Measurements of the cases of a chart.
+/// Measured points of a work-precision chart, and the cases without measurement.
 #[derive(Default)]
 pub struct Measured {
-    /// Measured points, in the order of the cases and their methods and tolerances.
+    /// Measured points in the order of the cases; for each case in the order of integrators and
+    /// tolerances.
     pub list: Vec<Measurement>,
-    /// Cases that cannot be measured, each with the reason.
+    /// Sentences that name each case which cannot be measured, with the reason.
     pub left_out: Vec<String>,
 }
 
-/// Measures all cases against the reference at the end of the scene's span. An interrupted call returns the
-/// measurements so far.
+/// Measures all cases at the end of the scene's span against a reference: error, duration and
+/// drift. If the observer interrupts the call, the measurements so far are returned.
 ///
 /// # Errors
-/// [`Error`] if the scene cannot be run at all.
+/// [`Error`] if a case cannot be prepared or run, except by quadrature.
 pub fn measure(
     model: &Mechanism,
     scene: &Scene,
@@ -116,7 +123,7 @@ pub fn measure(
     for (at, (problem, y0)) in problems.iter().zip(&starts).enumerate() {
         let mut exhausted = None;
         for way in &ways[at] {
-            // Finer tolerances would use up the steps too.
+            // Finer tolerances would use up the step limit too.
             if exhausted == Some(way.name()) {
                 continue;
             }
@@ -130,7 +137,7 @@ pub fn measure(
             }
             let measurement = match outcome {
                 Ok(measurement) => measurement,
-                // A motion without quadrature is still integrated by steps.
+                // If quadrature fails, steps still integrate the motion.
                 Err(failure) if *way == MethodAtTolerance::Quadrature => {
                     left_out.push(format!("{} by {}: {}", problem.by.name(), way.name(), failure.first_line()));
                     continue;
@@ -166,23 +173,26 @@ pub fn measure(
     Ok(Measured { list, left_out })
 }
 
-/// Run that is repeated for its duration.
+/// Run of a case that is repeated to measure its duration.
 struct Repeat {
-    /// Index of the case.
+    /// Index of the case, from 0.
     case: usize,
-    /// Index of the measurement that the durations belong to.
+    /// Index of the measured point to which the durations belong.
     measurement: usize,
-    /// Method and tolerance of the run.
+    /// Integrator and tolerance of the run.
     way: MethodAtTolerance,
-    /// Options of the run.
+    /// Integration options of the run.
     how: Options,
 }
 
-/// Greatest number of steps of a run whose first integrals are checked at each step.
+/// Greatest number of steps of a run for which the first integrals are computed at each step.
 const MOST_WATCHED: u64 = 200_000;
 
-/// Makes the first run of a case by one method. It gives the error, the drift of the first integrals and a first
-/// duration.
+/// Makes the first run of a case with one integrator and tolerance. It gives the error, the changes
+/// of the first integrals and one duration.
+///
+/// # Errors
+/// `Error` if the run cannot be made.
 fn first(
     problem: &Problem<'_>,
     y0: &[f64],

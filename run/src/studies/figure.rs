@@ -1,24 +1,26 @@
-//! Contents of figures as data: curves in panels, and tables of sizes. Code that draws them is elsewhere on purpose.
+//! Contents of figures as data: curves in panels, and tables of coloured numbers. Code that draws
+//! them is elsewhere.
 
-/// Figure that is made of panels or of a table.
+/// Figure: a grid of panels with curves, or a table of coloured numbers.
 pub enum Figure {
-    /// Panels in a grid, with the number of its columns.
+    /// Panels in a grid; the number is that of the grid's columns.
     Panels(Vec<Panel>, usize),
-    /// A table of numbers on a logarithmic scale.
+    /// Table of numbers, coloured on a logarithmic scale.
     HeatMap(HeatMap),
 }
 
-/// Scale of an axis.
+/// Scale of an axis: linear or logarithmic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
-    /// Evenly spaced values.
+    /// Scale with evenly spaced values.
     Linear,
-    /// Evenly spaced logarithms.
+    /// Scale with evenly spaced logarithms, for positive values.
     Logarithmic,
 }
 
 impl Scale {
-    /// True if a point (coordinate on the other axis, coordinate on this axis) can be drawn. Beyond 1e300 a range could
+    /// True if a point can be drawn on an axis with this scale. The point is (coordinate on the other
+    /// axis, coordinate on this axis). Numbers beyond 1e300 are excluded, since a range of them could
     /// overflow.
     #[must_use]
     pub fn shows(self, point: (f64, f64)) -> bool {
@@ -27,91 +29,93 @@ impl Scale {
     }
 }
 
-/// Curve of a panel, with its name, style and points.
+/// Curve of a panel, with its name, style, points and uncertainties.
 pub struct Series {
-    /// Name of the curve in the legend.
+    /// Name of the curve for the legend.
     pub label: String,
-    /// Index of colour, dashes and marker: 0 Kane, 1 Lagrange, 2 Newton–Euler, 3 and more for printed equations.
+    /// Index that selects colour, dashes and marker: 0 Kane, 1 Lagrange, 2 Newton–Euler, 3 and above
+    /// printed equations.
     pub style: usize,
-    /// Points (x, y); the curve breaks where a value is not finite.
+    /// Points (x, y) of the curve, which breaks where a value is not finite.
     pub points: Vec<(f64, f64)>,
-    /// Range (lowest x, highest x) of each measured point, drawn as a bar. Curves of measurements have a marker at each
-    /// point; others have only a few markers.
+    /// Range (lowest x, highest x) of each measured point, drawn as a bar; empty for curves without
+    /// measurements. Measured curves have a marker at each point, other curves only a few.
     pub spread: Vec<(f64, f64)>,
-    /// Band in which the true value lies, as far as is known; in the order of the points.
+    /// Bounds of the true value at places along the curve; empty if no bounds are known.
     pub band: Vec<Bounds>,
 }
 
-/// Lowest and highest true value at a place of a curve, as far as is known.
+/// Lower and upper bound of the true value at a place of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
-    /// Place on the horizontal axis.
+    /// Position on the horizontal axis.
     pub x: f64,
-    /// Lowest true value.
+    /// Lower bound of the true value.
     pub low: f64,
-    /// Highest true value.
+    /// Upper bound of the true value.
     pub high: f64,
 }
 
 impl Series {
-    /// Creates a curve without spread and band.
+    /// Creates a curve without ranges of measurements and without bounds.
     #[must_use]
     pub fn curve(label: String, style: usize, points: Vec<(f64, f64)>) -> Self {
         Self { label, style, points, spread: Vec::new(), band: Vec::new() }
     }
 }
 
-/// Panel of a figure: axes with their curves.
+/// Panel of a figure: two axes with their curves.
 pub struct Panel {
-    /// Title of the panel; not drawn if `y_label` begins with it.
+    /// Title of the panel, which is not drawn if `y_label` begins with it.
     pub title: String,
     /// Label of the horizontal axis, such as `t [s]`.
     pub x_label: String,
     /// Label of the vertical axis, such as `T + V [J]`.
     pub y_label: String,
-    /// Scale of the vertical axis. On a logarithmic axis a curve breaks where its values are not positive.
+    /// Scale of the vertical axis. On a logarithmic axis, a curve breaks where its values are not
+    /// positive.
     pub scale: Scale,
     /// Scale of the horizontal axis.
     pub x_scale: Scale,
-    /// Curves of the panel; later ones are drawn over earlier ones.
+    /// Curves of the panel, drawn in this order, so that the last is on top.
     pub series: Vec<Series>,
-    /// Note on the curves, such as the instant at which one ends early.
+    /// Note on the curves, such as the instant at which a curve ends early; `None` without a note.
     pub note: Option<String>,
 }
 
 impl Panel {
-    /// True if a point (x, y) can be drawn in the panel.
+    /// True if a point (x, y) can be drawn on the scales of the panel.
     #[must_use]
     pub fn shows(&self, point: (f64, f64)) -> bool {
         self.scale.shows(point) && self.x_scale.shows((point.1, point.0))
     }
 }
 
-/// Cell of a table of sizes.
+/// Cell of a table of numbers: a number, or the reason why there is none.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
-    /// A number on a logarithmic scale, such as an error.
+    /// Positive number that is coloured on a logarithmic scale, such as an error.
     Value(f64),
-    /// A short text that says when and why the run stopped, in place of a number.
+    /// Short text in place of a number: when and why the run stopped.
     Stopped(String),
 }
 
-/// A table of numbers on a logarithmic scale.
+/// Table of numbers whose cells are coloured on a logarithmic scale.
 pub struct HeatMap {
-    /// Title of the table, which describes its numbers.
+    /// Title of the table, which says what its numbers are.
     pub title: String,
     /// Heading of each column.
     pub columns: Vec<String>,
-    /// Heading and cells of each row.
+    /// Rows of the table, each with its heading and its cells.
     pub rows: Vec<(String, Vec<Cell>)>,
-    /// Numbers that get the lightest and the darkest colour.
+    /// Numbers (a, b) that get the lightest and the darkest colour.
     pub range: (f64, f64),
-    /// Note below the table.
+    /// Note that is written below the table.
     pub note: String,
 }
 
-/// Converts a formula in text to mathematical symbols: `q1'` to q̇₁, `cos(q2)` to cos(q₂), `m/s^2` to m/s², `kg*m` to
-/// kg·m.
+/// Converts the formulas in a text to mathematical symbols: `q1'` to q̇₁, `cos(q2)` to cos(q₂),
+/// `m/s^2` to m/s², `kg*m` to kg·m.
 #[must_use]
 pub fn pretty(text: &str) -> String {
     let belongs = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
@@ -127,7 +131,8 @@ pub fn pretty(text: &str) -> String {
     out.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Converts a name such as `q1'` to q̇₁, with its index lowered and dots for its primes; leaves other words unchanged.
+/// Converts a name such as `q1'` to q̇₁: digits become a subscript, primes become dots. Other words
+/// are unchanged.
 fn name(word: &str) -> String {
     let stem = word.trim_end_matches('\'');
     let dots = ["", "\u{307}", "\u{308}"][(word.len() - stem.len()).min(2)];

@@ -1,7 +1,9 @@
-//! Numerical identification: values of the base parameters, and the regressor at given states.
+//! Identification of inertial parameters from motions: values of the base parameters, and the
+//! regressor at given states.
 //!
-//! [`tripos_derive::identify`] finds the base parameters. The rows of the regressor are the equations Y_b π_b + rest =
-//! tau. tau = B r is the generalized force of the inputs r ([`super::inverse`]).
+//! Base parameters are the combinations of inertial parameters that motions can determine;
+//! [`tripos_derive::identify`] finds them. The rows of the regressor are the equations Y_b π_b +
+//! rest = tau. Here tau = B r is the generalized force of the inputs r ([`super::inverse`]).
 
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
@@ -11,7 +13,8 @@ use tripos_derive::mechanics::Varied;
 use tripos_derive::scene::MotionSample;
 use tripos_traits::DoubleDouble;
 
-/// Finds the base parameters of a mechanism.
+/// Finds the base parameters of a mechanism: the combinations of inertial parameters that motions
+/// can determine.
 ///
 /// # Errors
 /// [`Error::Input`] if the model cannot be derived.
@@ -19,11 +22,12 @@ pub fn identify(model: &Mechanism, varied: Varied) -> Result<Identification, Err
     Identification::new(model, varied).map_err(|error| Error::Input(model.diagnose(&error)))
 }
 
-/// Computes the values of the base parameters for the model's bodies and the given parameters; `None` for a base
-/// parameter with a factor that has no closed form.
+/// Computes the numerical values of the base parameters from the model's bodies and the given
+/// parameters, to 32 digits. `None` for a base parameter that contains a factor without a closed
+/// form.
 ///
 /// # Errors
-/// [`Error::Request`] if a formula mentions a symbol without a value.
+/// [`Error::Request`] if a formula contains a symbol without a value.
 pub fn values(
     model: &Mechanism,
     found: &Identification,
@@ -49,7 +53,8 @@ pub fn values(
         };
         of_groups.push(base.with.iter().map(|(at, factor)| (*at, value(factor, &mut factors))).collect());
     }
-    // With closed loops, a column may represent a combination of columns, and has the value of that combination.
+    // With closed loops, a column of the regressor may stand for a combination of columns. It then has
+    // the combined value.
     let whole: Vec<(usize, usize)> =
         found.grouped.iter().enumerate().map(|(k, base)| (base.column, found.base.len() + k)).collect();
     let own = |at: usize, with: &[(usize, Option<DoubleDouble>)]| {
@@ -65,24 +70,26 @@ pub fn values(
     Ok(of_base.collect())
 }
 
-/// Row of the regressor: the force along one generalized speed at one state.
+/// Row of the regressor: the generalized force along one generalized speed at one state, linear in
+/// base parameters.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Index of the state among the given states.
+    /// Index of the state among the given states, from 0.
     pub state: usize,
-    /// Index of the generalized speed.
+    /// Index of the generalized speed along which the force acts, from 0.
     pub speed: usize,
-    /// Factor of each base parameter in the force.
+    /// Factor of each base parameter π in the force, in the order of the base parameters.
     pub factors: Vec<DoubleDouble>,
-    /// Known part of the force with all inputs 0: the force is Σ factor π + rest.
+    /// Known part of the force with all inputs at 0. The whole force is Σ factor π + rest.
     pub rest: DoubleDouble,
 }
 
-/// Computes the rows of the regressor of the base parameters at the given states.
+/// Computes the rows of the regressor of the base parameters at the given states, a row for each
+/// state and speed.
 ///
 /// # Errors
-/// [`Error::Request`] if a column mentions a symbol without a value; [`Error::Stopped`] where a column has no value at
-/// a state.
+/// [`Error::Request`] if a column contains a symbol without a value; [`Error::Stopped`] if a column
+/// has no finite value at a state.
 pub fn rows(
     model: &Mechanism,
     found: &Identification,

@@ -1,4 +1,5 @@
-//! Studies that need many runs, or none: charts, sweeps, derivatives, steady motions, inverse dynamics, identification.
+//! Studies of mechanisms: charts, sweeps, derivatives, steady motions, inverse dynamics and
+//! identification.
 
 pub mod case;
 #[cfg(feature = "clock")]

@@ -1,8 +1,9 @@
-//! Limits of the runs of a scene: passages near a singular surface, ill-conditioned matrices, unstable motions, limits
-//! of domains that are not watched, drifts, and tolerances finer than rounding.
+//! Limits of the runs of a scene. They are passages near a singular surface, ill-conditioned
+//! matrices, unstable motions, limits of domains that are not watched, drifts, and tolerances finer
+//! than rounding.
 //!
-//! Each study decides by itself whether it applies to the scene. Every number that is plotted or stated is a row of the
-//! table.
+//! Each study decides by itself if it applies to the scene. Every number that is plotted or stated
+//! is a row of the table of findings.
 
 pub mod conditioning;
 pub mod domain;
@@ -15,13 +16,14 @@ pub use findings::{Findings, Looked, Passed, Row, Statement, Study, Topic, Varia
 
 use crate::error::Error;
 
-/// Function that runs one study and adds its results to the findings.
+/// Function that runs a study of one topic and adds its results to the findings.
 pub type Run = fn(&Study<'_>, &mut Findings) -> Result<(), Error>;
 
-/// Runs every study that applies to a scene, and collects the findings.
+/// Runs the studies of all topics that apply to a scene, and collects the findings. If the observer
+/// interrupts them, the findings so far are returned.
 ///
 /// # Errors
-/// [`Error`] if the scene cannot be run at all.
+/// [`Error`] if the scene cannot be run, has impacts, or its model has no generalized speed.
 pub fn all(study: &Study<'_>) -> Result<Findings, Error> {
     study.model.has_speeds("the model has no equations of motion to study")?;
     if !study.scene.impacts.is_empty() {

@@ -1,7 +1,8 @@
-//! Derivation and proofs of a model, and judgement of its publication, for its page.
+//! Analysis of a model without a run: its derivation, its proofs, and the judgement of its
+//! publication.
 //!
-//! The terms of proofs and verdicts are held in one store, apart from the terms of the equations that are shown and
-//! run. So the contents of a publication can never change the derivation.
+//! The terms of proofs and verdicts are in an arena apart from the terms of the equations that are
+//! shown and run. So the contents of a publication can never change the derivation.
 
 use crate::code::{Code, Ready, code_of, compiled_code};
 use crate::error::Error;
@@ -13,39 +14,44 @@ use tripos_derive::prove::{Proof, Singularity, prove, singularity, zeros};
 use tripos_derive::publication::{Publication, load_beside};
 use tripos_derive::{Equations, Formulation, Model};
 
-/// Results of the analysis of a model that need no run.
+/// Results of the analysis of a model without a run: equations, proofs, singular configurations and
+/// publication.
 pub struct Study {
-    /// Derived equations, with the store of all terms of the study.
+    /// Derived equations of the model, with the arena that contains all terms of the analysis.
     pub derivations: Derivations,
-    /// Proved statements on the model.
+    /// Proved statements about the model, such as the equivalence of formulations.
     pub proof: Proof,
-    /// Singular configurations of the matrix of each formulation; a formulation with a too large matrix is left out.
+    /// Singular configurations of the mass matrix of each formulation; formulations with too large a
+    /// matrix are left out.
     pub singular: Vec<(Formulation, Singularity)>,
-    /// Publication file beside the model, with its judgement; `None` if there is none.
+    /// Publication beside the model file, with its judgement; `None` if there is no valid publication
+    /// file.
     pub published: Option<Published>,
 }
 
-/// Name of a printed system, with its code or the reason why it cannot run.
+/// Origin of a printed system of equations, and its runnable code or the reason why it cannot run.
 pub type Printed = (EquationsOrigin, Result<Code, Error>);
 
-/// Publication with the judgement of its printed equations.
+/// Publication with the judgement of its printed equations and formulas.
 pub struct Published {
-    /// Publication file with the printed equations.
+    /// Contents of the publication file.
     pub publication: Publication,
-    /// Comparison of the printed equations with the derived ones.
+    /// Comparison of the printed formulas and equations with the derived ones.
     pub difference: Difference,
-    /// Singular configurations of the matrix of each printed system, in the order of `difference.consequences`; `None`
-    /// if the matrix is too large.
+    /// Singular configurations of the matrix of each printed system, in the order of
+    /// `difference.consequences`. `None` if the determinant of the matrix is not known, as for a large
+    /// matrix.
     pub singular: Vec<Option<Singularity>>,
     /// Printed systems as equations of motion, in the order of the publication.
     pub printed: Vec<Equations>,
 }
 
 impl Study {
-    /// Derives the model by the standard formulations and by those of `also`, proves statements on it, and judges the
-    /// publication beside it, if there is one.
+    /// Derives the model by the standard formulations and by those in `also`, and proves statements
+    /// about it. Judges the publication beside the model file, if there is one.
     ///
-    /// A publication file with errors is left out; its errors are returned beside the study.
+    /// A publication file with errors is left out, and its errors are the second value. `None` means no
+    /// errors.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived.
@@ -75,12 +81,13 @@ impl Study {
         Ok((Self { derivations, proof, singular, published }, broken))
     }
 
-    /// Makes the printed systems of the publication ready to run; an error says why one cannot run.
+    /// Makes the printed systems of the publication ready to run, in its order. An error says why a
+    /// system cannot run.
     #[must_use]
     pub fn printed(&self, model: &Mechanism) -> Vec<Printed> {
         let Some(published) = &self.published else { return Vec::new() };
         let mut list = Vec::new();
-        // The store of terms is copied once, and only if equations have to be interpreted.
+        // The arena of terms is copied only once, and only if equations have to be interpreted.
         let mut derivation: Option<Derivation> = None;
         for equations in &published.printed {
             let by = equations.by.clone();
@@ -101,6 +108,7 @@ impl Study {
 }
 
 impl Published {
+    /// Judges a publication by the derived equations of its model.
     fn new(model: &Model, derivations: &mut Derivations, proof: &Proof, publication: Publication) -> Self {
         let difference = diff(model, derivations, &publication, proof);
         let equations = printed_equations(model, derivations, &publication);
@@ -113,8 +121,8 @@ impl Published {
         Self { publication, difference, singular, printed: equations }
     }
 
-    /// Id of the first printed system that is proved to give the same motion as the system `id`; `id` itself if no
-    /// system before it does.
+    /// Id of the first printed system that is proved to give the same accelerations as the system `id`.
+    /// It is `id` itself if no earlier system does.
     #[must_use]
     pub fn first_alike<'a>(&'a self, id: &'a str) -> &'a str {
         let agreements = &self.difference.agreements;
@@ -122,7 +130,7 @@ impl Published {
     }
 }
 
-/// Printed equations of the system with the given id.
+/// Finds the printed equations of the system with the given id; `None` if there are none.
 fn printed_of<'a>(list: &'a [Equations], id: &str) -> Option<&'a Equations> {
     list.iter().find(|equations| equations.by.printed_id() == Some(id))
 }

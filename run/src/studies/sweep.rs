@@ -1,13 +1,15 @@
-//! Sweeps: runs of a scene from many starts or with many parameters, each of which gives a row of a table.
+//! Sweeps: runs of a scene from many starts or with many parameters. Each run gives a row of a
+//! table.
 //!
 //! Invariants:
-//! - A row equals the result of `tripos simulate` for the scene with the values of its point, to the bit, or to
-//!   rounding in lanes. It does not depend on threads, on the cutting of points into blocks or shards, or on earlier
-//!   points.
-//! - Work that does not depend on the point is done once: derivation, compilation of formulas, finding compiled
-//!   equations.
-//! - Rows are written in the order of their points. The number of rows that wait for an earlier one is bounded.
-//! - No point ends the sweep. A point that cannot start or go on gives a row with the reason.
+//! - A row equals the result of `tripos simulate` for the scene with the values of its point. It
+//!   agrees to the bit, or to rounding in lanes (vector registers). It does not depend on threads,
+//!   blocks, shards or earlier points.
+//! - Computations that do not depend on the point are done once: derivation, compilation of
+//!   formulas, search for compiled equations.
+//! - Rows are written in the order of their points. The number of rows that wait for an earlier row
+//!   is bounded.
+//! - No point ends the sweep. A point that cannot start or continue gives a row with the reason.
 
 mod block;
 #[cfg(feature = "threads")]

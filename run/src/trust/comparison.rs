@@ -1,7 +1,9 @@
-//! Quantities in which runs are compared: every coordinate and speed, or the outputs that the scene asks for.
+//! Quantities by which runs are compared: every coordinate and speed, or the outputs that the scene
+//! requests.
 //!
-//! Invariant: a compared quantity is a function of the state of the whole model, so that all equations are compared in
-//! the same quantities. Outputs that need accelerations or reactions are left out, and named.
+//! Invariant: a compared quantity is a function of the state of the whole model, so that all
+//! equations are compared in the same quantities. Outputs that need accelerations or reactions are
+//! left out, and named.
 
 use crate::code::stepwise;
 use crate::error::Error;
@@ -14,29 +16,33 @@ use tripos_derive::scene::{ENERGIES, Scene, SceneOutput};
 use tripos_derive::{Formulation, Model};
 use tripos_traits::DoubleDouble;
 
-/// Quantities that are compared in the runs of a scene.
+/// Quantities by which the runs of a scene are compared.
 pub struct Compared {
-    /// Outputs of the scene; `None` if the scene asks for none, so that states are compared.
+    /// Outputs of the scene; `None` if the scene requests no outputs, so that whole states are
+    /// compared.
     outputs: Option<Outputs>,
 }
 
-/// Outputs of a scene as functions of the state of the whole model.
+/// Outputs of a scene as functions of coordinates and generalized speeds of the whole model.
 struct Outputs {
+    /// Values of the parameters, in double-double precision.
     parameters: Vec<DoubleDouble>,
-    /// Computes the known outputs from parameters, coordinates and generalized speeds.
+    /// Program for the comparable outputs, from parameters, coordinates and generalized speeds.
     tape: Tape<DoubleDouble>,
-    /// All outputs of the scene, known or not, in the order of the scene.
+    /// All outputs of the scene, comparable or not, in the order of the scene.
     list: Vec<ComparedOutput>,
 }
 
-/// Name of an output of a scene, and a flag that is true if the output is a function of the state.
+/// Output of a scene, with the information whether it can be compared.
 struct ComparedOutput {
+    /// Name of the output in the scene.
     name: String,
+    /// True if the output is a function of the state, so that it can be compared.
     is_known: bool,
 }
 
 impl Compared {
-    /// Chooses the compared quantities for runs of a scene of this model.
+    /// Chooses the quantities by which runs of a scene of this model are compared.
     ///
     /// # Errors
     /// [`Error::Input`] if the scene has an energy as output and the model cannot be derived.
@@ -45,8 +51,9 @@ impl Compared {
         Ok(Self { outputs })
     }
 
-    /// Outputs of the scene at a state of the whole model, NaN for outputs that are not compared. Without outputs it
-    /// returns the state itself.
+    /// Outputs of the scene at a state (q, u) of the whole model; NaN for outputs that cannot be
+    /// compared.
+    /// If the scene requests no outputs, returns the state itself.
     #[must_use]
     pub fn of_state(&self, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
         match &self.outputs {
@@ -55,7 +62,7 @@ impl Compared {
         }
     }
 
-    /// Selects the compared quantities from the values of all outputs.
+    /// Selects the comparable values from the values of all outputs of the scene.
     #[must_use]
     pub fn kept(&self, values: Vec<DoubleDouble>) -> Vec<DoubleDouble> {
         match &self.outputs {
@@ -66,20 +73,21 @@ impl Compared {
         }
     }
 
-    /// Compared quantities at an integrated state of any equations.
+    /// Compared quantities at time `t`, s, and the integrated state `y` of any set of equations.
     #[must_use]
     pub fn of_run(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
         let shown = problem.precise_state(t, y);
         self.kept(if problem.by.is_reduced() { shown } else { self.of_state(&shown) })
     }
 
-    /// True if the scene asks for outputs and none of them can be compared.
+    /// True if the scene requests outputs but none of them can be compared.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.outputs.as_ref().is_some_and(|outputs| outputs.list.iter().all(|o| !o.is_known))
     }
 
-    /// Sentence that names the compared outputs and those left out; `None` if all states are compared.
+    /// Sentence that names the compared outputs and those left out; `None` if whole states are
+    /// compared.
     #[must_use]
     pub fn in_words(&self) -> Option<String> {
         let list = &self.outputs.as_ref()?.list;
@@ -101,6 +109,10 @@ impl Compared {
 }
 
 impl Outputs {
+    /// Compiles the outputs of a scene that are functions of the state.
+    ///
+    /// # Errors
+    /// `Error::Input` if an output is an energy and the model cannot be derived.
     fn new(model: &Model, scene: &Scene) -> Result<Self, Error> {
         let mut arena = model.arena.clone();
         let pairs = model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied());
@@ -129,6 +141,7 @@ impl Outputs {
         Ok(Self { parameters: scene.exact.parameters.clone(), tape, list })
     }
 
+    /// Values of all outputs at a state (q, u); NaN for outputs that cannot be compared.
     fn values(&self, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let mut known = self.tape.evaluate(&[&self.parameters, state].concat()).into_iter();
         let value = |shown: &ComparedOutput| if shown.is_known { known.next() } else { None };

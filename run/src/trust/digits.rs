@@ -1,13 +1,15 @@
 //! Number of correct digits of a run, estimated by a second run.
 //!
-//! The second run follows the same motion with other steps ([`tripos_sim::seconds`]). Its start and its parameters are
-//! one rounding away. So the difference of the two runs contains the errors of the steps, of rounding, and of numbers
-//! that doubles cannot hold. Each error counts as far as the motion has amplified it.
+//! The second run follows the same motion with other steps ([`tripos_sim::seconds`]). Its start and
+//! its parameters are one rounding away. So the difference of the two runs contains the errors of
+//! the steps, of rounding, and of numbers that doubles cannot represent. Each of these errors
+//! appears with the amplification by the motion.
 //!
-//! During the run an error is measured relative to the largest size s of its value along the run. s is at least the
-//! quotient of absolute and relative tolerance, since a smaller size does not matter by these tolerances. A curve
-//! through zero has no digits of its own at the zero. At the end, where the number itself is wanted, the error is
-//! measured relative to |value| + s, with s at most 1 in its SI unit.
+//! During the run, an error is measured relative to the largest size s of its value along the run.
+//! A curve through zero has no digits of its own at the zero. s is at least absolute ÷ relative
+//! tolerance, since a smaller size does not matter by these tolerances. At the end, the number
+//! itself is wanted. There the error is measured relative to |value| + s, with s at most 1 in its
+//! SI unit.
 
 use super::events::{Balance, events};
 use crate::error::Error;
@@ -17,115 +19,125 @@ use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::{Effect, Event, EventRecord, Kind, Options, Output, Second, Solution, Stop, TaylorSeries, seconds};
 use tripos_traits::{DoubleDouble, Real, Scalar, larger, largest};
 
-/// Greatest number of instants at which the run and the second run are compared.
+/// Greatest number of instants at which a run and its second run are compared.
 const INSTANTS: usize = 400;
-/// Number of parts that the compared instants of a run are divided into. The differences in the part before an instant
-/// count for the error of that instant.
+/// Number of parts into which the compared instants are divided. An instant's error includes the
+/// differences in the part before it.
 const NEAR: usize = 40;
-/// Least number of instants before an instant whose differences count for its error.
+/// Least number of earlier instants whose differences count for the error of an instant.
 const NEAREST: usize = 2;
-/// Number of correct digits below which a warning is given.
+/// Number of correct digits below which a run gets an objection.
 pub const FEW: f64 = 3.0;
-/// Least relative error of a value, which allows for eight roundings of its terms.
+/// Relative error that every value has at least: eight roundings of its terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
-/// Size below which a value does not matter, where no relative tolerance defines that size. It is the quotient of the
-/// default tolerances.
+/// Size, in SI units, below which a value does not matter if no tolerances define this size. It is
+/// the quotient of the default tolerances.
 const SMALL: f64 = 1e-3;
-/// Factor from the difference of two motions by quadrature to the error of each. Both share all errors except those of
-/// the start.
+/// Factor from the difference between two motions by quadrature to the error of each. Both share
+/// all errors except those of the start.
 const QUADRATURE_PART: f64 = 4.0;
 
-/// Estimated errors and correct digits of the values of a run.
+/// Estimated errors and numbers of correct digits of the values that a run shows.
 #[derive(Clone, Debug)]
 pub struct Digits {
-    /// Compared instants in the order of the run, s. The last one is the end of the run, if it was assessed to its end.
+    /// Compared instants, s, in the order of the run. The last is the end of the run, if errors
+    /// were estimated to the end.
     pub t: Vec<f64>,
-    /// Estimated error of each shown value at each instant of `t`, in the unit of the value.
+    /// Estimated error of each shown value at each instant of `t`, in the unit of the value: one
+    /// list for each instant.
     pub errors: Vec<Vec<f64>>,
-    /// Digits of each shown value at each instant of `t`: −log₁₀ of its error relative to its largest size.
+    /// Correct digits of each shown value at each instant of `t`: −log₁₀ of its error relative to
+    /// its largest size.
     pub digits: Vec<Vec<f64>>,
-    /// Digits of each shown value at the last compared instant: −log₁₀ of its error relative to the value itself.
+    /// Correct digits of each shown value at the last compared instant: −log₁₀ of its error
+    /// relative to the value itself.
     last: Vec<f64>,
-    /// Estimated error of the instant of each event of the run, s; `None` for an event that the second run does not
-    /// have.
+    /// Estimated error of the instant of each event of the run, s; `None` for an event that the
+    /// second run lacks.
     pub events: Vec<Option<f64>>,
-    /// Description of the second run in words.
+    /// Description of the second run, such as its method and tolerances.
     pub by: String,
-    /// Instant at which the run ends, s.
+    /// Instant at which the assessed run ends, s.
     pub t_end: f64,
-    /// End of the second run.
+    /// Data on the end of the second run.
     pub(crate) second: SecondEnd,
 }
 
-/// End of the second run, with which the first is compared.
+/// Data on the end of a second run, which was made to estimate the errors of a first run.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SecondEnd {
-    /// Instant of the end, s.
+    /// Instant at which the second run ended, s.
     pub t: f64,
-    /// Reason why the run ended.
+    /// Reason why the second run ended.
     pub stop: Stop,
-    /// True if this run was the finer one.
+    /// True if the second run was finer than the first.
     pub is_finer: bool,
 }
 
-/// Shown value and instant with the fewest correct digits.
+/// Shown value, and instant, with the fewest correct digits in a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fewest {
-    /// Index of the instant.
+    /// Index of the instant among the compared instants.
     pub instant: usize,
-    /// Index of the shown value.
+    /// Index of the value among the shown values.
     pub value: usize,
-    /// Number of correct digits.
+    /// Number of correct digits of the value at the instant.
     pub digits: f64,
 }
 
 impl Digits {
-    /// True if the run was assessed to its end.
+    /// True if errors were estimated to the end of the run.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.assessed() == Some(self.t_end)
     }
 
-    /// Last instant at which the digits were assessed, s; `None` if they were assessed at no instant.
+    /// Last instant at which errors were estimated, s; `None` if there is none.
     #[must_use]
     pub fn assessed(&self) -> Option<f64> {
         self.t.last().copied()
     }
 
-    /// Digits of each shown value at the end of the run; `None` if the run was not assessed to its end.
+    /// Correct digits of each shown value at the end of the run; `None` if errors were not
+    /// estimated to the end.
     #[must_use]
     pub fn at_end(&self) -> Option<&[f64]> {
         self.is_complete().then_some(self.last.as_slice())
     }
 
-    /// Least number of digits of all shown values at the end of the run; `None` if the run was not assessed to its end.
+    /// Least number of correct digits of all shown values at the end of the run; `None` if errors
+    /// were not estimated to the end.
     #[must_use]
     pub fn end(&self) -> Option<f64> {
         self.at_end()?.iter().copied().reduce(f64::min)
     }
 
-    /// Estimated error of each shown value at the end of the run, in its unit; `None` if the run was not assessed to
-    /// its end.
+    /// Estimated error of each shown value at the end of the run, in its unit; `None` if errors
+    /// were not estimated to the end.
     #[must_use]
     pub fn errors_at_end(&self) -> Option<&[f64]> {
         self.errors.last().filter(|_| self.is_complete()).map(Vec::as_slice)
     }
 
-    /// Index and digits of the shown value that has the fewest digits at an instant, which is given by its index.
+    /// Index and correct digits of the shown value with the fewest correct digits at the instant
+    /// with the index `instant`.
+    /// Returns `None` if no values are shown.
     #[must_use]
     pub fn fewest(&self, instant: usize) -> Option<(usize, f64)> {
         self.digits[instant].iter().copied().enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// Fewest digits of all shown values and instants. The first such instant if several are equal.
+    /// Fewest correct digits of all shown values and instants; the first such instant if several
+    /// are equal.
+    /// Returns `None` if errors were estimated at no instant.
     #[must_use]
     pub fn fewest_of_all(&self) -> Option<Fewest> {
         let at = |instant| self.fewest(instant).map(|(value, digits)| Fewest { instant, value, digits });
         (0..self.t.len()).filter_map(at).min_by(|a, b| a.digits.total_cmp(&b.digits))
     }
 
-    /// First instant at which a shown value has too few digits, as the indices of instant and value; `None` if all have
-    /// enough.
+    /// Indices (instant, value) of the first value with fewer than three correct digits; `None` if
+    /// there is none.
     #[must_use]
     pub fn first_with_few(&self) -> Option<(usize, usize)> {
         let few = |at: usize| self.fewest(at).filter(|(_, digits)| *digits < FEW).map(|(which, _)| (at, which));
@@ -134,13 +146,17 @@ impl Digits {
     }
 }
 
-/// Function that gives the shown values at an instant and an integrated state of a run.
+/// Function for the values that a run shows at an instant, s, and an integrated state.
+/// Its error is the reason why a value cannot be computed.
 pub type Values<'a> = dyn Fn(&Problem<'_>, f64, &[f64]) -> Result<Vec<f64>, Error> + 'a;
 
-/// Estimates the correct digits of a run from `y0` by a second run. `None` if the run has no step or was interrupted.
+/// Estimates the correct digits of a run that started from the integrated state `y0`, by a second
+/// run.
+/// Returns `None` if the run took no step or was interrupted.
 ///
 /// # Errors
-/// [`Error`] if the second run is invalid although the first was not, or a value cannot be computed.
+/// [`Error`] if the second run is invalid although the first was not, or a value cannot be
+/// computed.
 pub fn assess(
     problem: &Problem<'_>,
     y0: &[f64],
@@ -187,7 +203,7 @@ pub fn assess(
         let near = up_to(&apart, instant);
         let own = |at: usize| a[at].abs() + sizes[at].min(1.0);
         let error = |at: usize| {
-            // A neighbour without a value tells nothing about this instant.
+            // An earlier instant without a value does not change the error of this instant.
             let others = near.iter().map(|apart| apart[at]).filter(|apart| !apart.is_nan());
             let largest = others.fold(apart[instant][at], larger);
             part * largest + ROUNDING * own(at)
@@ -201,17 +217,19 @@ pub fn assess(
     Ok(Some(Digits { t: run.t, errors, digits, last, events, by: words, t_end: solution.t_end, second }))
 }
 
-/// Sizes of the differences of two lists of values.
+/// Absolute differences of two lists of values, one for each value.
 fn differences(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect()
 }
 
-/// Longest time between the instants that two runs have for one impact, relative to the length of the span.
+/// Longest time between the instants at which two runs have the same impact, relative to the length
+/// of the span.
 const ONE_IMPACT: f64 = 1e-3;
 
-/// Replaces differences of two runs at samples between the instants that the runs have for one impact. There one run
-/// has jumped and the other has not, so they differ by the jump; the uncertainty of the instant is given separately.
-/// Such samples get the differences at the sample before.
+/// Corrects the differences of two runs at samples that lie between the instants of the same impact
+/// in both runs.
+/// At such a sample, only one run has jumped, so the difference is the jump. The uncertainty of the
+/// impact's instant is given separately. The sample gets the differences of the sample before it.
 fn leave_out_jumps(apart: &mut [Vec<f64>], times: &[f64], first: &Solution, second: &Solution, span: (f64, f64)) {
     let between: Vec<(f64, f64)> = first
         .impacts
@@ -232,18 +250,19 @@ fn leave_out_jumps(apart: &mut [Vec<f64>], times: &[f64], first: &Solution, seco
     }
 }
 
-/// Differences of two runs at an instant and at the compared instants shortly before it. Two motions that oscillate
-/// about each other meet now and then, although the errors of both are as large as elsewhere. So the differences
-/// shortly before count too.
+/// Differences of two runs at the instant with the index `instant`, and at the compared instants
+/// shortly before it.
+/// Two motions that oscillate about each other meet now and then, although the errors of both are
+/// as large as elsewhere. So the earlier differences count too.
 fn up_to(apart: &[Vec<f64>], instant: usize) -> &[Vec<f64>] {
     let near = (apart.len() / NEAR).max(NEAREST);
     &apart[instant.saturating_sub(near)..=instant]
 }
 
-/// Errors of the instants of events of a run, s, by comparison with another run. The counterpart of an event is the
-/// event of the other run that has as many of its kind before it; `None` without counterpart. For a repeated event the
-/// largest of several neighbouring errors is taken, since two runs that oscillate about each other may meet at one of
-/// the events.
+/// Estimated errors of the instants of a run's events, s, by comparison with another run.
+/// The counterpart of an event is the event of the other run with as many events of its kind before
+/// it; `None` without counterpart. For a repeated event, the largest of neighbouring errors is
+/// taken: two runs that oscillate about each other may meet at one of the events.
 fn of_events(list: &[EventRecord], others: &[EventRecord], part: f64) -> Vec<Option<f64>> {
     let mut errors = vec![None; list.len()];
     for (own, its) in by_event(list).iter().zip(by_event(others)) {
@@ -262,7 +281,8 @@ fn of_events(list: &[EventRecord], others: &[EventRecord], part: f64) -> Vec<Opt
     errors
 }
 
-/// Indices of the records of each event, in the order of the list.
+/// Groups the records of events: for each watched event, the indices of its records, in the order
+/// of the list.
 fn by_event(list: &[EventRecord]) -> Vec<Vec<usize>> {
     let mut places = Vec::new();
     for (at, record) in list.iter().enumerate() {
@@ -274,12 +294,13 @@ fn by_event(list: &[EventRecord]) -> Vec<Vec<usize>> {
     places
 }
 
-/// Digits that a relative error leaves; 0 if it is 1 or more, or not a number.
+/// Correct digits that a relative error leaves, −log₁₀; 0 if the error is 1 or more, or not a
+/// number.
 fn digits_left(relative: f64) -> f64 {
     if relative < 1.0 { -relative.log10() } else { 0.0 }
 }
 
-/// Possible second runs to assess a run by, in the order of preference.
+/// Possible settings for the second run, in the order of preference.
 fn choices(problem: &Problem<'_>, options: &Options, solution: &Solution) -> Vec<Second> {
     if problem.scene.integration.method == Integrator::Quadrature {
         let words = "quadrature from numbers one rounding away".to_owned();
@@ -299,12 +320,14 @@ fn samples(solution: &Solution) -> Vec<(f64, &Vec<f64>)> {
     list
 }
 
-/// Time by which the second run goes beyond the end of the first, relative to the duration of the first. An event at
-/// that end may happen later in the second run.
+/// Time by which the second run goes beyond the end of the first, relative to the duration of the
+/// first.
+/// An event at the end of the first run may happen later in the second run.
 const BEYOND: f64 = 0.02;
 
-/// Scene for the second run, from the start of the first run to a little beyond its end. A parameter that doubles
-/// cannot hold has the neighbouring double on the other side of its exact number.
+/// Scene for the second run, from the start of the first run to slightly beyond its end.
+/// A parameter that doubles cannot represent gets the neighbouring double on the other side of its
+/// exact number.
 fn scene_of_second(scene: &Scene, t_end: f64) -> Scene {
     let (start, end) = scene.span;
     let beyond = t_end + BEYOND * (t_end - start);
@@ -312,8 +335,9 @@ fn scene_of_second(scene: &Scene, t_end: f64) -> Scene {
     Scene { parameters: other_side(scene), span: (start, if is_inside { beyond } else { end }), ..scene.clone() }
 }
 
-/// Parameters of a scene. One that doubles cannot hold is replaced by the neighbouring double on the other side of its
-/// exact number.
+/// Parameters of a scene, moved by one rounding error.
+/// A parameter that doubles cannot represent is replaced by the neighbouring double on the other
+/// side of its exact number. The other parameters are unchanged.
 pub fn other_side(scene: &Scene) -> Vec<f64> {
     let other = |(x, exact): (&f64, &DoubleDouble)| {
         let rest = (*exact - DoubleDouble::from_f64(*x)).to_f64();
@@ -328,7 +352,8 @@ pub fn other_side(scene: &Scene) -> Vec<f64> {
     scene.parameters.iter().zip(&scene.exact.parameters).map(other).collect()
 }
 
-/// Largest size of each shown value along a run, or the size below which it does not matter if that is larger.
+/// Largest size of each shown value along a run, but at least the size below which a value does not
+/// matter.
 fn sizes(scene: &Scene, values: &[Vec<f64>]) -> Vec<f64> {
     let how = &scene.integration;
     let adaptive = how.step.is_none() && how.method != Integrator::Quadrature;

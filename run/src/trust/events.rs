@@ -1,5 +1,7 @@
-//! Functions that a run of a scene watches: the conditions of the model's domain and the events of the scene. They are
-//! compiled once and bound to each problem.
+//! Functions that a run of a scene watches: the conditions of the model's domain, and the events of
+//! the scene.
+//!
+//! The functions are compiled once for a scene and then bound to each problem.
 
 use crate::code::{Code, Ready, code, tape};
 use crate::error::Error;
@@ -14,31 +16,35 @@ use tripos_derive::{Formulation, Model};
 use tripos_sim::{Direction, Dynamics, Effect, Event, EventFunction, InRanges};
 use tripos_traits::{Enclosure, Lengths, Scalar};
 
-/// Functions that the runs of a scene watch, compiled once. If one of them mentions a reaction, the force balance gives
-/// it for any formulation.
+/// Compiled functions that the runs of a scene watch, with the Newton–Euler equations for
+/// reactions.
+/// If a watched function mentions a reaction, these equations give the reaction in a run by any
+/// formulation.
 #[derive(Clone)]
 pub struct Balance {
-    /// Equations of the force balance; `None` if no watched function needs a reaction.
+    /// Newton–Euler equations; `None` if no watched function needs a reaction.
     code: Option<Code>,
-    /// Conditions of the model's domain, then the events of the scene.
+    /// Conditions of the model's domain, followed by the events of the scene.
     watched: Vec<Watched>,
 }
 
-/// A watched expression in parameters, q, q̇, u and reactions, in the form in which it is computed.
+/// Watched function in the form in which it is computed.
 #[derive(Clone)]
 enum Watched {
-    /// Function of parameters and the integrated state, in numbers and in ranges.
+    /// Function of parameters and the integrated state, as numbers and as intervals.
     OfState { tape: Tape, ranges: Tape<Enclosure> },
-    /// Function of parameters, q, q̇, u and reactions. The running equations and the force balance give these.
+    /// Function of parameters, q, q̇, u and reactions, which the running equations and the
+    /// Newton–Euler equations give.
     OfMotion { tape: Tape, needs_reactions: bool },
 }
 
 impl Balance {
-    /// Prepares the watched functions of a scene of `model`. This is the mechanism's own model, or a reduced one, which
-    /// has no reactions.
+    /// Compiles the watched functions of a scene for `model`: the mechanism's own model, or a
+    /// reduced model without reactions.
     ///
     /// # Errors
-    /// [`Error::Request`] if a watched reaction is not determined, or a symbol has no value during a run.
+    /// [`Error::Request`] if a watched reaction is not determined, or a symbol has no value during
+    /// a run.
     pub fn new(mechanism: &Mechanism, model: &Model, scene: &Scene, by: &EquationsOrigin) -> Result<Self, Error> {
         let domain = model.domain.iter().map(|c| (c.name.as_str(), c.positive));
         let watched = domain.chain(scene.events.iter().map(|e| (e.name.as_str(), e.function)));
@@ -73,8 +79,9 @@ impl Balance {
     }
 }
 
-/// Compiles an expression as a function of parameters and the integrated state. It may not mention reactions, nor rates
-/// if the running equations have rates of their own, as printed ones do.
+/// Compiles a term as a function of parameters and the integrated state.
+/// The error is a symbol that this function cannot have: a reaction, or a rate if printed equations
+/// run, which have their own rates.
 fn of_state(model: &Model, scene: &Scene, by: &EquationsOrigin, e: Expr) -> Result<Tape, UnknownSymbol> {
     let mut arena = model.arena.clone();
     let (mut variables, mut steps) = (model.q(), Vec::new());
@@ -102,7 +109,8 @@ fn of_state(model: &Model, scene: &Scene, by: &EquationsOrigin, e: Expr) -> Resu
     Tape::stepwise(&arena, &[model.p(), variables, v].concat(), &steps, &[e])
 }
 
-/// Compiles an expression as a function of parameters, q, q̇, u and reactions; `name` names it in errors.
+/// Compiles a term as a function of parameters, q, q̇, u and reactions; `name` names the term in
+/// errors.
 fn of_motion(model: &Model, e: Expr, name: &str) -> Result<Watched, Error> {
     let reactions: Vec<Expr> = model.reactions.iter().map(|r| r.symbol).collect();
     let needs_reactions = reactions.iter().any(|r| model.arena.mentions(e, *r));
@@ -110,9 +118,9 @@ fn of_motion(model: &Model, e: Expr, name: &str) -> Result<Watched, Error> {
     Ok(Watched::OfMotion { tape: tape(&model.arena, &inputs, &[e], &format!("`{name}`"))?, needs_reactions })
 }
 
-/// Makes the conditions of the domain and the events of the scene as functions of the integrated state. Functions that
-/// watch no reaction also come in ranges. The scene must have the same conditions and events as the scene that
-/// `balance` was made for.
+/// Binds the watched functions to a problem, as functions of the integrated state.
+/// A function without reactions is also given for intervals. The scene of the problem must have the
+/// conditions and events for which `balance` was compiled.
 #[must_use]
 pub fn events<'a>(problem: &'a Problem<'_>, balance: &'a Balance) -> Vec<Event<'a>> {
     let Problem { model, scene, .. } = *problem;
@@ -132,7 +140,7 @@ pub fn events<'a>(problem: &'a Problem<'_>, balance: &'a Balance) -> Vec<Event<'
     watched.map(event).collect()
 }
 
-/// Makes the function of (t, y) for a watched expression, and the same function in ranges if there is one.
+/// Function of (t, y) for a watched function, and the same function for intervals if there is one.
 fn watch<'a>(
     problem: &'a Problem<'_>,
     balance: &'a Balance,
@@ -154,7 +162,7 @@ fn watch<'a>(
     }
 }
 
-/// Makes a function of the last inputs of a tape; its first inputs are given.
+/// Function of the last inputs of a tape, whose first inputs are given.
 fn of_inputs<S: Numeric>(tape: &Tape<S>, mut inputs: Vec<S>) -> impl FnMut(&[S]) -> S + '_ {
     let (given, mut scratch) = (inputs.len(), Vec::new());
     move |rest: &[S]| {
@@ -166,8 +174,8 @@ fn of_inputs<S: Numeric>(tape: &Tape<S>, mut inputs: Vec<S>) -> impl FnMut(&[S])
     }
 }
 
-/// Makes the function of (t, y) for a tape of parameters, q, q̇, u and reactions. `code` is the force balance that
-/// gives the reactions.
+/// Function of (t, y) for a tape whose inputs are parameters, q, q̇, u and reactions.
+/// `code` holds the Newton–Euler equations that give the reactions; without it, reactions are NaN.
 fn along_motion<'a>(
     problem: &'a Problem<'_>,
     code: Option<&'a Code>,
@@ -186,8 +194,8 @@ fn along_motion<'a>(
         let q = problem.coordinates(y);
         let mut values = [p.as_slice(), &q, &q_dot, &u].concat();
         match &mut dynamics {
-            // The state has no reaction where the balance is singular. The value is then NaN, which the integrator
-            // reports.
+            // At a state where the Newton–Euler equations are singular, there is no reaction. The
+            // value is then NaN, which the integrator reports.
             Some(balance) => match balance.unknowns(&q, &u) {
                 Ok(x) => values.extend_from_slice(&x[speeds..]),
                 Err(_) => return f64::NAN,

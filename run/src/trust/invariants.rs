@@ -1,7 +1,8 @@
-//! Quantities that are watched along a run beside its state: first integrals, determinants, condition numbers and the
-//! divisors of the kinematic equations.
+//! Quantities that are watched along a run in addition to its state.
 //!
-//! Invariant: no watched quantity can stop a run or a page. A value that does not exist is NaN, and extremes ignore it.
+//! These are first integrals, determinants, condition numbers and the divisors of the kinematic
+//! equations. Invariant: no watched quantity can stop a run or a page. A value that does not exist
+//! is NaN, and extremes ignore it.
 
 use crate::code::tape;
 use crate::error::Error;
@@ -17,20 +18,22 @@ use tripos_derive::reduce::ReductionBasis;
 use tripos_sim::Solution;
 use tripos_traits::larger;
 
-/// Description of a first integral that is watched along a run.
+/// First integral that is watched along a run: its kind, names and unit.
 #[derive(Clone, Debug)]
 pub struct Conserved {
     /// Kind of the integral, such as energy or a momentum.
     pub kind: IntegralKind,
     /// Short title, such as `momentum p_q3`.
     pub title: String,
-    /// Full names of the first integral: one function, or it and its negative, may be several quantities.
+    /// Full names of the first integral; several if the function, or its negative, is several
+    /// quantities at once.
     pub names: Vec<String>,
-    /// Unit of the first integral.
+    /// Unit of the first integral, such as J; "SI" if the unit is not known.
     pub unit: String,
 }
 
 impl Conserved {
+    /// Describes a first integral, whose terms are in `arena`.
     fn new(model: &Model, arena: &Arena, integral: &Integral) -> Self {
         let unit = match model.unit_of(arena, integral.expression) {
             Some(unit) if unit == Unit::new(2, 1, -2) => "J".to_owned(),
@@ -41,7 +44,7 @@ impl Conserved {
         Self { kind, title: integral.title(model, arena), names: integral.names(model, arena), unit }
     }
 
-    /// First of the full names of the first integral.
+    /// First of the full names of the integral.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.names[0]
@@ -57,58 +60,65 @@ impl fmt::Display for Conserved {
 /// Largest change of a first integral along a run.
 #[derive(Clone, Debug)]
 pub struct Drift {
-    /// First integral whose change is given.
+    /// First integral whose largest change is stated.
     pub integral: Conserved,
-    /// Largest change of the first integral over the samples of the run, in its unit.
+    /// Largest absolute change of the integral from its first value over the samples of the run, in
+    /// its unit.
     pub change: f64,
 }
 
-/// Functions of the state that are watched along a run, as tapes.
+/// Compiled first integrals and divisors that are watched along a run.
 pub struct Watch {
-    /// Descriptions of the watched first integrals.
+    /// Descriptions of the first integrals, in the order of the program's outputs.
     pub integrals: Vec<Conserved>,
-    /// Divisors of the kinematic equations, as text.
+    /// Divisors of the kinematic equations, as text; a zero divisor makes the equations singular.
     pub divisors: Vec<String>,
-    /// Computes the first integrals, then the divisors, from parameters, coordinates and generalized speeds.
+    /// Program for the first integrals, then the divisors, from parameters, coordinates and
+    /// generalized speeds.
     tape: Tape,
-    /// Computes for each first integral the product of its divisors that depend on parameters alone.
+    /// Program for the product, for each first integral, of its divisors that depend only on
+    /// parameters.
     divided: Tape,
 }
 
-/// Number of roundings by which the evaluation of a first integral may be off.
+/// Rounding error allowed in the evaluation of a first integral, in units of the double precision.
 const ROUNDINGS: f64 = 64.0;
 
-/// Difference of a first integral from its start, at one instant.
+/// Change of a first integral since the start of a run, at a single instant.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Excursion {
-    /// Instant of the difference, s.
+    /// Instant at which the change is taken, s.
     pub t: f64,
     /// Absolute change of the integral since the start, in its unit.
     pub change: f64,
-    /// Change divided by the largest change that the allowed error of one step can cause at that state.
+    /// Ratio of this change to the change that allowed errors of the state can cause at this
+    /// instant.
     pub ratio: f64,
 }
 
-/// Values of the watched quantities at each sample of a run.
+/// Values of the watched quantities at the samples of a run.
 pub struct Course {
-    /// Instants of the samples, s.
+    /// Instants of the samples of the run, s.
     pub t: Vec<f64>,
-    /// Values of each first integral at all samples.
+    /// Values of each first integral at all samples, in its unit: one list for each integral.
     pub integrals: Vec<Vec<f64>>,
-    /// Determinant of the matrix A at each sample, in the system A x = b that is solved for the accelerations.
+    /// Determinant, at each sample, of the matrix A of the system A x = b that is solved for the
+    /// accelerations.
     pub determinant: Vec<f64>,
-    /// Reciprocal condition number at each sample of the matrix A with its rows and columns scaled.
+    /// Reciprocal condition number, at each sample, of the matrix A with scaled rows and columns.
     pub condition: Vec<f64>,
-    /// Absolute value of each divisor of the kinematic equations at all samples.
+    /// Absolute values of each divisor of the kinematic equations at all samples: one list for each
+    /// divisor.
     pub divisors: Vec<Vec<f64>>,
 }
 
 impl Watch {
-    /// Compiles the first integrals of a model, whose terms are in `arena`, and the divisors of its kinematic
-    /// equations.
+    /// Compiles the first integrals of a model, whose terms are in `arena`, and the divisors of its
+    /// kinematic equations.
     ///
     /// # Errors
-    /// [`Error::Request`] if an integral or a divisor mentions a symbol without a value during a run.
+    /// [`Error::Request`] if an integral or a divisor mentions a symbol without a value during a
+    /// run.
     pub fn new(model: &Model, arena: &Arena, integrals: &[Integral]) -> Result<Self, Error> {
         let divisors = &model.kinematic_equations.divisors;
         let outputs: Vec<_> = integrals.iter().map(|i| i.expression).chain(divisors.iter().copied()).collect();
@@ -121,7 +131,11 @@ impl Watch {
         })
     }
 
-    /// Tape that gives one product for each integral: its divisors that depend on parameters alone.
+    /// Program for one product for each first integral: the product of its divisors that depend
+    /// only on parameters.
+    ///
+    /// # Errors
+    /// `Error::Request` if a divisor mentions a symbol without a value during a run.
     fn divided(model: &Model, arena: &Arena, integrals: &[Integral]) -> Result<Tape, Error> {
         let mut arena = arena.clone();
         let parameters = model.p();
@@ -137,14 +151,14 @@ impl Watch {
         tape(&arena, &parameters, &products, "what a first integral divides by")
     }
 
-    /// True for each first integral that exists at the given parameters. An integral that divides by a parameter with
-    /// value 0 does not exist.
+    /// For each first integral, true if it exists at the given parameters: it must not divide by
+    /// zero.
     #[must_use]
     pub fn exist(&self, parameters: &[f64]) -> Vec<bool> {
         self.divided.evaluate(parameters).into_iter().map(|divisor| divisor != 0.0).collect()
     }
 
-    /// Makes the watch of a model, after its first integrals are found and proved.
+    /// Derives a model, proves its first integrals and compiles them for runs.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived.
@@ -152,7 +166,7 @@ impl Watch {
         Self::of_basis(model, &ReductionBasis::new(model).map_err(|error| model.diagnose(&error))?)
     }
 
-    /// Makes the watch of a model whose first integrals are known from `basis`.
+    /// Compiles the first integrals of a model that are known from `basis`.
     ///
     /// # Errors
     /// Errors of [`Watch::new`].
@@ -160,7 +174,8 @@ impl Watch {
         Self::new(model, &basis.arena, &basis.integrals)
     }
 
-    /// Largest change along a run of each first integral that exists.
+    /// Largest change along a run, for each first integral that exists at the parameters of the
+    /// problem.
     #[must_use]
     pub fn drifts(&self, problem: &Problem<'_>, solution: &Solution) -> Vec<Drift> {
         let exist = self.exist(&problem.shown.parameters);
@@ -169,7 +184,8 @@ impl Watch {
         changes.filter(|(_, exists)| *exists).map(|(found, _)| drift(found)).collect()
     }
 
-    /// Largest change of each first integral from its first value over the samples of a solution, in its unit.
+    /// Largest absolute change of each first integral from its first value over the samples of a
+    /// run, in its unit.
     #[must_use]
     pub fn changes(&self, problem: &Problem<'_>, solution: &Solution) -> Vec<f64> {
         let n = self.integrals.len();
@@ -187,7 +203,8 @@ impl Watch {
         largest
     }
 
-    /// Change of one first integral from its first value at each sample of a solution, in its unit.
+    /// Change of the first integral with the index `integral` from its first value, at each sample,
+    /// in its unit.
     #[must_use]
     pub fn course(&self, problem: &Problem<'_>, solution: &Solution, integral: usize) -> Vec<f64> {
         let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; self.integrals.len() + self.divisors.len()]);
@@ -200,9 +217,10 @@ impl Watch {
         values.iter().map(|x| x - values[0]).collect()
     }
 
-    /// Finds the worst instant of each first integral: its change from the start is largest there, relative to the
-    /// change that allowed errors can cause. `allowance` gives the allowed error of a component of (q, u) from its
-    /// index and its value. At most `samples` states are examined.
+    /// Finds for each first integral the instant at which its change is largest relative to the
+    /// allowed change.
+    /// `allowance` gives the allowed error of a component of (q, u) from its index and value. At
+    /// most `samples` states are examined.
     pub fn worst(
         &self,
         problem: &Problem<'_>,
@@ -238,10 +256,10 @@ impl Watch {
             }
             for (at, worst) in worst.iter_mut().enumerate() {
                 let change = (here[at] - start[at]).abs();
-                // No value is known better than to the rounding of the terms of its sum.
+                // The terms of a sum are rounded, so no value is known better than this.
                 let rounding = ROUNDINGS * f64::EPSILON * terms[at].max(start[at].abs()).max(1e-290);
                 let ratio = change / allowed[at].max(rounding);
-                // An integral without a value counts as not kept.
+                // An integral without a value counts as violated.
                 let ratio = if ratio.is_nan() { f64::INFINITY } else { ratio };
                 if ratio > worst.ratio {
                     *worst = Excursion { t: *t, change, ratio };
@@ -251,7 +269,9 @@ impl Watch {
         worst
     }
 
-    /// Values of each first integral, and absolute values of each divisor, at the given states.
+    /// Values of each first integral and absolute values of each divisor, at the given states (q,
+    /// u).
+    /// There is one list for each integral and one for each divisor.
     #[must_use]
     pub fn along(&self, parameters: &[f64], states: &[Vec<f64>]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
         let mut list = vec![Vec::with_capacity(states.len()); self.integrals.len() + self.divisors.len()];
@@ -268,28 +288,31 @@ impl Watch {
 }
 
 impl Course {
-    /// Least of given values, one for each sample, and the instant of it, s; `None` if every value is NaN.
+    /// Least of `values`, which has one value for each sample, and its instant, s; `None` if every
+    /// value is NaN.
     #[must_use]
     pub fn least(&self, values: &[f64]) -> Option<(f64, f64)> {
         let pairs = values.iter().copied().zip(self.t.iter().copied()).filter(|(x, _)| !x.is_nan());
         pairs.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// Absolute determinant |det A| at each sample, relative to its value at the start.
+    /// Absolute determinant |det A| at each sample, divided by its value at the first sample.
     #[must_use]
     pub fn relative_determinant(&self) -> Vec<f64> {
         let start = self.determinant.first().copied().unwrap_or(f64::NAN);
         self.determinant.iter().map(|det| (det / start).abs()).collect()
     }
 
-    /// Absolute difference of a first integral at each sample from its value at the first sample, in its unit.
+    /// Absolute change, at each sample, of the first integral with the index `integral` since the
+    /// first sample, in its unit.
     #[must_use]
     pub fn changes(&self, integral: usize) -> Vec<f64> {
         let values = &self.integrals[integral];
         values.iter().map(|x| (x - values[0]).abs()).collect()
     }
 
-    /// Largest change of each first integral over the samples; NaN if a sample has no value.
+    /// Largest absolute change of each first integral over the samples, in its unit; NaN if a
+    /// sample has no value.
     #[must_use]
     pub fn largest_changes(&self) -> Vec<f64> {
         (0..self.integrals.len()).map(|at| self.changes(at).into_iter().fold(0.0, larger)).collect()

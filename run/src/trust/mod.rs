@@ -20,12 +20,13 @@ use tripos_derive::plain::{significant, within};
 use tripos_derive::scene::Solve;
 use tripos_sim::{Solution, Stop};
 
-/// Relative error that leaves no more than three digits.
+/// Relative error at which no more than three digits are correct.
 const THREE_DIGITS: f64 = 1e-3;
 /// Greatest number of samples of a run at which matrices and first integrals are checked.
 const MOST_SAMPLES: usize = 400;
 
-/// Lists the objections to a run, each with a number. `names` are the names of the values whose digits are given.
+/// Lists the objections to a run, as sentences with numbers. `names` are the names of the values in
+/// `digits`.
 ///
 /// # Errors
 /// [`Error::Request`] if the number of parameters does not fit the equations.
@@ -39,7 +40,7 @@ pub fn objections(
 ) -> Result<Vec<String>, Error> {
     let mut list: Vec<String> = solution.warnings.iter().map(|w| w.described(&problem.variables())).collect();
     if solution.stop == Stop::Interrupted {
-        // The run was interrupted, so no judgement is needed.
+        // An interrupted run needs no judgement.
         return Ok(list);
     }
     list.extend(digits.and_then(|digits| few(digits, names)));
@@ -57,7 +58,8 @@ pub fn objections(
     Ok(list)
 }
 
-/// Objection to a run that shows too few digits, with the instant from which there are too few.
+/// Objection that fewer than three digits are correct, with the first instant of this; `None` if
+/// there are enough.
 fn few(digits: &Digits, names: &[String]) -> Option<String> {
     let (instant, which) = digits.first_with_few()?;
     let (t, error, name) = (digits.t[instant], digits.errors[instant][which], &names[which]);
@@ -79,7 +81,8 @@ fn few(digits: &Digits, names: &[String]) -> Option<String> {
     ))
 }
 
-/// Text that names the part of a run that is not assessed; `None` if the run is assessed to its end.
+/// Text that names the part of a run for which no errors are estimated; `None` if they are
+/// estimated to its end.
 fn beyond(digits: &Digits) -> Option<String> {
     match digits.assessed() {
         _ if digits.is_complete() => None,
@@ -88,12 +91,13 @@ fn beyond(digits: &Digits) -> Option<String> {
     }
 }
 
-/// Distance of the ends of two runs that could not go on, up to which they count as one end. It is relative to the
-/// duration of the run.
+/// Distance between the ends of two stopped runs up to which they count as the same end, relative
+/// to the run's duration.
 const ONE_END: f64 = 1e-3;
 
-/// True if the second run had to stop before the first. Reaching the step limit does not count, nor does a coarser
-/// second run.
+/// True if the second run, which is finer than the first, stopped earlier because it could not go
+/// on.
+/// Reaching the step limit does not count, nor does a coarser second run.
 fn could_not_go_on(digits: &Digits) -> bool {
     let SecondEnd { t, stop, is_finer } = &digits.second;
     let start = digits.t.first().copied().unwrap_or(*t);
@@ -102,7 +106,9 @@ fn could_not_go_on(digits: &Digits) -> bool {
     *is_finer && stop.is_failure() && !matches!(stop, Stop::StepLimit { .. }) && !is_one_end
 }
 
-/// Note on a run whose second run stopped early, because of its cost or of an error of its own; `None` if it did not.
+/// Note that a second run stopped early, by its cost or by its own error, so that errors are not
+/// estimated to the end.
+/// Returns `None` if they are.
 #[must_use]
 pub fn unassessed(digits: &Digits) -> Option<String> {
     let beyond = beyond(digits).filter(|_| !could_not_go_on(digits))?;
@@ -113,21 +119,24 @@ pub fn unassessed(digits: &Digits) -> Option<String> {
     Some(format!("digits are not assessed {beyond}: a second run ({}) {why}", digits.by))
 }
 
-/// Objection to a run if another run of the same motion cannot follow it to its end.
+/// Objection that a finer run of the same motion cannot follow it to its end; `None` if there is no
+/// such contradiction.
 fn contradicted(digits: &Digits, names: &[String]) -> Option<String> {
     let beyond = beyond(digits).filter(|_| could_not_go_on(digits))?;
     let why = digits.second.stop.described(names);
     Some(format!("another run of this motion ({}) could not go on: {why}; do not trust this one {beyond}", digits.by))
 }
 
-/// Objection to a run whose energy drifts. It applies where energy is not among the watched first integrals, since
-/// loads work or no integrals were searched. T + V minus the work done is then constant.
+/// Objection that the energy of a run drifts: T + V minus the work done must be constant. `None` if
+/// the drift is small.
+/// It is used if the energy is not among the watched first integrals, because loads do work or no
+/// integrals were searched for.
 fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<String> {
     let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
     let n = system.lengths().coordinates;
     let potential = |y: &Vec<f64>| system.potential_energy(p, &y[..n]).abs();
-    // The scale is the largest kinetic energy that the energy of the start allows. A run that blows up must not raise
-    // its own allowance.
+    // The scale is the largest kinetic energy that the initial energy allows. A run that blows up
+    // must not raise its own allowance.
     let start = solution.y.first().unwrap_or(&solution.y_end);
     let first = (system.kinetic_energy(p, &start[..n], &start[n..]) + system.potential_energy(p, &start[..n])).abs();
     let scale = solution.y.iter().fold(first, |m, y| m.max(first + potential(y)));
@@ -141,7 +150,7 @@ fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<Stri
         (system.potential_energy(p, &beside) - system.potential_energy(p, end)).abs()
     };
     let nothing = (0..n).map(reach).sum::<f64>();
-    // The reason of the end reports a run that ended because its energy has no value.
+    // If a run ended because its energy has no value, the reason of its end reports this.
     (drift > (THREE_DIGITS * scale).max(nothing)).then(|| {
         format!(
             "{what}, constant in this motion, changed by {} J of {} J: fewer than three digits are left",
@@ -151,19 +160,19 @@ fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<Stri
     })
 }
 
-/// First integral with its largest excursion from its start.
+/// First integral with its largest change since the start of the run.
 type Worst<'a> = (&'a Conserved, Excursion);
 
-/// Finds the largest excursion of each first integral that exists, relative to that of a state with three correct
-/// digits.
+/// Largest change of each existing first integral, relative to the change at three correct digits
+/// of the state.
 fn worst<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a Watch) -> Vec<Worst<'a>> {
-    // The allowed excursion is that of a state with three correct digits.
+    // The allowed change is that of a state with three correct digits.
     let worst = watch.worst(problem, solution, MOST_SAMPLES, &|_, x| THREE_DIGITS * (1.0 + x.abs()));
     let list = watch.integrals.iter().zip(worst).zip(watch.exist(&problem.shown.parameters));
     list.filter(|(_, exists)| *exists).map(|(found, _)| found).collect()
 }
 
-/// Objection that reports the excursion of a first integral.
+/// Objection that states the change of a first integral, with its instant.
 fn excursion_in_words((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
     let (name, unit, t) = (integral.name(), &integral.unit, significant(*t, 4));
     if change.is_nan() {
@@ -181,10 +190,14 @@ fn spread(solution: &Solution) -> impl Iterator<Item = (f64, &Vec<f64>)> {
     solution.t.iter().copied().zip(&solution.y).step_by(every)
 }
 
-/// Objection to a run whose accelerations are solved numerically from an ill-conditioned matrix, which loses too many
+/// Objection that accelerations are solved for from an ill-conditioned matrix, which loses too many
 /// digits.
+/// Returns `None` if the condition is good enough, or if accelerations are eliminated.
+///
+/// # Errors
+/// `Error::Request` if the number of parameters does not fit the equations.
 fn condition(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
-    // Equations with multipliers are solved whatever the rank of the constraints.
+    // Equations with multipliers are solved at any rank of the constraints.
     if problem.solve == Solve::Eliminated || problem.chosen.is_some() {
         return Ok(None);
     }

@@ -1,15 +1,15 @@
-//! Power of the loads without a potential, along a run by any set of equations.
+//! Power of the loads without a potential along a run, for any set of equations.
 
 use crate::code::{Ready, code};
 use crate::error::Error;
 use crate::preparation::problem::{Power, Problem};
 use tripos_derive::Formulation;
 
-/// Function for the power that changes T + V along a run, W. `None` if no load without a potential works, or the run
-/// shows no energies.
+/// Function for the power, W, by which loads without a potential change T + V along a run.
+/// Returns `None` if no such load exists, or if the run shows no energies.
 ///
-/// A scene's reduced equations show the energies of the whole model. The power is then computed by Kane's equations at
-/// the shown state.
+/// A scene's reduced equations show the energies of the whole model. The power is then computed by
+/// Kane's equations at the shown state.
 ///
 /// # Errors
 /// [`Error`] if the model has no Kane's equations.
@@ -20,7 +20,7 @@ pub fn power<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Error> {
         let p = problem.scene.parameters.as_slice();
         return Ok(system.has_power().then(|| Box::new(move |_, y: &[f64]| system.power(p, &y[..n], &y[n..])) as _));
     }
-    // A motion that keeps its energy has no load without a potential that works.
+    // A motion that conserves its energy has no working load without a potential.
     if problem.shown.states_outputs || system.has_energy_gradient() {
         return Ok(None);
     }
@@ -34,8 +34,9 @@ pub fn power<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Error> {
     }))
 }
 
-/// Function for the power whose work a run accumulates, W. With contacts there is always one, at least zero, since
-/// impacts add to the work.
+/// Function for the power, W, whose work a run accumulates; `None` if there is no such power.
+/// In a scene with contacts there is always a function, at least the constant zero, because impacts
+/// add to the work.
 ///
 /// # Errors
 /// Errors of [`power`].

@@ -1,8 +1,9 @@
-//! Reference solutions, against which other runs are measured, and their certification.
+//! Reference solutions, by which the errors of other runs are measured, and their certification.
 //!
-//! The equations run in twice the precision of a double, compiled or interpreted, with eliminated accelerations, by
-//! DOP853. Doubles could not reach the tolerances. The runs are made by two formulations and at two tolerances. The
-//! difference of the runs is the uncertainty of the reference.
+//! The equations run in twice the precision of a double, compiled or interpreted, with eliminated
+//! accelerations, by DOP853. Doubles could not reach the tolerances. The runs are made by two
+//! formulations and at two tolerances. The difference of the two runs is the uncertainty of the
+//! reference.
 
 use crate::code::{Code, Ready, code, compiled_code};
 use crate::error::{Error, refused};
@@ -16,23 +17,24 @@ use tripos_sim::work_precision::error;
 use tripos_sim::{Eliminated, Lent, Method, Options, Output, RightHandSide, SimError, Solution, integrate};
 use tripos_traits::{DoubleDouble, Real, Scalar, larger};
 
-/// States at given instants, more accurate than any run in doubles.
+/// Reference solution: states at given instants, more accurate than any run in doubles.
 pub struct Reference {
-    /// Instants of the states, s.
+    /// Instants of the reference states, s.
     pub times: Vec<f64>,
-    /// Coordinates, then generalized speeds, at each instant of `times`.
+    /// State at each instant of `times`: coordinates, then generalized speeds, in SI units.
     pub states: Vec<Vec<DoubleDouble>>,
-    /// Uncertainty of the states, in the measure of [`error`].
+    /// Uncertainty of the states, in the measure of [`error`], relative to their size.
     pub uncertainty: f64,
     /// Text that describes how the reference was certified.
     pub how: String,
 }
 
-/// Relative tolerances of the run that is kept and of the run that checks it.
+/// Relative tolerances of the run that is kept as the reference, and of the second run that checks
+/// it.
 const TOLERANCES: [f64; 2] = [1e-22, 1e-20];
 /// Number of steps after which a reference is given up.
 const MOST_STEPS: u64 = 5_000_000;
-/// Number of states near the start at which the terms of two formulations are compared.
+/// Number of states near the start at which the rates of two formulations are compared.
 const STATES: usize = 4;
 
 impl Reference {
@@ -68,14 +70,20 @@ impl Reference {
     }
 }
 
-/// Equations of one formulation that a reference is computed from.
+/// Equations of one formulation from which a reference is computed.
 #[derive(Clone)]
 struct Witness {
+    /// Formulation that gave the equations.
     by: EquationsOrigin,
+    /// Code of the equations, compiled or interpreted.
     code: Code,
 }
 
-/// Equations of two formulations, or of one formulation twice if the model has only one.
+/// Equations of two formulations, or the same equations twice if the model has only one
+/// formulation.
+///
+/// # Errors
+/// `Error::Request` if no formulation has eliminated accelerations.
 fn witnesses(model: &Mechanism, scene: &Scene) -> Result<[Witness; 2], Error> {
     let mut list = Vec::new();
     for formulation in [Formulation::Lagrange, Formulation::Kane] {
@@ -93,11 +101,11 @@ fn witnesses(model: &Mechanism, scene: &Scene) -> Result<[Witness; 2], Error> {
     })
 }
 
-/// Distance from the singular surface of a scene, if its equations were compiled in that distance or not compiled at
-/// all.
+/// Variable for the distance from the scene's singular surface; `None` if the scene has none.
+/// Also `None` if compiled equations exist, but not in this distance.
 fn near(model: &Mechanism, scene: &Scene) -> Option<Distance> {
     tripos_derive::mechanics::distances(model).first().copied().or(scene.integration.distance).filter(|distance| {
-        // Interpreted equations in 32 digits keep enough digits of a distance.
+        // Interpreted equations in 32 digits resolve a small distance well enough.
         let is_compiled = |distance| {
             compiled_code(model, &EquationsOrigin::from(Formulation::Lagrange), distance, Ready::Solved).is_some()
         };
@@ -106,7 +114,11 @@ fn near(model: &Mechanism, scene: &Scene) -> Option<Distance> {
 }
 
 impl Witness {
-    /// Runs the equations at a relative tolerance. Returns coordinates and generalized speeds at the given instants.
+    /// Integrates the equations at a relative tolerance; returns coordinates and generalized speeds
+    /// at the given instants.
+    ///
+    /// # Errors
+    /// `Error` if the run cannot start or does not reach the last instant.
     fn run(&self, model: &Mechanism, scene: &Scene, times: &[f64], rtol: f64) -> Result<Vec<Vec<DoubleDouble>>, Error> {
         let problem = Problem::new(model, scene, &self.by, &self.code, Some(Solve::Eliminated))?;
         let (p, y0) = problem.extended_start()?;
@@ -121,10 +133,11 @@ impl Witness {
         Ok(times.iter().zip(&states).map(|(t, y)| problem.extended_state(&p, *t, y)).collect())
     }
 
-    /// True if two formulations have identical terms: their rates have the same bits near the start.
+    /// True if two formulations compute with identical terms: their rates near the start agree in
+    /// every bit.
     ///
-    /// Different terms for the same rates give values that differ in one of 106 bits at one of the tested states. The
-    /// result is stated with a reference, and decides no other question.
+    /// Different terms for the same rates give values that differ in one of 106 bits at one of the
+    /// tested states. The result is stated with the reference, and decides no other question.
     fn runs_the_terms_of(&self, other: &Self, model: &Mechanism, scene: &Scene) -> Result<bool, Error> {
         if self.code.system().lengths().state() != other.code.system().lengths().state() {
             return Ok(false);
@@ -146,14 +159,17 @@ impl Witness {
     }
 }
 
-/// Options of a run of a reference at a relative and absolute tolerance.
+/// Options for a reference run: DOP853 with `rtol` as relative and absolute tolerance.
 fn options(rtol: f64) -> Options {
     let method = Method::Dop853;
     Options { method, step_limit: MOST_STEPS, output: Output::Ends, ..Options::tolerances(rtol, rtol) }
 }
 
-/// Integrates from instant to instant by `walk`. Each instant is the end of a run, where the solution is as accurate as
-/// the tolerance.
+/// Integrates from each instant to the next by `walk`, and returns the states at the instants.
+/// Each instant is the end of an integration, where the solution is as accurate as the tolerance.
+///
+/// # Errors
+/// `Error` if an integration fails or stops before its end.
 fn along(
     scene: &Scene,
     times: &[f64],

@@ -1,17 +1,17 @@
-//! Residuals of the constraints along a run, and the objections to large ones.
+//! Residuals of the constraints along a run, and objections to large residuals.
 
 use crate::preparation::problem::Problem;
 use tripos_derive::plain::significant;
 use tripos_derive::scene::{DependentLoop, Loops};
 use tripos_sim::Solution;
 
-/// Relative gap up to which a redundant loop counts as closed. Redundant loops amplify the residuals of the other
-/// loops.
+/// Relative gap up to which a redundant loop counts as closed. Redundant loops amplify the
+/// residuals of the other loops.
 const MAY_OPEN: f64 = 1e-6;
 /// Residual of a constraint that rounding can cause, relative to the sum of the sizes of the constraint's terms.
 const ROUNDING: f64 = 1e-12;
 
-/// Residual of a constraint along a run.
+/// Largest residual of a single constraint along a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Residual {
     /// Name of the constraint in the model file, with a prime if it is the rate of a loop.
@@ -20,7 +20,8 @@ pub struct Residual {
     pub largest: f64,
 }
 
-/// Computes the residuals of a problem's constraints over the samples of its solution.
+/// Largest residual of each constraint over the samples of a run: constraints that are enforced,
+/// then redundant loops.
 pub fn residuals(problem: &Problem<'_>, solution: &Solution) -> Vec<Residual> {
     let system = problem.system();
     let count = system.constraint_count();
@@ -30,7 +31,7 @@ pub fn residuals(problem: &Problem<'_>, solution: &Solution) -> Vec<Residual> {
         let (q, v) = y.split_at(system.lengths().coordinates);
         system.constraints(&problem.scene.parameters, q, v, &mut values);
         for (most, value) in largest.iter_mut().zip(&values) {
-            // A NaN replaces any number and stays.
+            // A NaN replaces any number and is never replaced.
             if value.is_nan() || value.abs() > most.abs() {
                 *most = *value;
             }
@@ -41,8 +42,8 @@ pub fn residuals(problem: &Problem<'_>, solution: &Solution) -> Vec<Residual> {
     largest.into_iter().enumerate().map(named).chain(following).collect()
 }
 
-/// Residuals of the redundant loops, which are not kept closed, each with its largest gap relative to the sizes of its
-/// terms.
+/// Largest residuals of the redundant loops, which a run does not enforce.
+/// The second value is the largest gap relative to the sizes of the loop's terms.
 fn following(problem: &Problem<'_>, solution: &Solution) -> Vec<(Residual, f64)> {
     let model = problem.model;
     if model.closed.is_empty() {
@@ -63,7 +64,8 @@ fn following(problem: &Problem<'_>, solution: &Solution) -> Vec<(Residual, f64)>
     list
 }
 
-/// Objections to a run in which a redundant loop opens.
+/// Objections that redundant loops open in a run: one for each loop whose relative gap exceeds
+/// 1e-6.
 pub fn opened(problem: &Problem<'_>, solution: &Solution) -> impl Iterator<Item = String> {
     following(problem, solution).into_iter().filter(|(_, part)| part.is_nan() || *part > MAY_OPEN).map(|(residual, _)| {
         format!(
@@ -75,8 +77,9 @@ pub fn opened(problem: &Problem<'_>, solution: &Solution) -> impl Iterator<Item 
     })
 }
 
-/// Objection to a run that could not be kept on its constraints, because a residual exceeds its tolerance. Corrections
-/// that only rounding causes do not matter.
+/// Objection that a run left its constraints: a residual exceeds its tolerance after failed
+/// corrections.
+/// Returns `None` if no correction failed, or if the residuals are within rounding or tolerance.
 pub fn broken(problem: &Problem<'_>, solution: &Solution) -> Option<String> {
     let publication = solution.projection.as_ref().filter(|_| problem.system().constraint_count() > 0)?;
     let left = publication.singular + publication.not_converged;
@@ -89,7 +92,8 @@ pub fn broken(problem: &Problem<'_>, solution: &Solution) -> Option<String> {
     })
 }
 
-/// True if a constraint's residual at a state exceeds its tolerance, relative to the sum of the sizes of its terms.
+/// True if a constraint's residual at the state `y` exceeds its tolerance, relative to the sizes of
+/// the constraint's terms.
 fn is_off(problem: &Problem<'_>, y: &[f64]) -> bool {
     let (system, p, how) = (problem.system(), &problem.scene.parameters, &problem.scene.integration);
     let count = system.constraint_count();
@@ -100,7 +104,7 @@ fn is_off(problem: &Problem<'_>, y: &[f64]) -> bool {
     let allowed = if how.step.is_some() { ROUNDING } else { how.rtol.max(ROUNDING) };
     values.iter().zip(slopes.chunks_exact(y.len().max(1))).any(|(value, row)| {
         let size: f64 = row.iter().zip(y).map(|(slope, y)| (slope * y).abs().max(slope.abs())).sum();
-        // A value that is not a number counts as off.
+        // A residual that is not a number counts as exceeded.
         value.is_nan() || value.abs() > allowed * size
     })
 }

@@ -1,10 +1,10 @@
-//! Advice on stiff runs: if stability, not accuracy, limits the steps of an explicit run, an implicit method is
-//! measured.
+//! Advice on stiff runs: if stability limits the steps of an explicit run, an implicit method is
+//! tried.
 //!
-//! A step h of an explicit method is stable up to a certain |h λ|, where λ is an eigenvalue of the Jacobian. If the
-//! steps have that length on average, stability may limit them. A measurement decides: Radau's method runs the motion
-//! at the same tolerances with a fraction of the steps, and either arrives or does not. A motion that needs its steps
-//! gets no advice.
+//! A step h of an explicit method is stable up to a certain |h λ|, where λ is an eigenvalue of the
+//! Jacobian. If the steps have that length on average, stability may limit them. A trial decides:
+//! Radau's method runs the motion at the same tolerances with a fraction of the steps, and either
+//! arrives or does not. A motion that needs its short steps for accuracy gets no advice.
 
 use crate::error::{Error, refused};
 use crate::options::options_of_ends;
@@ -12,26 +12,30 @@ use crate::preparation::problem::Problem;
 use tripos_derive::plain::within;
 use tripos_sim::{Eliminated, Method, Options, Output, RightHandSide, Solution, Stop};
 
-/// Least number of steps of a run that is examined for stiffness; shorter runs take no time.
+/// Least number of steps of a run that is examined for stiffness; shorter runs take little time.
 const MANY_STEPS: u64 = 2_000;
-/// Average |h λ| from which on stability may limit the steps. The bounds along the negative axis are 2.8 (rk4), 3.3
-/// (dopri5), 6.1 (dop853) and more for Taylor's method: E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary
-/// Differential Equations*, §IV.2 of volume II.
+/// Average |h λ| from which on stability may limit the steps of an explicit run.
+/// The bounds along the negative real axis are 2.8 (rk4), 3.3 (dopri5), 6.1 (dop853) and more for
+/// Taylor's method: E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary Differential
+/// Equations*, §IV.2 of volume II.
 const NEAR_BOUND: f64 = 2.0;
-/// Factor by which the implicit method must need fewer steps than the explicit run. It is allowed no more steps than
-/// that.
+/// Factor by which the implicit method must need fewer steps than the explicit run; it is allowed
+/// no more steps.
 const FEWER: u64 = 10;
 /// Factor by which the implicit method must need fewer evaluations than the explicit run.
 const CHEAPER: u64 = 2;
 /// Number of states of a run at which the largest eigenvalue of the Jacobian is estimated.
 const SAMPLES: usize = 20;
-/// Number of iterations that find the direction of the largest eigenvalue of the Jacobian.
+/// Number of iterations that turn a vector towards the largest eigenvalue's direction, before the
+/// eigenvalue is measured.
 const TURNS: usize = 10;
-/// Number of further iterations that measure the size of the largest eigenvalue of the Jacobian.
+/// Number of iterations over which the size of the largest eigenvalue is measured.
 const MEASURED: usize = 30;
 
-/// Advice for a run whose steps are limited by stability. `None` if they are not, if the equations have no Jacobian to
-/// tell this from, or if an implicit method would not be better.
+/// Advice for a run whose steps are limited by stability, with the numbers of steps of both
+/// methods.
+/// Returns `None` if stability does not limit the steps, if the equations have no Jacobian, or if
+/// the implicit method is not much better.
 ///
 /// # Errors
 /// [`Error`] if the problem cannot be run as its scene says.
@@ -57,8 +61,9 @@ pub fn advice(problem: &Problem<'_>, solution: &Solution) -> Result<Option<Strin
     )))
 }
 
-/// Average over the run of the largest |λ| of the Jacobian times the length of a step: (1/steps) ∫ |λ| dt. `None` if no
-/// Jacobian has a value.
+/// Average of |h λ| over a run, for the eigenvalue λ of the Jacobian with the largest |λ|:
+/// (1/steps) ∫ |λ| dt.
+/// Returns `None` if the Jacobian cannot be computed at any sample.
 fn mean_product(problem: &Problem<'_>, solution: &Solution) -> Option<f64> {
     let mut rhs = Eliminated::new(problem.system(), &problem.scene.parameters)?;
     let every = solution.y.len().div_ceil(SAMPLES).max(1);
@@ -68,11 +73,13 @@ fn mean_product(problem: &Problem<'_>, solution: &Solution) -> Option<f64> {
     (!radii.is_empty()).then(|| step * radii.iter().sum::<f64>() / radii.len() as f64)
 }
 
-/// Size |λ| of the largest eigenvalue of the Jacobian at a state, 1/s, which need not be real. It is the mean growth of
-/// a vector under repeated multiplication by the Jacobian. `None` if it cannot be computed.
+/// Absolute value |λ| of the largest eigenvalue of the Jacobian at a state, 1/s; λ need not be
+/// real.
+/// It is the mean growth of a vector under repeated multiplication by the Jacobian. `None` if it
+/// cannot be computed.
 fn spectral_radius(rhs: &mut Eliminated<'_>, t: f64, y: &[f64]) -> Option<f64> {
     let n = y.len();
-    // Purely algebraic equations have no rates.
+    // Purely algebraic equations have no integrated state.
     if n == 0 {
         return None;
     }
@@ -95,9 +102,10 @@ fn spectral_radius(rhs: &mut Eliminated<'_>, t: f64, y: &[f64]) -> Option<f64> {
     Some((growth / MEASURED as f64).exp())
 }
 
-/// Runs the motion of a problem by Radau's method. Returns the instant that it had to reach, s, and its solution: the
-/// end of the given run, or of the span if the given run used up its steps. `None` unless it arrives with far fewer
-/// steps and less work.
+/// Runs the motion of a problem by Radau's method; returns the instant that it had to reach, s, and
+/// its solution.
+/// This instant is the end of the given run, or of the span if the given run used up its steps.
+/// `None` unless Radau's method arrives with far fewer steps and less work.
 fn measured(problem: &Problem<'_>, solution: &Solution) -> Result<Option<(f64, Solution)>, Error> {
     let scene = problem.scene;
     let is_given_up = matches!(solution.stop, Stop::StepLimit { .. });
@@ -110,7 +118,7 @@ fn measured(problem: &Problem<'_>, solution: &Solution) -> Result<Option<(f64, S
     };
     let run = problem.integrate_over((scene.span.0, end), &problem.start()?, &options, &mut []);
     let run = run.map_err(|error| refused(scene, &error))?;
-    // A Jacobian counts as one evaluation for each column, as if by differences.
+    // A Jacobian counts as one evaluation for each column, as if computed by differences.
     let spent = run.evaluations + run.jacobians * run.y_end.len() as u64;
     Ok((run.stop == Stop::End && CHEAPER * spent <= solution.evaluations).then_some((end, run)))
 }

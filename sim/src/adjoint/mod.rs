@@ -1,17 +1,20 @@
-//! Gradient of a function of a run's end state, by its start and its parameters, in one sweep backwards: a discrete
-//! adjoint.
+//! Gradient of a function of a run's end state, by its start and its parameters, in a single backward
+//! sweep: a discrete adjoint.
 //!
-//! The run is a sequence of steps that were taken already. Each step is differentiated with its length held. Explicit
-//! Runge–Kutta steps are swept by their transposed stages, and the correction of their ends onto constraints by its
-//! transpose. Instants at which the right-hand side jumps add a term for their motion. The result is the transpose of
-//! the slopes that [`crate::Tangents`] carry forwards along the same steps, to rounding. It costs the same for one
-//! parameter and for thousands. W. W. Hager, "Runge–Kutta methods in optimal control and the transformed adjoint
-//! system", Numer. Math. 87 (2000) 247–282.
+//! The run is a sequence of steps that were taken already. Each step is differentiated with its length
+//! held constant. Explicit Runge–Kutta steps are swept by their transposed stages, and the correction
+//! of their ends onto constraints by its transpose. Times at which the right-hand side jumps add a term
+//! if they depend on parameters.
 //!
-//! The sweep needs the states in reverse order. Only some of them are kept, and each segment between two kept states is
-//! stepped through once more. With segments that get shorter by a step each, √(2 N) states serve N steps. A. Griewank,
-//! "Achieving logarithmic growth of temporal and spatial complexity in reverse automatic differentiation", Optim.
-//! Methods Softw. 1 (1992) 35–54. The number of kept states changes no bit of the result.
+//! The result is the transpose of the derivatives that [`crate::Tangents`] carry forward along the same
+//! steps, to rounding. It costs the same for one parameter and for thousands. W. W. Hager, "Runge–Kutta
+//! methods in optimal control and the transformed adjoint system", Numer. Math. 87 (2000) 247–282.
+//!
+//! The sweep needs the states in reverse order. Only some of them are kept, and each segment between
+//! two kept states is stepped through once more. With segments that get shorter by a step each, √(2 N)
+//! states serve N steps. A. Griewank, "Achieving logarithmic growth of temporal and spatial complexity
+//! in reverse automatic differentiation", Optim. Methods Softw. 1 (1992) 35–54. The number of kept
+//! states changes no bit of the result.
 //!
 //! Absent on purpose: implicit steps, whose transposes need linear solves; and the choice of the steps.
 
@@ -26,62 +29,68 @@ use std::fmt;
 use step::{Rows, Stages};
 use tripos_traits::Method;
 
-/// Steps of a run, with its start and its options.
+/// Record of a run for its adjoint: the start, the ends of the steps that were taken, and the options.
 #[derive(Clone, Copy, Debug)]
 pub struct Course<'a> {
-    /// First and last instant of the span that the run was asked to cover, s.
+    /// Start and end time that the run was asked to cover, s.
     pub span: (f64, f64),
-    /// State at the start of the run.
+    /// State at the start of the run whose gradient is wanted.
     pub y0: &'a [f64],
-    /// Ends of the steps, s, in order.
+    /// Times at which the steps of the run ended, s, in order.
     pub ends: &'a [f64],
-    /// Options of the run: its method, its corners, its tolerances.
+    /// Options of the run; its method, corners and tolerances are used.
     pub options: &'a Options,
-    /// Jumps of the right-hand side whose instants depend on parameters; all other instants are fixed.
+    /// Jumps of the right-hand side whose times depend on parameters; the times of all other jumps are
+    /// constant.
     pub moved: &'a [Moved],
 }
 
-/// A jump of the right-hand side in time whose instant depends on parameters.
+/// Jump of the right-hand side at a time that depends on parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moved {
-    /// Instant of the jump, s: that of one of the corners of the run.
+    /// Time of the jump, s. It must equal the time of a corner in the options of the run.
     pub at: f64,
-    /// Derivative of the instant of the jump by each parameter, s per unit of the parameter.
+    /// Derivative of the time of the jump by each parameter, s per unit of the parameter.
     pub by: Vec<f64>,
 }
 
-/// A run made ready to be swept backwards: some of its states, and its end.
+/// Run that is prepared for a backward sweep: its steps, its end state and some of the states between.
 pub struct Adjoint<'a> {
+    /// Record of the run that is swept backward: its start, steps and options.
     course: Course<'a>,
+    /// Runge–Kutta coefficients of the run's method.
     rows: Rows,
+    /// Groups of steps between neighbouring corners, in order.
     stretches: Vec<Stretch>,
-    /// First step of each segment that is not swept yet, and the state at the start of that step.
+    /// Index of the first step of each segment that is not swept yet, and the state at the start of that
+    /// step.
     kept: Vec<(usize, Vec<f64>)>,
-    /// State at the end of the run.
+    /// State at the end of the run, reached again by its steps.
     pub end: Vec<f64>,
 }
 
-/// Gradient of a weighted sum of the end state: derivatives by the start and by the parameters.
+/// Gradient of a weighted sum of the components of a run's end state, by the start and by the
+/// parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient {
-    /// Derivative of the weighted sum by each component of the state at the start.
+    /// Derivative of the weighted sum of the end state by each component of the state at the start.
     pub state: Vec<f64>,
-    /// Derivative of the weighted sum by each parameter.
+    /// Derivative of the weighted sum of the end state by each parameter.
     pub parameters: Vec<f64>,
-    /// Largest number of states that were kept at once.
+    /// Largest number of states that the sweep kept at the same time.
     pub states: usize,
 }
 
 /// Reason why there is no gradient of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unswept {
-    /// Method of the run, whose steps cannot be swept backwards.
+    /// The steps of this method cannot be swept backward, since it is no explicit Runge–Kutta method.
     Method(Method),
-    /// The lengths of the segments do not add up to the number of steps.
+    /// The lengths of the segments do not add up to the number of steps of the run.
     Segments,
-    /// The follower of the run has interrupted it.
+    /// The `poll` function of the options has interrupted the sweep.
     Interrupted,
-    /// The right-hand side has no value, or no slopes, somewhere.
+    /// The right-hand side has no value, or no derivatives, at a state of the run.
     Failed(Failure),
 }
 
@@ -104,29 +113,35 @@ impl fmt::Display for Unswept {
 
 impl std::error::Error for Unswept {}
 
-/// Steps between two neighbouring corners: the first step, and the side of each corner that the steps see.
+/// Group of steps between two neighbouring corners of the right-hand side.
 struct Stretch {
+    /// Index in the run, from 0, of the first step of this group of steps between two corners.
     first: usize,
+    /// Intervals of time in which the right-hand side is smooth for these steps.
     sides: Sides,
-    /// Jump before the first step, by its place in [`Course::moved`]; `None` if the step does not begin at an instant
-    /// that moves.
+    /// Index in [`Course::moved`] of the jump before the first step; `None` if no jump before it depends on
+    /// parameters.
     jump: Option<usize>,
 }
 
-/// Tools of the steps: right-hand side, projector onto constraints, and stages.
+/// Working data of the steps: the right-hand side, the projector onto constraints, and the stages.
 struct Under<'r, 'o, R> {
+    /// Right-hand side in the interval of time between two neighbouring corners.
     rhs: Between<'r, R, f64>,
+    /// Projector that moves the ends of steps onto constraints; `None` if there are no constraints.
     projector: Option<Projector<'o, 'o, f64>>,
+    /// Stages of a Runge–Kutta step, with working space for the transposed step.
     stages: Stages,
 }
 
-/// True if steps of a method can be swept backwards.
+/// True if the steps of a method can be swept backward, which holds for explicit Runge–Kutta methods.
 #[must_use]
 pub fn has_adjoint(method: Method) -> bool {
     Rows::of(method).is_some()
 }
 
-/// Lengths of segments for which a sweep keeps the fewest states: each a step shorter than the one before it.
+/// Lengths of segments, in steps, with which the backward sweep keeps the fewest states. Each segment
+/// is a step shorter than the segment before it; their sum is `steps`.
 #[must_use]
 pub fn segments(steps: usize) -> Vec<usize> {
     let longest = (0..=steps).find(|k| k * (k + 1) / 2 >= steps).unwrap_or(steps);
@@ -140,8 +155,8 @@ pub fn segments(steps: usize) -> Vec<usize> {
 }
 
 impl<'a> Adjoint<'a> {
-    /// Goes through the steps and keeps the state at the start of each segment. The lengths of the segments must add up
-    /// to the number of steps.
+    /// Takes the steps of the run again, and keeps the state at the start of each segment. `segments` has
+    /// the lengths of the segments, whose sum must be the number of steps.
     ///
     /// # Errors
     /// [`Unswept`] with the reason.
@@ -167,8 +182,8 @@ impl<'a> Adjoint<'a> {
         Ok(run)
     }
 
-    /// Computes the gradient of Σ weightᵢ yᵢ, where y is the state at the end of the run, with respect to the state at
-    /// the start and to the parameters.
+    /// Computes the gradient of Σ weightᵢ yᵢ by the state at the start and by the parameters, where y is
+    /// the state at the end of the run.
     ///
     /// # Errors
     /// [`Unswept`] with the reason, as for [`Adjoint::new`].
@@ -193,6 +208,7 @@ impl<'a> Adjoint<'a> {
         Ok(gradient)
     }
 
+    /// Creates the working data for the steps of the run, at its start.
     fn under<'r, 'o, R: Transposed>(&self, rhs: &'r mut R) -> Under<'r, 'o, R> {
         let Course { span, y0, options, .. } = self.course;
         let count = rhs.constraint_count();
@@ -202,17 +218,19 @@ impl<'a> Adjoint<'a> {
         Under { rhs, projector, stages: Stages::new(&self.rows, y0.len()) }
     }
 
-    /// Start and end of a step, s; steps are counted from 0.
+    /// Start and end time of the step with this index, s.
     fn times(&self, step: usize) -> (f64, f64) {
         let start = step.checked_sub(1).map_or(self.course.span.0, |before| self.course.ends[before]);
         (start, self.course.ends[step])
     }
 
+    /// Group of steps between corners to which the step with this index belongs.
     fn stretch(&self, step: usize) -> &Stretch {
         &self.stretches[self.stretches.partition_point(|stretch| stretch.first <= step).saturating_sub(1)]
     }
 
-    /// Takes a step from `y`, and writes its end to `y`; true if the end was moved onto the constraints.
+    /// Takes the step with this index from the state `y`, and writes its end state to `y`. True if that
+    /// state was moved onto the constraints. Error if f has no value, or if the run is interrupted.
     fn step<R: Transposed>(&self, under: &mut Under<'_, '_, R>, step: usize, y: &mut [f64]) -> Result<bool, Unswept> {
         let (t, t_new) = self.times(step);
         if Poll::ends(self.course.options.poll.as_ref(), t) {
@@ -228,7 +246,8 @@ impl<'a> Adjoint<'a> {
         Ok(moved.is_some())
     }
 
-    /// Takes a step from a state again, and turns the gradient by its end into the gradient by its start.
+    /// Takes the step with this index from the state `start` again, and turns the gradient by its end state
+    /// into the gradient by `start`. Derivatives by the parameters are added up.
     fn back<R: Transposed>(
         &self,
         under: &mut Under<'_, '_, R>,
@@ -250,7 +269,8 @@ impl<'a> Adjoint<'a> {
             rhs.go_on(own);
         }
         if let Some(projector) = projector.as_mut().filter(|_| is_moved) {
-            // s⁺ = s − C (G s + φ_p): the shares of open constraints are subtracted.
+            // s⁺ = s − C (G s + φ_p), with the correction C of the constraints: the shares of the constraints are
+            // subtracted.
             let mut shares = projector.shares(rhs, t_new, state);
             for share in &mut shares {
                 *share = -*share;
@@ -261,7 +281,8 @@ impl<'a> Adjoint<'a> {
     }
 }
 
-/// Change λ·(f⁻ − f⁺) of the rates at a jump, weighted with λ.
+/// Weighted change λ·(f⁻ − f⁺) of the rates at a jump at time `t`, s. f⁻ is the right-hand side in the
+/// intervals `before`, f⁺ that in `after`, and λ are `weights`.
 fn change<R: Transposed>(
     rhs: &mut Between<'_, R, f64>,
     before: Sides,
@@ -280,7 +301,7 @@ fn change<R: Transposed>(
     Ok(sum)
 }
 
-/// Divides the steps into stretches between corners. Runs with equal steps ignore corners.
+/// Divides the steps of a run into groups between corners. Runs with equal steps ignore corners.
 fn stretches(course: &Course<'_>) -> Vec<Stretch> {
     let Course { span, ends, options, moved, .. } = course;
     let all: &[Corner] = if options.step.is_some() { &[] } else { &options.corners };

@@ -1,9 +1,10 @@
-//! Step of an explicit Runge–Kutta method, and its transpose.
+//! Step of an explicit Runge–Kutta method, and its transpose for the adjoint of a run.
 //!
-//! The step is kᵢ = f(t + cᵢ h, Yᵢ) with Yᵢ = y + h Σⱼ aᵢⱼ kⱼ, and y⁺ = y + h Σᵢ bᵢ kᵢ. Weights λ of y⁺ give those of
-//! kᵢ, from the last stage to the first: wᵢ = h bᵢ λ + h Σⱼ aⱼᵢ zⱼ with zᵢ = f_yᵀ wᵢ. The weights of y are λ + Σᵢ zᵢ;
-//! f_pᵀ wᵢ adds to those of the parameters. E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd
-//! edition (2006), §VI.1: the transpose of a method is that of its linear part.
+//! The step is kᵢ = f(t + cᵢ h, Yᵢ) with Yᵢ = y + h Σⱼ aᵢⱼ kⱼ, and y⁺ = y + h Σᵢ bᵢ kᵢ.
+//! Weights λ of y⁺ give those of kᵢ, from the last stage to the first: wᵢ = h bᵢ λ + h Σⱼ aⱼᵢ zⱼ
+//! with zᵢ = f_yᵀ wᵢ. The weights of y are λ + Σᵢ zᵢ; f_pᵀ wᵢ adds to those of the parameters. E.
+//! Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), §VI.1: the transpose of a
+//! method is that of its linear part.
 
 use crate::error::Failure;
 use crate::events::corners::Between;
@@ -13,21 +14,21 @@ use crate::methods::tableau::Coefficients;
 use crate::rhs::{RightHandSide, Transposed};
 use tripos_traits::Method;
 
-/// Stages that a row of a method uses, counted from 0, each with its coefficient.
+/// Coefficients of a row that are not 0, each with the index of its stage, from 0.
 type Entries = Vec<(usize, f64)>;
 
-/// Coefficients of an explicit Runge–Kutta method.
+/// Coefficients of an explicit Runge–Kutta method, without those that are 0.
 pub(super) struct Rows {
-    /// Nodes cᵢ of the stages.
+    /// Times cᵢ of the Runge–Kutta stages, as fractions of the step.
     c: Vec<f64>,
-    /// Coefficients aᵢⱼ that are not 0, a row for each stage.
+    /// Runge–Kutta coefficients aᵢⱼ that are not 0, a row for each stage i.
     a: Vec<Entries>,
-    /// Coefficients bᵢ that are not 0.
+    /// Runge–Kutta weights bᵢ of the stages in the new state, without those that are 0.
     b: Entries,
 }
 
 impl Rows {
-    /// Coefficients of a method; `None` if the method is no explicit Runge–Kutta method.
+    /// Coefficients of a method; `None` if it is no explicit Runge–Kutta method.
     pub(super) fn of(method: Method) -> Option<Self> {
         match method {
             Method::Rk4 => Some(Self {
@@ -50,22 +51,27 @@ impl Rows {
     }
 }
 
-/// Stages of the last step, and the space for its transpose.
+/// Stages of the last step of a method, with the working space for the transposed step.
 pub(super) struct Stages {
+    /// States Yᵢ at which the stages of the last step were evaluated.
     points: Vec<Vec<f64>>,
+    /// Derivatives kᵢ = f(tᵢ, Yᵢ) of the stages of the last step.
     rates: Vec<Vec<f64>>,
+    /// Weights wᵢ of the derivatives kᵢ in the transposed step.
     weights: Vec<Vec<f64>>,
+    /// Working space for the product zᵢ = f_yᵀ wᵢ of the transposed Jacobian and the weights of a stage.
     share: Vec<f64>,
 }
 
 impl Stages {
-    /// Makes space for a method and a state of `n` components.
+    /// Creates the space for the stages of a method, for a state of `n` components.
     pub(super) fn new(rows: &Rows, n: usize) -> Self {
         let zeros = || vec![vec![0.0; n]; rows.a.len()];
         Self { points: zeros(), rates: zeros(), weights: zeros(), share: vec![0.0; n] }
     }
 
-    /// Takes the step from `y` at `t` to `t_new`, in s, and writes the new state to `y`.
+    /// Takes the step from time `t` to `t_new`, s, and replaces the state `y` by the state at its end.
+    /// Error if f has no value.
     pub(super) fn step<R: RightHandSide<f64>>(
         &mut self,
         rows: &Rows,
@@ -85,8 +91,9 @@ impl Stages {
         Ok(())
     }
 
-    /// Turns the weights of the end of the last step into those of its start, in place, and adds to the weights of the
-    /// parameters.
+    /// Turns the weights `state` of the last step's end state into those of its start state, in place, and
+    /// adds to the weights of the parameters. `t` and `t_new` are the ends of the step, s. Error if the
+    /// Jacobians have no value.
     pub(super) fn back<R: Transposed>(
         &mut self,
         rows: &Rows,
@@ -116,12 +123,14 @@ impl Stages {
     }
 }
 
-/// Instant of a stage, s: at the fraction `part` of a step. The end of the step is met exactly.
+/// Time of a stage, s, at the fraction `part` of the step from `t` to `t_new`; exactly `t_new` for the
+/// fraction 1.
 fn at(t: f64, t_new: f64, part: f64) -> f64 {
     if crate::stepper::same(part, 1.0) { t_new } else { t + part * (t_new - t) }
 }
 
-/// Writes y + h Σⱼ aⱼ kⱼ to `y`.
+/// Adds h Σⱼ aⱼ kⱼ to the state `y`, with the coefficients aⱼ of a row and the derivatives kⱼ of the
+/// stages.
 fn add(y: &mut [f64], h: f64, row: &Entries, rates: &[Vec<f64>]) {
     for (i, y) in y.iter_mut().enumerate() {
         let sum: f64 = row.iter().map(|(stage, a)| a * rates[*stage][i]).sum();

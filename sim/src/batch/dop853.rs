@@ -1,8 +1,9 @@
-//! A step of DOP853 in every lane at once; each lane has its own step size and its own error.
+//! Step of DOP853 in all lanes of a vector register at once, each with a trajectory, a step size and an
+//! error of its own.
 //!
-//! The formulae, coefficients and errors are those of [`crate::methods::dop853`], in the same order of operations, so
-//! that a lane takes the steps that a run by itself takes, up to rounding. Invariant: what a lane computes depends on
-//! nothing in another.
+//! The formulae, coefficients and errors are those of [`crate::methods::dop853`], in the same order of
+//! operations, so that a lane takes the steps that a single run takes, up to rounding. Invariant: the
+//! numbers of a lane depend on no other lane.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
@@ -14,7 +15,7 @@ use crate::methods::dop853::{END, STAGES, USED, USED_BY_ERROR, error_of};
 use crate::methods::dormand_prince_853::{DORMAND_PRINCE_853 as PUBLISHED, Row};
 use crate::tolerance::ErrorTest;
 
-/// Coefficients aᵢⱼ of the stages, row by row; 0 where the published row has no entry.
+/// Coefficients aᵢⱼ of the stages of DOP853, row by row; 0 where the published row has no entry.
 const A: [[f64; STAGES]; STAGES] = {
     let mut a = [[0.0; STAGES]; STAGES];
     let mut i = 0;
@@ -24,10 +25,14 @@ const A: [[f64; STAGES]; STAGES] = {
     }
     a
 };
+/// Weights of the stages in the last four coefficients of the dense output.
 const DENSE: [[f64; STAGES]; 4] =
     [full(PUBLISHED.dense[0]), full(PUBLISHED.dense[1]), full(PUBLISHED.dense[2]), full(PUBLISHED.dense[3])];
+/// Weights of the stages in the error against a solution of order 5.
 const ERROR5: [f64; STAGES] = full(PUBLISHED.error5);
+/// Weights of the stages in the solution of order 3, with which DOP853 estimates its error.
 const ERROR3: [f64; STAGES] = full(PUBLISHED.error3);
+/// True for each stage of DOP853 that the solution of order 3, used for the error estimate, contains.
 const USED_BY_ERROR3: [bool; STAGES] = {
     let mut used = [false; STAGES];
     let mut entry = 0;
@@ -38,6 +43,7 @@ const USED_BY_ERROR3: [bool; STAGES] = {
     used
 };
 
+/// Row of coefficients with an entry for each stage, from the published entries that are not 0.
 const fn full(row: Row) -> [f64; STAGES] {
     let mut values = [0.0; STAGES];
     let mut entry = 0;
@@ -48,39 +54,46 @@ const fn full(row: Row) -> [f64; STAGES] {
     values
 }
 
-/// Stages of one component of the state, in all lanes.
+/// Derivatives of all stages for a component of the state, in all lanes.
 type Stages<const N: usize> = [Lanes<N>; STAGES];
 
-/// States of all lanes, and the stages of a step of DOP853.
+/// Method DOP853 in N lanes: the states of all lanes, and the stages of a step.
 pub(super) struct Dop853<'a, const N: usize> {
+    /// Equations of motion, evaluated in N lanes at once.
     equations: &'a (dyn Rates<Lanes<N>> + Sync),
+    /// Number of generalized coordinates at the head of the state.
     coordinates: usize,
+    /// Parameters of the trajectory in each lane.
     parameters: Vec<Lanes<N>>,
+    /// States of the trajectories in all lanes at the start of the step.
     y: Vec<Lanes<N>>,
+    /// States at which a stage is evaluated; after the last stage, the states at the end of the step.
     y_new: Vec<Lanes<N>>,
-    /// Derivative that the equations gave last.
+    /// Derivatives of the states in all lanes at the last evaluation of the equations.
     f: Vec<Lanes<N>>,
-    /// Derivative at `y`: stage 0 of the next step.
+    /// Derivatives at `y`, which are stage 0 of the next step.
     slope: Vec<Lanes<N>>,
-    /// Stages of each component of the state, side by side.
+    /// Derivatives of all stages, for each component of the state.
     k: Vec<Stages<N>>,
-    /// Sums of the terms that are known before the last evaluation: of the next point, or of the new state and its
-    /// errors.
+    /// Sums, for each component, of the terms that are known before the last evaluation: of the next state
+    /// to evaluate, or of the new state and its two errors.
     before: Vec<[Lanes<N>; 3]>,
-    /// Mask of the lanes whose last step was accepted but is not yet copied to `y`: all bits of a lane, or none.
+    /// Mask of the lanes whose last step was accepted but is not copied to `y` yet: all bits of a lane, or
+    /// none.
     accepted: [u64; N],
-    /// Error estimates of order 5 and 3 over the weights of the error test. They pass through memory, since the
-    /// compiler makes whole vector instructions of loops that end in stores.
+    /// Error estimates of order 5 and 3, divided by the weights of the error test. They are stored, since
+    /// the compiler makes vector instructions of loops that end in stores.
     quotients: Vec<[Lanes<N>; 2]>,
-    /// Point inside the step at which a stage of the dense output is evaluated.
+    /// States inside the step at which a stage of the dense output is evaluated.
     inner: Vec<Lanes<N>>,
-    /// Derivative at the point `inner`.
+    /// Derivatives at the states `inner`, which serve the dense output.
     slope_inside: Vec<Lanes<N>>,
-    /// Coefficients of the solution inside the step, of each component.
+    /// Eight coefficients of the dense output, for each component of the state.
     dense: Vec<[Lanes<N>; 8]>,
 }
 
 impl<'a, const N: usize> Dop853<'a, N> {
+    /// Creates DOP853 for these equations, with lanes that have no trajectory yet.
     pub(super) fn new(equations: &'a (dyn Rates<Lanes<N>> + Sync)) -> Self {
         let Lengths { parameters, coordinates, variables: speeds, .. } = equations.lengths();
         let zero = Lanes([0.0; N]);
@@ -103,15 +116,17 @@ impl<'a, const N: usize> Dop853<'a, N> {
         }
     }
 
-    /// Writes the derivative at `y_new` to `f`.
+    /// Evaluates the derivatives at `y_new` and writes them to `f`.
     #[inline(always)]
     fn evaluate(&mut self) {
         let ((q, v), (q_dot, v_dot)) = (self.y_new.split_at(self.coordinates), self.f.split_at_mut(self.coordinates));
         self.equations.rates(&self.parameters, q, v, q_dot, v_dot);
     }
 
-    /// Computes stages 1 to 11; the derivative of the last one is left in `f`. `look` is handed each derivative and the
-    /// next point, before the equations are evaluated there.
+    /// Computes stages 1 to 11 of steps of signed sizes `h`, s. The derivative of the last stage is left in
+    /// `f`. A lane of `odd` becomes not a number if a state in it is not finite.
+    ///
+    /// `look` is called before each evaluation with the last derivatives and the next states.
     #[inline(always)]
     fn stages(&mut self, h: Lanes<N>, odd: &mut Lanes<N>, mut look: impl FnMut(&[Lanes<N>], &[Lanes<N>])) {
         self.first_point(h, odd);
@@ -129,7 +144,8 @@ impl<'a, const N: usize> Dop853<'a, N> {
         stages!(2 3 4 5 6 7 8 9 10 11);
     }
 
-    /// Copies the accepted steps to `y`, and writes the point of stage 1 to `y_new`.
+    /// Copies the accepted steps to `y`, and writes the states of stage 1 to `y_new`, for steps of signed
+    /// sizes `h`, s.
     #[inline(always)]
     fn first_point(&mut self, h: Lanes<N>, odd: &mut Lanes<N>) {
         let first = h * Lanes::from_f64(A[1][0]);
@@ -145,11 +161,12 @@ impl<'a, const N: usize> Dop853<'a, N> {
         self.accepted = [0; N];
     }
 
-    /// Writes the point y + h Σⱼ aᵢⱼ kⱼ of stage I to `y_new`. Stage I − 1 is in `f`, and is copied to its place in
-    /// `k`.
+    /// Writes the states y + h Σⱼ aᵢⱼ kⱼ of stage I to `y_new`. Stage I − 1 is in `f`, and is copied to its
+    /// place in `k`.
     ///
-    /// All terms except the last were summed before that stage was evaluated. The terms of the next point are summed
-    /// here too: the processor works on them while it waits for the chain of operations of an evaluation.
+    /// All terms except the last were summed before stage I − 1 was evaluated. The terms of the next stage
+    /// are summed here, too: the processor works on them while it waits for the chain of operations of an
+    /// evaluation.
     #[inline(always)]
     fn point<const I: usize>(&mut self, h: Lanes<N>, odd: &mut Lanes<N>) {
         let last = h * Lanes::from_f64(A[I][I - 1]);
@@ -168,7 +185,7 @@ impl<'a, const N: usize> Dop853<'a, N> {
         }
     }
 
-    /// Computes the coefficients of the solution inside the step.
+    /// Computes the coefficients of the dense output of steps of signed sizes `h`, s.
     #[inline(always)]
     fn stages_inside(&mut self, h: Lanes<N>) {
         for (k, f) in self.k.iter_mut().zip(&self.f) {
@@ -190,7 +207,7 @@ impl<'a, const N: usize> Dop853<'a, N> {
         }
     }
 
-    /// Computes stage I, which only the solution inside the step needs.
+    /// Computes stage I, which only the dense output needs, for steps of signed sizes `h`, s.
     #[inline(always)]
     fn inner_stage<const I: usize>(&mut self, h: Lanes<N>) {
         for ((inner, y), k) in self.inner.iter_mut().zip(&self.y).zip(&self.k) {
@@ -204,7 +221,8 @@ impl<'a, const N: usize> Dop853<'a, N> {
         }
     }
 
-    /// Writes the new state to `y_new` and returns its error in each lane, in the norm of the error test.
+    /// Writes the new states to `y_new`, and returns the error of each lane in the norm of the error test.
+    /// A lane of `odd` becomes not a number if its state is not finite.
     #[inline(always)]
     fn finish(&mut self, h: Lanes<N>, test: &ErrorTest, odd: &mut Lanes<N>) -> [f64; N] {
         let zero = Lanes([0.0; N]);
@@ -341,7 +359,8 @@ impl<const N: usize> Method<N> for Dop853<'_, N> {
     }
 }
 
-/// Sum Σⱼ aⱼ kⱼ over stage 0 and the used stages before `end`.
+/// Sum Σⱼ aⱼ kⱼ for a component of the state in all lanes, over stage 0 and the used stages before
+/// `end`.
 #[inline(always)]
 fn combination<const N: usize>(a: &[f64; STAGES], used: &[bool; STAGES], k: &Stages<N>, end: usize) -> Lanes<N> {
     let mut sum = Lanes::from_f64(a[0]) * k[0];

@@ -1,12 +1,14 @@
-//! Many trajectories of one set of equations, side by side in vector registers, and on all cores.
+//! Integration of many trajectories of the same equations in the lanes of vector registers, and on all
+//! cores.
 //!
-//! Each lane of the registers integrates a trajectory of its own, by DOP853 or by Taylor's method, with the steps that
-//! [`crate::integrate`] would take, up to rounding: own time, step size, error, acceptance. A lane that is done takes
-//! the next trajectory at once. The accepted steps of a lane are handed to the watcher of its trajectory, which looks
-//! at events and divisors.
+//! Each lane of a register integrates a trajectory, by DOP853 or by Taylor's method, with the steps
+//! that [`crate::integrate`] would take, up to rounding. It has its own time, step size, error and
+//! acceptance. A lane whose trajectory ends takes the next trajectory at once. The accepted steps of a
+//! lane are examined by the watcher of its trajectory, for events and divisors.
 //!
-//! Invariant: the outcome of a trajectory has the same bits whatever the other trajectories are, in any order, in any
-//! number of lanes and on any number of cores. Absent on purpose: output during the run, corners in time, constraints.
+//! Invariant: the outcome of a trajectory has the same bits whatever the other trajectories are, in any
+//! order, in any number of lanes and on any number of cores. Absent on purpose: output during the run,
+//! corners in time, constraints.
 
 mod dop853;
 mod method;
@@ -30,36 +32,38 @@ use crate::methods::taylor::order_for;
 use crate::solution::Stop;
 use queue::Work;
 
-/// A trajectory to be integrated: parameters and start.
+/// Trajectory that is to be integrated: its parameters and its start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trajectory<'a> {
-    /// Parameters in the order of the model file.
+    /// Values of the parameters, in the order of the model file.
     pub parameters: &'a [f64],
-    /// The state [q; v] at the start of the span.
+    /// State (q, v) at the start of the span.
     pub start: &'a [f64],
 }
 
-/// Settings by which all trajectories of a batch are integrated.
+/// Settings of a batch: method, span and tolerances with which all its trajectories are integrated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// Method of integration: [`Method::Dop853`] or [`Method::Taylor`].
     pub method: Method,
-    /// Order of Taylor's method, as in [`Options::order`].
+    /// Order of Taylor's method, from 2 to 60; `None` derives it from the tolerances, as in
+    /// [`Options::order`].
     pub order: Option<usize>,
-    /// Start and end of the run, s; the end may be before the start.
+    /// Start and end time of all trajectories, s; the end may be before the start.
     pub span: (f64, f64),
-    /// Relative tolerance, as in [`Options::rtol`].
+    /// Relative tolerance of the error of a step, as in [`Options::rtol`].
     pub rtol: f64,
-    /// Absolute tolerance, as in [`Options::atol`].
+    /// Absolute tolerance of the error of a step, in the units of the state, as in [`Options::atol`].
     pub atol: AbsoluteTolerance,
-    /// Longest step, s; `None` allows the whole span.
+    /// Largest size of a step, s. `None` allows the whole span for DOP853 and a tenth of it for Taylor's
+    /// method.
     pub max_step: Option<f64>,
-    /// Largest number of attempted steps of one trajectory.
+    /// Largest number of attempted steps of a single trajectory.
     pub step_limit: u64,
 }
 
 impl Plan {
-    /// Options of a run of one trajectory alone.
+    /// Options of a run that integrates a single trajectory with the settings of this plan.
     #[must_use]
     pub fn options(&self) -> Options {
         Options {
@@ -75,41 +79,43 @@ impl Plan {
     }
 }
 
-/// Result of one trajectory.
+/// Result of a single trajectory of a batch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// Last time of the solution, s.
+    /// Time at which the trajectory ends, s.
     pub t_end: f64,
-    /// State at `t_end`.
+    /// State at the end of the trajectory, at time `t_end`.
     pub y_end: Vec<f64>,
-    /// Reason why the trajectory ended.
+    /// Reason why the trajectory ended, such as its span or an event.
     pub stop: Stop,
-    /// Number of accepted steps.
+    /// Number of accepted steps of the trajectory.
     pub steps: u64,
-    /// Number of rejected steps.
+    /// Number of rejected steps of the trajectory.
     pub rejected: u64,
-    /// Number of evaluations of the equations for this trajectory. A step without a finite result counts in full: the
-    /// other lanes go on to its end.
+    /// Number of evaluations of the equations for this trajectory. A step without a finite result counts in
+    /// full, since the other lanes continue to its end.
     pub evaluations: u64,
-    /// Records of the trajectory's events up to its end, in order of time.
+    /// Events of the trajectory up to its end, in the order in which they happened.
     pub events: Vec<EventRecord>,
 }
 
-/// Equations of motion in `N` lanes.
+/// Equations of motion that are evaluated in `N` lanes at once.
 #[derive(Clone, Copy)]
 pub struct Equations<'a, const N: usize> {
-    /// Rates of the state.
+    /// Function that gives the rates of the state (q, v) in N lanes.
     pub rates: &'a (dyn Rates<Lanes<N>> + Sync),
-    /// Taylor coefficients of the motion; `None` if the equations have none in `N` lanes.
+    /// Function that gives Taylor coefficients of the motion; `None` if the equations have none in `N`
+    /// lanes.
     pub series: Option<&'a (dyn Series<Lanes<N>> + Sync)>,
 }
 
-/// Integrates all trajectories on this thread, in as many lanes as the processor computes best in. Outcomes are in the
-/// order of the trajectories. A trajectory that fails ends with its reason; the others go on.
+/// Integrates all trajectories on this thread, in the number of lanes that the processor handles best.
+/// The outcomes are in the order of the trajectories. A trajectory that fails ends with its reason; the
+/// others continue.
 ///
 /// # Errors
-/// [`SimError`] if the plan makes no sense, as for [`crate::integrate`], or if the method does not exist in lanes;
-/// [`SimError::Trajectory`] for parameters or a start of the wrong length, or not finite.
+/// [`SimError`] if the plan is invalid, as for [`crate::integrate`], or if the method does not exist in
+/// lanes; [`SimError::Trajectory`] for parameters or a start of the wrong length, or not finite.
 pub fn integrate(
     equations: InLanes<'_>,
     plan: &Plan,
@@ -118,10 +124,11 @@ pub fn integrate(
     integrate_watched(equations, plan, trajectories, None)
 }
 
-/// Integrates all trajectories as [`integrate`] does, with a watcher of the events and the divisors of each.
+/// Integrates all trajectories like [`integrate`]. `watching` gives the events and divisors that are
+/// watched in each trajectory; `None` watches nothing.
 ///
 /// # Errors
-/// [`SimError`], as for [`integrate`].
+/// [`SimError`] in the cases in which [`integrate`] returns it.
 pub fn integrate_watched(
     equations: InLanes<'_>,
     plan: &Plan,
@@ -134,22 +141,23 @@ pub fn integrate_watched(
     }
 }
 
+/// Selects the equations that are evaluated in four lanes.
 fn four(equations: InLanes<'_>) -> Equations<'_, 4> {
     Equations { rates: equations.four, series: equations.series }
 }
 
-/// Equations in eight lanes; `None` if the processor computes better in four, or the equations and the method do not
-/// exist in eight.
+/// Equations in eight lanes; `None` if the processor handles four lanes better, or if the equations or
+/// the method do not exist in eight.
 fn eight<'a>(equations: InLanes<'a>, plan: &Plan) -> Option<Equations<'a, 8>> {
     let rates = equations.widest().filter(|_| plan.method == Method::Dop853)?;
     Some(Equations { rates, series: None })
 }
 
-/// Integrates all trajectories on this thread in `N` lanes; outcomes have the same bits as those of
+/// Integrates all trajectories on this thread in `N` lanes. The outcomes have the same bits as those of
 /// [`integrate_watched`].
 ///
 /// # Errors
-/// [`SimError`], as for [`integrate`].
+/// [`SimError`] in the cases in which [`integrate`] returns it.
 pub fn integrate_in<const N: usize>(
     equations: Equations<'_, N>,
     plan: &Plan,
@@ -164,14 +172,17 @@ pub fn integrate_in<const N: usize>(
     Ok(outcomes.all())
 }
 
-/// A method of integration, with the functions of the equations that it needs.
+/// Method of integration in lanes, with the functions of the equations that it needs.
 #[derive(Clone, Copy)]
 enum LaneMethod<'a, const N: usize> {
+    /// The method DOP853, with the rates of the equations in lanes.
     Dop853(&'a (dyn Rates<Lanes<N>> + Sync)),
+    /// Taylor's method, with the equations in lanes and the order of the polynomials.
     Taylor(taylor::Equations<'a, N>, usize),
 }
 
 impl<'a, const N: usize> LaneMethod<'a, N> {
+    /// Selects the method of the plan. Error if it does not exist in lanes for these equations.
     fn new(Equations { rates, series }: Equations<'a, N>, plan: &Plan) -> Result<Self, SimError> {
         match (plan.method, series) {
             (Method::Dop853, _) => Ok(Self::Dop853(rates)),
@@ -182,7 +193,8 @@ impl<'a, const N: usize> LaneMethod<'a, N> {
         }
     }
 
-    /// Integrates the trajectories whose positions `next` hands out, and hands the outcome of each to `done`.
+    /// Integrates trajectories until `next` returns `None` in place of the index of a trajectory. `done` is
+    /// called with each index and outcome.
     fn run(self, work: &Work<'_, '_>, next: &mut dyn FnMut() -> Option<usize>, done: &mut dyn FnMut(usize, Outcome)) {
         match self {
             Self::Dop853(rates) => queue::run(dop853::Dop853::new(rates), work, next, done),
@@ -191,18 +203,21 @@ impl<'a, const N: usize> LaneMethod<'a, N> {
     }
 }
 
-/// Outcomes of trajectories, by the position of the trajectory.
+/// Outcomes of a batch, in the order of the trajectories; `None` for a trajectory that has not ended.
 struct Outcomes(Vec<Option<Outcome>>);
 
 impl Outcomes {
+    /// Creates the list for a batch of `n` trajectories, none of which has ended.
     fn new(n: usize) -> Self {
         Self(vec![None; n])
     }
 
+    /// Stores the outcome of the trajectory with this index.
     fn put(&mut self, index: usize, outcome: Outcome) {
         self.0[index] = Some(outcome);
     }
 
+    /// Returns the outcomes of all trajectories. Panics if a trajectory has not ended.
     fn all(self) -> Vec<Outcome> {
         self.0
             .into_iter()
@@ -211,7 +226,8 @@ impl Outcomes {
     }
 }
 
-/// Refuses plans that cannot be run. Returns the method, and the step control with which every trajectory begins.
+/// Refuses a plan or trajectories that cannot be run. Returns the step control with which each
+/// trajectory begins, and the method.
 fn check<'a, const N: usize>(
     equations: Equations<'a, N>,
     plan: &Plan,

@@ -1,4 +1,5 @@
-//! Lanes of one thread, and the queue from which they take trajectories.
+//! Lanes of a thread, which integrate trajectories, and the queue from which they take the next
+//! trajectory.
 
 use std::collections::VecDeque;
 
@@ -11,20 +12,28 @@ use crate::driver::pace::{Pace, Verdict};
 use crate::solution::Stop;
 use crate::stepper::Trial;
 
-/// A trajectory that is integrated in a lane.
+/// Trajectory that is being integrated in a lane, or waits for a lane.
 struct Run<'w> {
+    /// Index of the trajectory in the batch.
     index: usize,
+    /// Step control of the trajectory: the size of its current step.
     pace: Pace,
+    /// Current time of the trajectory, s.
     t: f64,
+    /// Number of accepted steps of the trajectory so far.
     steps: u64,
+    /// Number of rejected steps of the trajectory so far.
     rejected: u64,
+    /// Number of evaluations of the equations for this trajectory so far.
     evaluations: u64,
     /// True if the next step of the trajectory is not chosen yet.
     is_fresh: bool,
+    /// Watcher of events and divisors; `None` if nothing is watched.
     watcher: Option<Watcher<'w>>,
 }
 
 impl Run<'_> {
+    /// Makes the outcome of the trajectory from its end and its counts.
     fn ended(self, Ending { t, y, stop }: Ending) -> Outcome {
         Outcome {
             t_end: t,
@@ -37,12 +46,13 @@ impl Run<'_> {
         }
     }
 
-    /// Reason to stop before another step; `None` below the step limit.
+    /// Reason to stop if the number of attempted steps has reached `limit`; else `None`.
     fn limited(&self, limit: u64) -> Option<Stop> {
         (self.steps + self.rejected >= limit).then_some(Stop::StepLimit { limit })
     }
 
-    /// Chooses the next step, of the proposed size, s, if the method proposes one.
+    /// Chooses the size of the next step. `proposed` is the size that the method proposes, s; `None` if it
+    /// proposes none.
     fn begin(&mut self, proposed: Option<f64>) {
         if let Some(size) = proposed {
             self.pace.propose(size);
@@ -52,43 +62,55 @@ impl Run<'_> {
     }
 }
 
-/// A trajectory that waits for a lane, with its initial rows from [`Method::begin`].
+/// Trajectory that waits for a lane, with its initial rows from [`Method::begin`].
 struct Ready<'w> {
+    /// Waiting trajectory with its step control and counts.
     run: Run<'w>,
+    /// Initial rows: the state, its derivative, and further Taylor coefficients if the method has them.
     begun: Vec<f64>,
 }
 
-/// Verdict on the step that a lane tried.
+/// Decision on the step that a lane tried: accept it, try a smaller step, or end the trajectory.
 enum Judged {
     /// The step is accepted; `last` is true if it reached the end of the span.
     Accepted { last: bool },
-    /// The step is rejected and tried again with another size.
+    /// The step is rejected and must be tried again with a smaller size.
     Again,
-    /// The trajectory ends at the start of the step. For [`Stop::NotFinite`] the component is filled in later.
+    /// The trajectory ends at the start of the step, for this reason. In [`Stop::NotFinite`] the component
+    /// is set later.
     GivenUp(Stop),
 }
 
-/// Work of a thread: the trajectories, the first step control of each, the largest number of its steps, and the maker
-/// of its watcher.
+/// Data that all threads of a batch share: the trajectories and the settings of their integration.
 pub(super) struct Work<'a, 'w> {
+    /// Trajectories of the batch.
     pub(super) trajectories: &'a [Trajectory<'a>],
+    /// Step control with which each trajectory begins.
     pub(super) pace: &'a Pace,
+    /// Largest number of attempted steps of a trajectory.
     pub(super) limit: u64,
+    /// Function that gives the events and divisors to watch in a trajectory; `None` watches nothing.
     pub(super) watching: Option<&'a Watching<'w>>,
 }
 
-/// State of a thread that integrates trajectories in lanes.
+/// State of a thread that integrates trajectories in N lanes.
 struct Worker<'a, 'w, M, const N: usize> {
+    /// Method that takes a step in all lanes at once.
     method: M,
+    /// Trajectories of the batch and the settings of their integration.
     work: &'a Work<'a, 'w>,
+    /// Trajectory in each lane; `None` for an empty lane.
     lanes: [Option<Run<'w>>; N],
+    /// Trajectories that wait for a lane.
     ready: VecDeque<Ready<'w>>,
+    /// Function that returns the index of the next trajectory; `None` if there are no more.
     next: &'a mut dyn FnMut() -> Option<usize>,
+    /// Function that is called with the index and the outcome of each trajectory that ends.
     done: &'a mut dyn FnMut(usize, Outcome),
 }
 
-/// Integrates the trajectories whose positions `next` hands out, until there are no more, and hands the outcome of each
-/// to `done`.
+/// Integrates trajectories with a method in lanes, until `next` returns `None` in place of the index of
+/// a trajectory. `done` is called with each index and outcome.
 pub(super) fn run<'a, const N: usize>(
     method: impl Method<N>,
     work: &'a Work<'a, '_>,
@@ -103,11 +125,11 @@ pub(super) fn run<'a, const N: usize>(
 }
 
 impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
-    /// Loads the next trajectories into empty lanes; true if a lane has a trajectory.
+    /// Loads the next trajectories into empty lanes. True if any lane has a trajectory afterwards.
     fn fill(&mut self) -> bool {
         for l in 0..N {
             while self.lanes[l].is_none() {
-                // A batch may have no trajectory that can start: further ones are taken then.
+                // If none of the trajectories that were taken can start, further ones are taken.
                 while self.ready.is_empty() && self.prepare() {}
                 let Some(Ready { run, begun }) = self.ready.pop_front() else { break };
                 if let Some(stop) = run.limited(self.work.limit) {
@@ -122,8 +144,8 @@ impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
         self.lanes.iter().any(Option::is_some)
     }
 
-    /// Takes up to N trajectories from the queue and chooses their first steps, all at once; true if the queue was not
-    /// empty.
+    /// Takes up to N trajectories from the queue and chooses their first steps, all at once. True if the
+    /// queue was not empty.
     fn prepare(&mut self) -> bool {
         let taken: Vec<usize> = std::iter::from_fn(|| (self.next)()).take(N).collect();
         let Some(&first) = taken.first() else { return false };
@@ -141,7 +163,7 @@ impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
         let mut sizes = [None; N];
         let is_finite = |values: &[f64]| values.iter().all(|x| x.is_finite());
         for (l, pace) in paces.iter_mut().enumerate() {
-            // Without a slope there is no first step.
+            // Without a finite derivative at the start there is no first step.
             let slope = Some(lane(slope, l)).filter(|slope| is_finite(slope));
             sizes[l] = slope.and_then(|slope| pace.first_size(of(l).start, &slope, None));
         }
@@ -160,7 +182,8 @@ impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
         true
     }
 
-    /// Lets a trajectory wait for a lane, or ends it at once if it has a reason not to start.
+    /// Adds a trajectory to those that wait for a lane, or ends it at once if it cannot start. `begun` are
+    /// its initial rows.
     fn enter(&mut self, index: usize, pace: Pace, begun: Vec<f64>) {
         let (t, n) = (pace.t0, self.method.states());
         let mut run = Run { index, pace, t, steps: 0, rejected: 0, evaluations: 1, is_fresh: true, watcher: None };
@@ -180,11 +203,12 @@ impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
         }
     }
 
+    /// Reports the outcome of a trajectory that has ended.
     fn end(&mut self, run: Run<'_>, ending: Ending) {
         (self.done)(run.index, run.ended(ending));
     }
 
-    /// Tries a step in every lane, and ends the trajectories that have a reason to stop.
+    /// Tries a step in each lane, and ends the trajectories that have a reason to stop.
     fn step(&mut self) {
         let Some(test) = &self.work.pace.test else { return };
         let proposals = self.method.proposals(test);
@@ -220,7 +244,8 @@ impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
         }
     }
 
-    /// Finds trajectories that end inside their accepted steps: those with watchers of events or divisors.
+    /// Searches the accepted steps of signed sizes `h`, s, for events and zeros of divisors that end
+    /// trajectories. Returns the end of the trajectory in each lane; `None` if it continues.
     fn look_inside(&mut self, h: [f64; N], judged: &[Judged; N]) -> [Option<Ending>; N] {
         let mut looks = [false; N];
         for (l, run) in self.lanes.iter_mut().enumerate() {
@@ -240,7 +265,8 @@ impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
 }
 
 impl Run<'_> {
-    /// Goes to the end of an accepted step. An error is the reason to stop, at that end or at the start of the step.
+    /// Moves the trajectory to the end of its step if that is accepted. The error is the reason to stop, at
+    /// the end of an accepted step, or at the start of a step that is given up.
     fn goes_on(&mut self, judged: Judged) -> Result<(), Stop> {
         match judged {
             Judged::Again => Ok(()),
@@ -257,12 +283,12 @@ impl Run<'_> {
     }
 }
 
-/// Values of one lane.
+/// Numbers of the lane with index `l` in a list of vectors, one for each vector.
 fn lane<const N: usize>(values: &[Lanes<N>], l: usize) -> Vec<f64> {
     values.iter().map(|x| x.0[l]).collect()
 }
 
-/// Judges the step that a lane tried, and counts it.
+/// Decides on the step that a lane with index `l` tried, and counts the step.
 fn judge<const N: usize>(run: &mut Run<'_>, l: usize, attempt: &Attempt<N>, tolerance: f64) -> Judged {
     let Trial { h, .. } = run.pace.trial;
     let passed = attempt.finite[l] && attempt.error[l] <= tolerance;

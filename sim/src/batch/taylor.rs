@@ -1,9 +1,11 @@
-//! A step of Taylor's method in every lane at once; each lane has its own step size and its own error.
+//! Step of Taylor's method in all lanes of a vector register at once, each with a trajectory, a step
+//! size and an error of its own.
 //!
-//! The order, the choice of steps, the errors and the carried roundings are those of [`crate::methods::taylor`], so
-//! that a lane takes the steps that a run by itself takes, up to rounding. Invariant: `x` has the coefficients at the
-//! start of the step, row k of order k, and `next` those at its end. If the highest coefficients of a lane are not
-//! finite, they are zero, and `usable` of the lane is the highest order below them.
+//! The order, the choice of steps, the errors and the compensated sums are those of
+//! [`crate::methods::taylor`], so that a lane takes the steps that a single run takes, up to rounding.
+//! Invariant: `x` has the coefficients at the start of the step, row k of order k, and `next` those at
+//! its end. If the highest coefficients of a lane are not finite, they are set to zero, and `usable` of
+//! the lane is the highest order below them.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
@@ -13,33 +15,48 @@ use super::method::{Attempt, Method, chosen, mask, note};
 use crate::methods::taylor::{ALLOWED_JUMP, powi, proposed_size};
 use crate::tolerance::ErrorTest;
 
-/// Equations in lanes: rates and Taylor coefficients.
+/// Equations of motion in N lanes, for Taylor's method: rates and Taylor coefficients.
 #[derive(Clone, Copy)]
 pub(super) struct Equations<'a, const N: usize> {
+    /// Function that gives the rates of the state (q, v) in N lanes.
     pub(super) rates: &'a (dyn Rates<Lanes<N>> + Sync),
+    /// Function that gives the Taylor coefficients of the motion in N lanes.
     pub(super) series: &'a (dyn Series<Lanes<N>> + Sync),
 }
 
-/// Taylor coefficients of all lanes, and the data of a step.
+/// Taylor's method in N lanes: the Taylor coefficients of all lanes at both ends of a step.
 pub(super) struct Taylor<'a, const N: usize> {
+    /// Equations of motion, evaluated in N lanes at once.
     equations: Equations<'a, N>,
+    /// Numbers of coordinates, speeds and parameters of the equations.
     lengths: Lengths,
+    /// Order of the Taylor polynomials.
     order: usize,
+    /// Parameters of the trajectory in each lane.
     parameters: Vec<Lanes<N>>,
+    /// Taylor coefficients at the start of the step, (order + 1) × n entries: row k has those of order k.
     x: Vec<Lanes<N>>,
+    /// Highest order, in each lane, up to which all coefficients in `x` are finite.
     usable: [usize; N],
+    /// Taylor coefficients at the end of the last tried step, (order + 1) × n entries.
     next: Vec<Lanes<N>>,
+    /// Highest order, in each lane, up to which all coefficients in `next` are finite.
     next_usable: [usize; N],
-    /// Parts that rounding cut off the state at the start of the step; `carry_new` has those at its end.
+    /// Rounding errors of the states at the start of the step, which are added in the next sum (compensated
+    /// summation).
     carry: Vec<Lanes<N>>,
+    /// Rounding errors of the states at the end of the step, for the sum of the next step (compensated
+    /// summation).
     carry_new: Vec<Lanes<N>>,
-    /// Norms of the coefficients of the last two orders, over the weights of the error test.
+    /// Norms, in each lane, of the coefficients of the last two usable orders, over the weights of the
+    /// error test.
     norms: [[f64; 2]; N],
-    /// Working space of the recurrences of the coefficients.
+    /// Working space for the recurrences of the Taylor coefficients.
     work: Vec<Lanes<N>>,
 }
 
 impl<'a, const N: usize> Taylor<'a, N> {
+    /// Creates Taylor's method of this order for these equations, with empty lanes.
     pub(super) fn new(equations: Equations<'a, N>, order: usize) -> Self {
         let lengths = equations.rates.lengths();
         let zeros = |n: usize| vec![Lanes([0.0; N]); n];
@@ -60,7 +77,8 @@ impl<'a, const N: usize> Taylor<'a, N> {
         }
     }
 
-    /// Writes the state y + Σ x_k hᵏ at the end of the step to `next`, and its rounding error to `carry_new`.
+    /// Writes the states y + Σ x_k hᵏ at the end of steps of signed sizes `h`, s, to `next`, and their
+    /// rounding errors to `carry_new`. A lane of `odd` becomes not a number if its state is not finite.
     #[inline(always)]
     fn advance(&mut self, h: Lanes<N>, odd: &mut Lanes<N>) {
         let n = self.lengths.state();
@@ -77,8 +95,8 @@ impl<'a, const N: usize> Taylor<'a, N> {
         }
     }
 
-    /// Computes the coefficients at the end of the step from the state in `next`. Lanes of `odd` become not a number if
-    /// those of order 1 are not finite.
+    /// Computes the Taylor coefficients at the end of the step from the states in the first row of `next`.
+    /// A lane of `odd` becomes not a number if its derivative is not finite.
     fn expand(&mut self, odd: &mut Lanes<N>) {
         self.equations.series.taylor(&self.parameters, self.order, &mut self.next, &mut self.work);
         let n = self.lengths.state();
@@ -98,8 +116,9 @@ impl<'a, const N: usize> Taylor<'a, N> {
         }
     }
 
-    /// Jump of the derivative at the end of the step, as [`crate::methods::taylor`] measures it, in the norm of the
-    /// error test.
+    /// Jump of the derivative in each lane at the end of steps of signed sizes `h`, s, between the
+    /// polynomials of two steps. It is expressed as an error of the state, as in
+    /// [`crate::methods::taylor`], in the norm of the error test.
     #[inline(always)]
     fn jump(&self, test: &ErrorTest, h: Lanes<N>) -> [f64; N] {
         let n = self.lengths.state();
@@ -121,7 +140,8 @@ impl<'a, const N: usize> Taylor<'a, N> {
         std::array::from_fn(|l| if odd.0[l].is_nan() { f64::NAN } else { norm.0[l] })
     }
 
-    /// Norms of the coefficients of the last two orders in each lane, over the weights of the error test.
+    /// Norms, in each lane, of the coefficients of the last two usable orders, over the weights of the
+    /// error test.
     #[inline(always)]
     fn last_rows(&self, test: &ErrorTest) -> [[f64; 2]; N] {
         let n = self.lengths.state();
@@ -144,8 +164,8 @@ impl<'a, const N: usize> Taylor<'a, N> {
     }
 }
 
-/// Sum Σ x_k h^(k−1) over 1 ≤ k ≤ `order` for one component, whose coefficients are every n-th entry of `x`. Even and
-/// odd orders are summed apart, so that they need not wait for each other.
+/// Sum Σ x_k h^(k−1) over 1 ≤ k ≤ `order` for a component, whose coefficients are every n-th entry of
+/// `x`; `square` is h². Even and odd orders are summed separately, so that neither waits for the other.
 #[inline(always)]
 fn polynomial<const N: usize>(x: &[Lanes<N>], n: usize, order: usize, h: Lanes<N>, square: Lanes<N>) -> Lanes<N> {
     let (mut odd, mut even) = (Lanes([0.0; N]), Lanes([0.0; N]));
@@ -162,8 +182,8 @@ fn polynomial<const N: usize>(x: &[Lanes<N>], n: usize, order: usize, h: Lanes<N
     even.mul_add(h, odd)
 }
 
-/// Sets coefficients of a lane to zero above the highest order, at least 1, up to which they are finite; returns this
-/// order.
+/// Sets to zero the coefficients of a lane above the highest order up to which they are finite. Returns
+/// this order, at least 1.
 #[cold]
 fn cut<const N: usize>(x: &mut [Lanes<N>], n: usize, order: usize, lane: usize) -> usize {
     let finite = |k: usize| x[k * n..(k + 1) * n].iter().all(|x| x.0[lane].is_finite());

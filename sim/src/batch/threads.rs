@@ -1,4 +1,4 @@
-//! Integration of batches on all cores.
+//! Integration of batches of trajectories on all cores.
 
 use super::queue::Work;
 use super::{Equations, Outcome, Outcomes, Plan, Trajectory, check, eight, four};
@@ -7,13 +7,15 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tripos_traits::InLanes;
 
-/// Integrates all trajectories on the threads of the current pool of `rayon`. Outcomes have the same bits as those of
-/// [`super::integrate`], for any number of threads. `progress` is called with the number of trajectories that are done,
-/// by the thread that ends one, so possibly not in order.
+/// Integrates all trajectories on the threads of the current pool of `rayon`. The outcomes have the
+/// same bits as those of [`super::integrate`], for any number of threads.
+///
+/// `progress` is called with the number of trajectories that have ended, by the thread that ends a
+/// trajectory, so possibly not in order.
 ///
 /// # Errors
-/// [`SimError`] if the plan makes no sense; [`SimError::Trajectory`] for parameters or a start of the wrong length, or
-/// not finite.
+/// [`SimError`] if the plan is invalid; [`SimError::Trajectory`] for parameters or a start of the wrong
+/// length, or not finite.
 pub fn integrate_on_all_cores(
     equations: InLanes<'_>,
     plan: &Plan,
@@ -26,6 +28,7 @@ pub fn integrate_on_all_cores(
     }
 }
 
+/// Integrates all trajectories in `N` lanes on all threads of the current pool of `rayon`.
 fn on_all_cores<const N: usize>(
     equations: Equations<'_, N>,
     plan: &Plan,

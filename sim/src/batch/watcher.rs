@@ -1,7 +1,8 @@
-//! Watcher of a trajectory's steps: of its events, and of the divisors of its equations.
+//! Watcher of a trajectory in a batch: it examines each accepted step for events and for zeros of
+//! divisors.
 //!
-//! The watcher is handed the accepted step of its lane, as plain doubles, and decides as [`crate::integrate`] does.
-//! Invariant: the watcher changes no step.
+//! The watcher gets the accepted step of its lane, as plain doubles, and decides as
+//! [`crate::integrate`] does. Invariant: the watcher changes no step.
 
 use super::method::{LaneStep, Method};
 use crate::driver::run::end_inside;
@@ -12,36 +13,46 @@ use crate::rhs::{Lent, RightHandSide};
 use crate::solution::Stop;
 use crate::stepper::{DenseStep, Interpolant};
 
-/// Equations and events that are watched in one trajectory of a batch.
+/// Equations and events that are watched in a trajectory of a batch.
 pub struct Watched<'w> {
-    /// Equations in plain doubles. Only their divisors are evaluated during the run.
+    /// Equations in plain doubles, whose divisors are watched; nothing else of them is evaluated, except f
+    /// near a divisor's zero.
     pub equations: Box<dyn RightHandSide<f64> + 'w>,
-    /// Events of the trajectory; they are recorded, or end it, as in [`crate::integrate`].
+    /// Events of the trajectory; they are recorded, or end the trajectory, as in [`crate::integrate`].
     pub events: Vec<Event<'w>>,
 }
 
-/// Function that makes the [`Watched`] of the trajectory at a position, at the start of the trajectory.
+/// Function of the index of a trajectory that gives the equations and events to watch in it. It is
+/// called at the start of the trajectory.
 pub type Watching<'w> = dyn Fn(usize) -> Watched<'w> + 'w;
 
-/// End of a trajectory, inside a step or at its end, with the reason.
+/// End of a trajectory, inside a step or at its end.
 pub(super) struct Ending {
+    /// Time at which the trajectory ends, s.
     pub(super) t: f64,
+    /// State at the end of the trajectory.
     pub(super) y: Vec<f64>,
+    /// Reason why the trajectory ended.
     pub(super) stop: Stop,
 }
 
-/// Watcher of a trajectory: its [`Watched`], with the memory from step to step.
+/// Watcher of a trajectory, with the data that it keeps from step to step.
 pub(super) struct Watcher<'w> {
+    /// Equations of the trajectory in plain doubles, whose divisors are watched.
     equations: Box<dyn RightHandSide<f64> + 'w>,
+    /// Guard that finds zeros of the divisors inside a step.
     guard: Guard<f64>,
+    /// Watch that finds the events of the trajectory inside a step.
     watch: Watch<'w, 'w>,
-    /// States at the ends of the step that is examined.
+    /// States at the start and at the end of the step that is examined.
     ends: [Vec<f64>; 2],
+    /// True if a divisor of the equations may have been zero inside the step that is examined.
     suspects: bool,
 }
 
 impl<'w> Watcher<'w> {
-    /// Creates the watcher at the start of a trajectory. An error is the reason not to start.
+    /// Creates the watcher at the start (t, y) of a trajectory. The error is the reason why the trajectory
+    /// cannot start.
     pub(super) fn new(Watched { mut equations, events }: Watched<'w>, t: f64, y: &[f64]) -> Result<Self, Stop> {
         let mut watch = Watch::new(Events::Own(events), y.len());
         if let Some(stop) = watch.start(t, y) {
@@ -51,8 +62,8 @@ impl<'w> Watcher<'w> {
         Ok(Self { equations, guard, watch, ends: [y.to_vec(), y.to_vec()], suspects: false })
     }
 
-    /// Examines the ends of an accepted step over `span`, s; true if the inside has to be examined by
-    /// [`Watcher::ending`].
+    /// Examines the ends of an accepted step of a lane over `span`, s. True if its inside must be examined,
+    /// too, by [`Watcher::ending`].
     pub(super) fn look<M: Method<N>, const N: usize>(&mut self, method: &M, lane: usize, span: (f64, f64)) -> bool {
         method.ends(lane, &mut self.ends);
         if !self.guard.is_empty() {
@@ -62,7 +73,8 @@ impl<'w> Watcher<'w> {
         self.suspects || !self.watch.is_empty()
     }
 
-    /// Finds the end of the trajectory inside the step that [`Watcher::look`] has examined; `None` if it goes on.
+    /// Finds the end of the trajectory inside the step over `span`, s, that [`Watcher::look`] has examined.
+    /// `None` if the trajectory continues.
     pub(super) fn ending<M: Method<N>, const N: usize>(
         &mut self,
         method: &M,
@@ -82,12 +94,12 @@ impl<'w> Watcher<'w> {
         }
     }
 
-    /// Goes on to the next step after a step of this length, s.
+    /// Moves to the next step, after an accepted step of this signed length, s.
     pub(super) fn accept(&mut self, length: f64) {
         self.guard.accept(length);
     }
 
-    /// Records of the trajectory's events.
+    /// Returns the records of the trajectory's events.
     pub(super) fn records(self) -> Vec<EventRecord> {
         self.watch.records
     }

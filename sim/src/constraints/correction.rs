@@ -1,28 +1,35 @@
-//! Corrections of (q, q̇) that make constraints zero, in the metric of a mass matrix. The coordinates are corrected
-//! first, by M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁻¹ drift, with the constraints between coordinates. The rates follow, with the
-//! constraints of rates, whose drift the first correction has changed.
+//! Corrections of a state (q, q̇) that make its constraints zero and are the smallest in the metric of
+//! a mass matrix M.
 //!
-//! A correction that is prepared at a state serves for any drift there and next to it. It is created once and prepared
-//! again for each state, without an allocation. The factors for coordinates are used again for rates if the slopes and
-//! the metric are the same.
+//! The coordinates are corrected first, by M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁻¹ drift, with the slopes G of the
+//! constraints between coordinates. The rates follow, with the constraints that contain rates, whose
+//! drift the first correction has changed.
+//!
+//! A correction that is prepared at a state serves for any drift at that state and near it. It is
+//! created once and prepared again for each state, without an allocation. The factors for coordinates
+//! serve for rates, too, if slopes and metric are the same.
 
 use crate::linear::metric::{Conditions, DEPENDENT, Metric, dot};
 
-/// Solver for the smallest vector that satisfies linear conditions, in the metric of a mass matrix.
+/// Solver for the smallest vector that satisfies linear conditions, in the metric of a mass matrix or
+/// of weights.
 #[derive(Clone)]
 pub(crate) struct LeastVectorSolver {
+    /// Metric that defines the length of the wanted vector.
     pub(crate) metric: Metric,
+    /// Linear conditions that the wanted vector satisfies.
     pub(crate) conditions: Conditions,
 }
 
 impl LeastVectorSolver {
-    /// Creates a solver without a metric and conditions.
+    /// Creates a solver for the smallest vector; its metric and conditions are not set yet.
     pub(crate) const fn new() -> Self {
         Self { metric: Metric::new(), conditions: Conditions::new() }
     }
 
-    /// Sets the metric of a mass matrix, row by row, for vectors of this length, and the rows of the conditions. False
-    /// if the matrix is not definite on the vectors that the rows leave free.
+    /// Sets the metric of the mass matrix `inertia`, `length` × `length` entries row by row, and the
+    /// conditions. Each condition is a row of `rows` with `length` entries. False if the matrix is not
+    /// positive definite on the vectors that the rows leave free.
     pub(crate) fn set(&mut self, inertia: &[f64], length: usize, rows: &[f64]) -> bool {
         let is_definite = self.metric.set_inertia(inertia, length, rows);
         if is_definite {
@@ -31,8 +38,11 @@ impl LeastVectorSolver {
         is_definite
     }
 
-    /// Sets the metric of a mass matrix to which inertia is added along the rows, as [`Metric::set_heavier`] does. The
-    /// measure of dependence among rows then means the same at all states.
+    /// Sets conditions, and the metric of a mass matrix to which inertia is added along the rows of these
+    /// conditions. The measure of dependence among rows then means the same at all states.
+    ///
+    /// `inertia` has `length` × `length` entries, `rows` has `length` for each condition. False if the
+    /// matrix is not positive definite on the vectors that the rows leave free.
     pub(crate) fn set_heavier(&mut self, inertia: &[f64], length: usize, rows: &[f64]) -> bool {
         let is_definite = self.metric.set_heavier(inertia, length, rows);
         if is_definite {
@@ -41,7 +51,8 @@ impl LeastVectorSolver {
         is_definite
     }
 
-    /// Writes the smallest vector that satisfies the conditions with these right-hand sides.
+    /// Writes the smallest vector that satisfies the conditions to `out`. `sides` has the right-hand side
+    /// of each condition.
     pub(crate) fn write(&mut self, sides: &[f64], out: &mut [f64]) {
         out.fill(0.0);
         self.conditions.add_least(sides, out);
@@ -49,32 +60,42 @@ impl LeastVectorSolver {
     }
 }
 
-/// Corrections of a state (q, q̇) onto its constraints, with the working space.
+/// Solver for corrections of a state (q, q̇) onto its constraints, with its working space.
 #[derive(Clone)]
 pub(crate) struct Correction {
     /// Indices of the coordinates that may be moved: all except the time.
     moved: Vec<usize>,
-    /// Indices of the constraints between coordinates; `of_rates` has those of rates.
+    /// Indices, among all constraints, of those between coordinates, without rates q̇.
     of_places: Vec<usize>,
+    /// Indices, among all constraints, of those that contain rates q̇.
     of_rates: Vec<usize>,
-    /// Slopes of the constraints between coordinates along coordinates. `rates` and `coupling` are the slopes of the
-    /// constraints of rates, along rates and along coordinates.
+    /// Slopes of the constraints between coordinates along the movable coordinates, row by row.
     places: Vec<f64>,
+    /// Slopes of the constraints that contain rates, along the rates of movable coordinates, row by row.
     rates: Vec<f64>,
+    /// Slopes of the constraints that contain rates, along the movable coordinates, row by row.
     coupling: Vec<f64>,
+    /// Mass matrix of the movable coordinates, row by row.
     inertia: Vec<f64>,
+    /// Solver for the smallest correction of the coordinates q.
     by_places: LeastVectorSolver,
+    /// Solver for the smallest correction of the rates q̇.
     by_rates: LeastVectorSolver,
-    /// True if the slopes along rates equal those along coordinates, in one metric: `by_rates` is then not set.
+    /// True if rates and coordinates have the same slopes and metric. Then `by_places` also corrects the
+    /// rates, and `by_rates` is not set.
     are_same: bool,
+    /// Right-hand sides of the linear conditions of a correction: the drift that it must remove.
     sides: Vec<f64>,
+    /// Correction of the movable coordinates.
     q: Vec<f64>,
+    /// Correction of the rates of the movable coordinates.
     v: Vec<f64>,
+    /// Correction of the whole state, 2n entries.
     whole: Vec<f64>,
 }
 
 impl Correction {
-    /// Creates a correction that is not prepared at a state yet.
+    /// Creates a solver for corrections that is not prepared at a state yet.
     pub(crate) const fn new() -> Self {
         Self {
             moved: Vec::new(),
@@ -94,9 +115,11 @@ impl Correction {
         }
     }
 
-    /// Prepares corrections at a state with this mass matrix and these gradients of constraints, 2n entries each, row
-    /// by row. The coordinate with index `clock` stays. False if the mass matrix is not definite on the motions that
-    /// the constraints allow.
+    /// Prepares corrections at a state with n coordinates. `inertia` is the n × n mass matrix, `gradients`
+    /// has 2n entries for each constraint, row by row.
+    ///
+    /// The coordinate with index `clock` is the time and never moved. False if the mass matrix is not
+    /// positive definite on the motions that the constraints allow.
     pub(crate) fn set(&mut self, inertia: &[f64], gradients: &[f64], n: usize, clock: Option<usize>) -> bool {
         self.moved.clear();
         self.moved.extend((0..n).filter(|i| Some(*i) != clock));
@@ -113,7 +136,8 @@ impl Correction {
         self.are_same || self.by_rates.set(&self.inertia, length, &self.rates)
     }
 
-    /// Separates the constraints between coordinates from those of rates, and copies their slopes.
+    /// Separates the constraints between coordinates from those that contain rates, and copies their
+    /// slopes. `gradients` has 2n entries for each constraint.
     fn sort(&mut self, gradients: &[f64], n: usize) {
         let Self { moved, of_places, of_rates, places, rates, coupling, .. } = self;
         for list in [&mut *of_places, &mut *of_rates] {
@@ -135,7 +159,8 @@ impl Correction {
         }
     }
 
-    /// Correction to subtract from the state, 2n entries, if the constraints have the values `drift`.
+    /// Returns the correction to subtract from the state (q, q̇), 2n entries, where `drift` has the value
+    /// of each constraint.
     pub(crate) fn of(&mut self, drift: &[f64], n: usize) -> &[f64] {
         let length = self.moved.len();
         self.q.resize(length, 0.0);

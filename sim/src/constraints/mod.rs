@@ -1,4 +1,5 @@
-//! Constraints of a run: their multipliers, and corrections of states that violate them.
+//! Constraints of a run: equations of motion with multipliers, and corrections of states that violate
+//! constraints.
 
 pub(crate) mod correction;
 pub(crate) mod multipliers;

@@ -1,16 +1,18 @@
-//! Equations in all rates with the multipliers of their constraints, E q̈ − Aᵀλ = f and A q̈ = γ, solved at each state
-//! for any rank of A.
+//! Equations of motion in all rates with the multipliers λ of their constraints, E q̈ − Aᵀλ = f and A
+//! q̈ = γ. They are solved at each state for any rank of A.
 //!
-//! With E = L Lᵀ and z = Lᵀ q̈, the forces alone would give L⁻¹ f. The motion is this without its part along the
-//! columns of L⁻¹ Aᵀ, which the constraints decide (F. E. Udwadia & R. E. Kalaba, *Analytical Dynamics* (1996), §3.3).
-//! No independent speeds are chosen, so that no choice can fail. Rows that depend on others, everywhere or in a
-//! singular pose, are left out. In such a pose the motion goes on by its inertia; no number that vanishes there is a
-//! divisor.
+//! With the mass matrix E = L Lᵀ and z = Lᵀ q̈, the forces alone would give z = L⁻¹ f. The motion is
+//! this z without its part along the columns of L⁻¹ Aᵀ, which the constraints decide (F. E. Udwadia &
+//! R. E. Kalaba, *Analytical Dynamics* (1996), §3.3).
 //!
-//! Accelerations are those at the nearest state on the constraints, in the metric of E. Stages of a step are off the
-//! constraints by errors of low order, which next to a singular pose would be divided by a vanishing number. On the
-//! constraints the accelerations of a regular motion are bounded up to the pose itself, so that whole steps lead across
-//! it.
+//! No independent speeds are chosen, so that no choice can fail. Rows of A that depend on others,
+//! everywhere or in a singular pose, are left out. In a singular pose the motion continues by its
+//! inertia; no number that vanishes there is a divisor.
+//!
+//! Accelerations are those at the nearest state on the constraints, in the metric of E. Stages of a
+//! step are off the constraints by errors of low order, which near a singular pose would be divided by
+//! a vanishing number. On the constraints the accelerations of a regular motion are bounded up to the
+//! pose itself, so that steps can lead across it.
 
 use tripos_traits::{Lengths, System};
 
@@ -21,52 +23,70 @@ use crate::linear::metric::dot;
 use crate::linear::singular::least_singular_value;
 use crate::rhs::RightHandSide;
 
-/// Fraction of the largest [`Standing::constraints`] below which no step may end.
+/// Distance from dependent constraints below which no step may end, as a fraction of the largest
+/// distance in the run. The distance is [`Standing::constraints`].
 const AVOIDED: f64 = 0.003;
-/// Size below which a coordinate counts as zero when neighbouring poses are chosen.
+/// Size of a coordinate below which it counts as zero when neighbouring poses are chosen, in its unit.
 const SMALL: f64 = 1e-3;
 
-/// Right-hand side y' = [q̇; q̈] of equations in all rates with multipliers.
+/// Right-hand side y' = (q̇, q̈) of equations of motion in all rates, with multipliers for their
+/// constraints. The state is y = (q, q̇).
 #[derive(Clone)]
 pub struct Multipliers<'a> {
+    /// System that provides the mass matrix, the forcing and the constraints.
     system: &'a dyn System<f64>,
+    /// Parameters of the system, in the order of the model file.
     parameters: Vec<f64>,
+    /// Matrix of the linear system for accelerations and multipliers, row by row.
     matrix: Vec<f64>,
+    /// Right-hand side of the linear system for accelerations and multipliers: f, then γ of A q̈ = γ.
     forcing: Vec<f64>,
-    /// Smallest [`Standing::constraints`] at which accelerations were computed; `farthest` is the largest.
+    /// Smallest [`Standing::constraints`] at which accelerations were computed.
     nearest: f64,
+    /// Largest [`Standing::constraints`] at which accelerations were computed.
     farthest: f64,
-    /// Largest length of each row of A so far.
+    /// Largest length so far of each row of the constraint matrix A, in the metric of the mass matrix E.
     sizes: Vec<f64>,
+    /// Solver for the state on the constraints that is nearest to a given state.
     placement: Placement,
-    /// Mass matrix E, row by row; `rows` has A. `least` solves the conditions in the metric of E.
+    /// Mass matrix E of the rates q̇, row by row.
     inertia: Vec<f64>,
+    /// Matrix A of the constraints A q̈ = γ, row by row.
     rows: Vec<f64>,
+    /// Solver for the constraints A q̈ = γ in the metric of the mass matrix E.
     least: LeastVectorSolver,
-    /// Rows of J in the metric of E; `longest` has the largest length of each so far. `rest` and `along` are the
-    /// generalized speeds at rest and for a unit rate; `still` holds rates of 0.
+    /// Matrix J of the generalized speeds u = J q̇ + d, row by row, multiplied by L⁻ᵀ.
     forms: Vec<f64>,
+    /// Largest length of each row of J so far, in the metric of E; empty before the first use.
     longest: Vec<f64>,
+    /// Generalized speeds u at a pose if all rates q̇ are 0.
     rest: Vec<f64>,
+    /// Generalized speeds u at a pose if a single rate q̇ᵢ is 1 and the other rates are 0.
     along: Vec<f64>,
+    /// Rates q̇ of 0, an entry for each coordinate; working space for J.
     still: Vec<f64>,
 }
 
-/// Distances of a state from a failure of the independent speeds and from dependent constraints.
+/// Distances of a state from two singularities: a failure of the independent speeds, and dependent
+/// constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Standing {
-    /// Smallest singular value of the speeds on the motions that the constraints allow: from 0, where the choice of
-    /// speeds fails, to 1. Each row of J is divided by its largest length so far.
+    /// Smallest singular value of the matrix J of the generalized speeds, on the motions that the
+    /// constraints allow. It is between 0, where the speeds fail, and 1. Each row of J is first divided by
+    /// its largest length so far.
     pub speeds: f64,
-    /// Smallest remainder of a constraint's row beside the other rows, over the largest length of that row so far.
-    /// It is 0 in a singular pose, where rows depend on one another or vanish.
+    /// Smallest length of the part of a constraint's row that does not depend on the other rows, over the
+    /// largest length of that row so far. It is 0 in a singular pose, where rows vanish or depend on one
+    /// another.
     pub constraints: f64,
 }
 
 impl<'a> Multipliers<'a> {
-    /// Creates the right-hand side from a system, with parameters in the order of the model file. `clock` is the index
-    /// of the coordinate that is the time, if a coordinate is. `None` if the equations are not in all rates with
-    /// multipliers, or if the number of parameters is wrong.
+    /// Creates the right-hand side from a system, with parameters in the order of the model file. `clock`
+    /// is the index of the coordinate that is the time; `None` if no coordinate is.
+    ///
+    /// `None` if the unknowns of the system are not all rates with multipliers, or if the number of
+    /// parameters is wrong.
     #[must_use]
     pub fn new(system: &'a dyn System<f64>, parameters: &[f64], clock: Option<usize>) -> Option<Self> {
         let Lengths { coordinates, variables, reactions, speeds, .. } = system.lengths();
@@ -92,14 +112,15 @@ impl<'a> Multipliers<'a> {
         })
     }
 
-    /// Copies these equations for another run. The copy keeps the largest lengths of rows and the largest distance from
-    /// singular poses so far; [`Self::nearest`] starts anew.
+    /// Copies these equations for another run. The copy keeps the largest lengths of rows and the largest
+    /// distance from singular poses so far. Its smallest distance, [`Self::nearest`], starts anew.
     #[must_use]
     pub fn again(&self) -> Self {
         Self { nearest: 1.0, ..self.clone() }
     }
 
-    /// Computes [`Standing::constraints`] from the conditions set last, and records the extreme values.
+    /// Computes [`Standing::constraints`] from the conditions in `least`, and updates its smallest and
+    /// largest value so far.
     fn near(&mut self) -> f64 {
         let conditions = &self.least.conditions;
         for (most, size) in self.sizes.iter_mut().zip(&conditions.sizes) {
@@ -110,14 +131,14 @@ impl<'a> Multipliers<'a> {
         least
     }
 
-    /// Smallest [`Standing::constraints`] of all states so far.
+    /// Smallest [`Standing::constraints`] of all states so far: 0 at a singular pose, 1 at most.
     #[must_use]
     pub fn nearest(&self) -> f64 {
         self.nearest
     }
 
-    /// Sets the conditions A in the metric of E, both taken from the matrix. False if a motion that they allow has no
-    /// inertia.
+    /// Sets the solver `least` to the conditions A in the metric of E, both taken from `matrix`. False if a
+    /// motion that the conditions allow has no inertia.
     fn set_least(&mut self) -> bool {
         let (n, order) = (self.still.len(), self.forcing.len());
         for list in [&mut self.inertia, &mut self.rows] {
@@ -129,7 +150,8 @@ impl<'a> Multipliers<'a> {
         self.least.set_heavier(&self.inertia, n, &self.rows)
     }
 
-    /// Writes the accelerations q̈ of the linear system that was evaluated last.
+    /// Solves the linear system in `matrix` and `forcing`, and writes the accelerations q̈ to `out`. Error
+    /// if an entry is not finite, or if a motion that the constraints allow has no inertia.
     fn accelerations(&mut self, out: &mut [f64]) -> Result<(), Failure> {
         if !self.matrix.iter().chain(&self.forcing).all(|x| x.is_finite()) {
             let message = "an entry of the equations with multipliers is not finite".to_owned();
@@ -150,8 +172,8 @@ impl<'a> Multipliers<'a> {
         Ok(())
     }
 
-    /// Computes the distances of a state from a failure of the model's generalized speeds and from dependent
-    /// constraints. `None` if the equations have no value there.
+    /// Computes the distances of the state y = (q, q̇) from a failure of the model's generalized speeds and
+    /// from dependent constraints. `None` if the equations have no value there.
     pub fn standing(&mut self, y: &[f64]) -> Option<Standing> {
         let n = self.still.len();
         let (q, v) = y.split_at(n);
@@ -173,8 +195,11 @@ impl<'a> Multipliers<'a> {
         speeds.is_finite().then(|| Standing { speeds, constraints: self.near() })
     }
 
-    /// Records the lengths of the rows of J at poses next to `q`, where rows may vanish as in a dead point. For each
-    /// pose one coordinate is increased by half of its size, or by one half if it is small.
+    /// Records the lengths of the rows of J at poses near `q`. At `q` itself a row may vanish, as in a dead
+    /// point.
+    ///
+    /// For each pose a single coordinate is increased by half of its size, or by one half of its unit if it
+    /// is small.
     fn look_beside(&mut self, q: &[f64]) {
         self.longest = vec![0.0; self.rest.len()];
         let mut beside = q.to_vec();
@@ -185,7 +210,8 @@ impl<'a> Multipliers<'a> {
         }
     }
 
-    /// Sets J at a pose in the metric of E, and records the largest lengths of its rows.
+    /// Computes the matrix J of the generalized speeds at pose `q` in the metric of E, and updates the
+    /// largest lengths of its rows.
     fn raise_forms(&mut self, q: &[f64]) {
         self.set_forms(q);
         for (form, longest) in self.forms.chunks_exact_mut(q.len().max(1)).zip(&mut self.longest) {
@@ -196,7 +222,8 @@ impl<'a> Multipliers<'a> {
         }
     }
 
-    /// Computes J of u = J q̇ + d, row by row, by differences along the axes: u is linear in q̇.
+    /// Computes the matrix J of the generalized speeds u = J q̇ + d at pose `q`, row by row. Differences
+    /// along each rate are exact, since u is linear in q̇.
     fn set_forms(&mut self, q: &[f64]) {
         let (n, p) = (q.len(), self.rest.len());
         let (system, parameters) = (self.system, self.parameters.as_slice());
@@ -231,7 +258,8 @@ impl RightHandSide<f64> for Multipliers<'_> {
         crate::rhs::constraints(self.system, &self.parameters, y, values, slopes);
     }
 
-    /// True next to a singular pose: rounding errors are divided there by the square of a vanishing number.
+    /// True if the state is near a singular pose, where rounding errors are divided by the square of a
+    /// vanishing number.
     fn avoids(&mut self, _t: f64, y: &[f64]) -> bool {
         self.standing(y).is_some_and(|standing| standing.constraints < AVOIDED * self.farthest)
     }

@@ -1,66 +1,74 @@
-//! Impulses and forces of contacts that push and never pull.
+//! Impulses of impacts and forces of closed contacts that push and never pull.
 //!
-//! Rows w of contacts are linear forms in the independent speeds u: w u is the velocity at which a contact opens, or
-//! the one at which it slips. The kinetic energy has the matrix M in u. Impulses Λ along the rows change u by M⁻¹ Wᵀ Λ
-//! and the velocities of contacts by G Λ, G = W M⁻¹ Wᵀ. One complementarity gives the impulses of all contacts that are
-//! closed together: each contact pushes, or opens faster than its law asks for, never both. Friedrich Pfeiffer &
-//! Christoph Glocker, *Multibody Dynamics with Unilateral Contacts* (1996), chapter 8; for Newton's law in this form J.
-//! J. Moreau, *Unilateral contact and dry friction in finite freedom dynamics* (1988), §§ 3 and 5.
+//! Rows w of contacts are linear forms in the independent speeds u: w u is the velocity at which a
+//! contact opens, or the velocity at which it slips. The kinetic energy has the matrix M in u. Impulses
+//! Λ along the rows change u by M⁻¹ Wᵀ Λ and the velocities of contacts by G Λ, with G = W M⁻¹ Wᵀ.
+//!
+//! A complementarity problem gives the impulses of all contacts that are closed together. Each contact
+//! pushes, or opens faster than its law asks for, never both. Friedrich Pfeiffer & Christoph Glocker,
+//! *Multibody Dynamics with Unilateral Contacts* (1996), chapter 8; for Newton's law in this form J. J.
+//! Moreau, *Unilateral contact and dry friction in finite freedom dynamics* (1988), §§ 3 and 5.
 //!
 //! Absent on purpose: any knowledge of time, of steps and of models.
 
 use super::friction::{ContactSolution, Mode, Touch, Trial, Undecided, one_motion};
 use nalgebra::{DMatrix, DVector};
 
-/// Fraction of the largest velocity or acceleration of a row without contact forces, in scaled units, up to which a
-/// number counts as zero.
+/// Size up to which a velocity, acceleration or force of contacts counts as zero, in scaled units. It
+/// is a fraction of the largest velocity or acceleration of a row without contact forces.
 const NOTHING: f64 = 1e-10;
 
-/// Record of an impact: its impulses, and the energy that it took.
+/// Record of an impact: its time, its impulses, and the energy that it dissipated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpactRecord {
     /// Time of the impact, s.
     pub t: f64,
-    /// Contacts that had an impulse, by their places, each with its normal impulse: in N s if the gap is in m.
+    /// Contacts that had an impulse: the index of the contact and its normal impulse, in N s if the gap is
+    /// in m.
     pub impulses: Vec<(usize, f64)>,
-    /// State before the impact.
+    /// State of the equations just before the impact.
     pub before: Vec<f64>,
-    /// Energy that the contacts dissipated, J.
+    /// Energy that the contacts dissipated in the impact, J.
     pub loss: f64,
     /// Work that moving obstacles did in the impact, J.
     pub work: f64,
-    /// Contacts, by their places, whose further bounces are too short to be resolved: they are held from here on.
+    /// Indices of contacts that stay closed after the impact, because further bounces would be too short to
+    /// be resolved.
     pub held: Vec<usize>,
 }
 
-/// Behaviour of a closed contact in an impact.
+/// Behaviour of a closed contact in an impact: it pushes, it opens, or it does neither.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Share {
-    /// The contact pushes.
+    /// The contact pushes: its normal impulse is above zero.
     Pushes,
     /// The contact opens, or opens faster than its law of impact asks for.
     Parts,
-    /// The contact neither pushes nor opens, to rounding: it could do either.
+    /// The contact neither pushes nor opens by more than rounding, so that it could do either.
     Neither,
 }
 
-/// Contacts that are closed at one instant: how forces act on them, and their friction.
+/// Contacts that are closed at the same instant: the matrix of their motion by impulses, and their
+/// friction.
 #[derive(Clone, Debug)]
 pub struct ClosedContacts {
-    /// Matrix G = W M⁻¹ Wᵀ of velocities by impulses, a row and a column for each row of W.
+    /// Matrix G = W M⁻¹ Wᵀ that gives the velocities of all contact rows by impulses along them. It has a
+    /// row and a column for each row of W.
     pub compliance: DMatrix<f64>,
-    /// Rows of each contact: that of its gap, then those of its slips.
+    /// Indices in W of each contact's rows: the row of its gap, then those of its slips.
     pub rows: Vec<Vec<usize>>,
-    /// Coefficient of friction of each contact; `None` without friction. A contact with friction has one slip.
+    /// Coefficient of friction of each contact; `None` without friction. A contact with friction has a
+    /// single slip.
     pub friction: Vec<Option<f64>>,
 }
 
 impl ClosedContacts {
-    /// Computes the impulses of all rows by Newton's law, from the velocities before and a coefficient of restitution
-    /// for each contact. A contact that already opens before the impact ignores its coefficient.
+    /// Computes the impulses along all rows by Newton's law of impact. `velocities` are those of the rows
+    /// before the impact, and `restitution` has a coefficient for each contact. A contact that already
+    /// opens ignores its coefficient.
     ///
     /// # Errors
-    /// [`Undecided`] if no impulses part the bodies, or if Coulomb's law allows several motions.
+    /// [`Undecided`] if no impulses separate the bodies, or if Coulomb's law allows several motions.
     pub fn newton(&self, velocities: &DVector<f64>, restitution: &[f64]) -> Result<DVector<f64>, Undecided> {
         let mut wanted = velocities.clone();
         for (rows, e) in self.rows.iter().zip(restitution) {
@@ -71,9 +79,12 @@ impl ClosedContacts {
         self.push(&wanted)
     }
 
-    /// Computes the impulses of all rows by Poisson's law. A compression stops the contacts that close. An expansion
-    /// follows with e times the impulses of the compression, or more if a contact would still close. Friction obeys
-    /// Coulomb's law in each of the two, with its impulses and the slip at its end.
+    /// Computes the impulses along all rows by Poisson's law of impact. `velocities` are those of the rows
+    /// before the impact, and `restitution` has a coefficient e for each contact.
+    ///
+    /// A compression stops the contacts that close. An expansion follows with e times the impulses of the
+    /// compression, or more if a contact would still close. Friction obeys Coulomb's law in each of the two
+    /// phases, with the phase's impulses and the slip at its end.
     ///
     /// # Errors
     /// [`Undecided`], as for [`ClosedContacts::newton`].
@@ -88,9 +99,11 @@ impl ClosedContacts {
         Ok(both + first(more))
     }
 
-    /// Finds the impulses Λ of the contacts: Λ ≥ 0 and G Λ + c ≥ 0 along gaps, and Λ or G Λ + c is 0 at each contact.
-    /// Along the slips of contacts that push, G Λ + c = 0; with friction Coulomb's law holds for the slip G Λ + c. If c
-    /// are accelerations in place of velocities, Λ are forces of contacts that do not slip yet.
+    /// Finds the impulses Λ along all rows of the contacts, where c are the velocities of the rows without
+    /// them. Along each gap Λ ≥ 0 and G Λ + c ≥ 0, and one of the two is 0.
+    ///
+    /// Along the slips of contacts that push, G Λ + c = 0; with friction Coulomb's law holds for the slip G
+    /// Λ + c. If c are accelerations in place of velocities, Λ are forces of contacts that do not slip yet.
     ///
     /// # Errors
     /// [`Undecided`] if there are no such Λ, or several that move differently.
@@ -99,16 +112,20 @@ impl ClosedContacts {
         Ok(first(self.tried(c, &vec![None; count], &vec![0.0; count])?))
     }
 
-    /// Finds all modes that contacts can have together under accelerations c, with their forces, those of least freedom
-    /// first; all give one motion. `slips` has the sign of the slip velocity of each contact that slips.
+    /// Finds all combinations of modes that contacts can have under accelerations `c` of their rows, with
+    /// the contact forces. The combination of least freedom is first; all give the same motion.
+    ///
+    /// `slips` has the sign of the slip velocity of each contact, 1 or −1; `None` for a contact that does
+    /// not slip.
     ///
     /// # Errors
-    /// [`Undecided`], as for [`ClosedContacts::push`].
+    /// [`Undecided`] if there is no combination, or if they move differently.
     pub fn ways(&self, c: &DVector<f64>, slips: &[Option<f64>]) -> Result<Vec<ContactSolution>, Undecided> {
         self.tried(c, slips, &vec![0.0; slips.len()])
     }
 
-    /// True if contacts can have these modes together under accelerations c. `slips` has the signs of slip velocities.
+    /// True if contacts can have these modes together under accelerations `c` of their rows. `slips` has
+    /// the sign of the slip velocity of each contact; `None` for a contact that does not slip.
     #[must_use]
     pub fn allows(&self, c: &DVector<f64>, slips: &[Option<f64>], modes: &[Mode]) -> bool {
         let (scaled, unit) = self.scaled();
@@ -116,8 +133,8 @@ impl ClosedContacts {
         self.trial(&scaled, &unit, slips, &vec![0.0; slips.len()]).holds(&c, modes, NOTHING * c.amax())
     }
 
-    /// Determinant of the linear system for the forces of these modes, in units in which all rows are alike. Without
-    /// slip it is at least 0. Where it is negative, contacts that slip have no forces, or several.
+    /// Determinant of the linear system for the contact forces in these modes, in scaled units. Without
+    /// slip it is at least 0. If it is negative, contacts that slip have no forces, or several.
     #[must_use]
     pub fn determinant(&self, modes: &[Mode]) -> f64 {
         let (scaled, unit) = self.scaled();
@@ -125,11 +142,15 @@ impl ClosedContacts {
         self.trial(&scaled, &unit, &none.0, &none.1).determinant(modes)
     }
 
-    /// Finds modes and forces as [`ClosedContacts::ways`] does, with given impulses along gaps in addition to the
-    /// wanted ones. Friction acts on the sum of both.
+    /// Finds all combinations of modes under motions `c` of the rows, with their forces, if forces `given`
+    /// along the gaps act already. Friction acts on the sum of given and found forces.
+    ///
+    /// `c` are accelerations, or velocities with impulses in place of forces. `slips` has the sign of the
+    /// slip velocity of each contact; `None` for a contact that does not slip. The combination of least
+    /// freedom is first.
     ///
     /// # Errors
-    /// [`Undecided`], as for [`ClosedContacts::push`].
+    /// [`Undecided`] if there is no combination, or if they move differently.
     pub fn tried(
         &self,
         c: &DVector<f64>,
@@ -146,7 +167,8 @@ impl ClosedContacts {
         Ok(list)
     }
 
-    /// Trial of these contacts, in units in which all rows are alike.
+    /// Creates the trial of modes of these contacts, in scaled units. `scaled` is G in these units, and
+    /// `unit` the unit of each row.
     fn trial<'t>(
         &'t self,
         scaled: &'t DMatrix<f64>,
@@ -166,7 +188,8 @@ impl ClosedContacts {
         Trial { g: scaled, touches: (0..self.rows.len()).map(touch).collect() }
     }
 
-    /// Behaviour of each contact under impulses that [`ClosedContacts::push`] found for these velocities.
+    /// Behaviour of each contact under impulses that [`ClosedContacts::push`] found. `c` are the velocities
+    /// of the rows before the impact.
     #[must_use]
     pub fn shares(&self, c: &DVector<f64>, impulses: &DVector<f64>) -> Vec<Share> {
         let (scaled, unit) = self.scaled();
@@ -182,9 +205,10 @@ impl ClosedContacts {
         self.rows.iter().map(share).collect()
     }
 
-    /// Finds Λ with G Λ + c = 0 along the rows that contacts in these modes hold, and the friction of those that slip.
-    /// If rows depend on one another, Λ is the smallest solution, or the one that friction can bear. `None` if Λ is not
-    /// finite.
+    /// Finds forces Λ with G Λ + c = 0 along the rows that contacts in these modes must not move, and the
+    /// friction of those that slip. `None` if Λ is not finite.
+    ///
+    /// If rows depend on one another, Λ is the smallest solution, or a solution that friction can bear.
     #[must_use]
     pub fn hold(&self, c: &DVector<f64>, modes: &[Mode]) -> Option<DVector<f64>> {
         let (scaled, unit) = self.scaled();
@@ -193,7 +217,8 @@ impl ClosedContacts {
         Some(trial.held(&c.component_mul(&unit), modes)?.component_mul(&unit))
     }
 
-    /// Matrix G in units in which all rows are alike, and these units.
+    /// Matrix G scaled to a diagonal of 1, and the scale of each row, which is 1 / √G_kk; 0 for a row that
+    /// cannot move.
     fn scaled(&self) -> (DMatrix<f64>, DVector<f64>) {
         let unit = self.compliance.diagonal().map(|g| if g > 0.0 { 1.0 / g.sqrt() } else { 0.0 });
         let n = unit.len();
@@ -201,7 +226,7 @@ impl ClosedContacts {
     }
 }
 
-/// Forces of the modes of least freedom.
+/// Forces of the first solution, which has the least freedom; an empty vector if there is none.
 fn first(found: Vec<ContactSolution>) -> DVector<f64> {
     found.into_iter().next().map_or_else(|| DVector::zeros(0), |found| found.forces)
 }

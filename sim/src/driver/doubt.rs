@@ -1,7 +1,8 @@
-//! Signs that the steps of a run follow rounding errors, or kinks of f.
+//! Signs that the steps of a run follow rounding errors, or kinks of the right-hand side f, and the
+//! warnings about them.
 //!
-//! The watch is cheap: a relative tolerance is never below rounding, so that only runs without one are examined step by
-//! step. Whether f is smooth shows in rejected steps alone.
+//! The examination is cheap. A relative tolerance is never below rounding, so that single steps are
+//! examined only in runs without a relative tolerance. Kinks of f are seen from rejected steps alone.
 
 use tripos_traits::Real;
 
@@ -9,38 +10,52 @@ use crate::stepper::Stepper;
 use crate::tolerance::ErrorTest;
 use crate::warning::Warning;
 
-/// Number of attempted steps that must show a sign of trouble before there is a warning: fewer do no harm.
+/// Number of attempted steps that must show a sign of trouble before there is a warning; fewer do no
+/// harm.
 const ENOUGH: u64 = 20;
-/// Number of attempts per fruitless retry below which such retries are a sign of a function that is not smooth. Noise
-/// of the size of the tolerance makes a retry of 20 to 40 attempts fruitless, jumps of f one of 5 to 20. Smooth
-/// equations have one in 100 at tolerances of 1e-3, and fewer below.
+/// Number of attempted steps in which a single fruitless retry (a shorter step whose error did not
+/// fall) is normal. More retries mean that f is not smooth.
+///
+/// Noise of the size of the tolerance causes a fruitless retry in 20 to 40 attempts, jumps of f in 5 to
+/// 20. Smooth equations cause one in 100 at tolerances of 1e-3, and fewer at smaller tolerances.
 const ONE_IN: u64 = 50;
 
-/// Signs of doubtful steps that a run has shown so far.
+/// Signs that the steps of a run are doubtful, counted so far.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Doubts {
+    /// Number of attempted steps of the run so far, accepted or not.
     attempts: u64,
+    /// Attempts in which a tolerance was below rounding; `None` if there were none.
     below: Option<Below>,
-    /// Size and error of the attempt before, if the step is being tried again.
+    /// Size, s, and error of the rejected attempt before the current one; `None` if that was not rejected
+    /// for its error.
     rejected: Option<(f64, f64)>,
-    /// Time of the first fruitless retry, s, and the number of such retries.
+    /// Time of the first retry whose error did not fall, s, and the number of such retries; `None` if there
+    /// were none.
     fruitless: Option<(f64, u64)>,
-    /// Start of the first step inside which f has no value, s.
+    /// Start time of the first step inside which f has no value, s; `None` if there was none.
     coarse: Option<f64>,
 }
 
-/// Count of attempts decided by a component whose allowed error is below its rounding, with the worst of them.
+/// Attempted steps that a component decided whose allowed error is below its rounding. The data are
+/// those of the worst attempt.
 #[derive(Clone, Debug)]
 struct Below {
+    /// Index in the state, from 0, of the component whose allowed error is below its rounding.
     component: usize,
+    /// Start time of the attempt in which the tolerance was farthest below rounding, s.
     t: f64,
+    /// Absolute value of the component in the attempt that was farthest below rounding, in its unit.
     size: f64,
+    /// Error of the component that the absolute tolerance allows, in its unit.
     allowed: f64,
+    /// Number of attempts that a component decided whose allowed error is below its rounding.
     attempts: u64,
 }
 
 impl Doubts {
-    /// Takes note of an attempted step that has an error.
+    /// Counts an attempted step of size `step`, s, with the norm `error` of its error, and examines it for
+    /// signs of trouble.
     pub(crate) fn note<M: Stepper>(&mut self, stepper: &M, test: &ErrorTest, step: f64, error: f64) {
         let t = stepper.span().0;
         self.attempts += 1;
@@ -58,17 +73,20 @@ impl Doubts {
         }
     }
 
-    /// Takes note of an attempted step without a result.
+    /// Counts an attempted step that has no error, so that it shows no sign.
     pub(crate) fn note_trouble(&mut self) {
         self.attempts += 1;
         self.rejected = None;
     }
 
-    /// Takes note of an accepted step inside of which the solution is not known to its full order.
+    /// Records an accepted step whose dense output is of a lower order, because f has no value at a point
+    /// inside it.
     pub(crate) fn note_coarse<M: Stepper>(&mut self, stepper: &M) {
         self.coarse.get_or_insert(stepper.span().0);
     }
 
+    /// Counts the attempt if the component with the largest weighted error has an allowed error below four
+    /// times its rounding.
     fn note_rounding<M: Stepper>(&mut self, stepper: &M, test: &ErrorTest) {
         let (y, y_new) = stepper.ends();
         let size = |i: usize| y[i].to_f64().abs().max(y_new[i].to_f64().abs());
@@ -87,7 +105,8 @@ impl Doubts {
         }
     }
 
-    /// Warnings that the signs justify: tolerance below rounding, f not smooth, and a coarse solution inside a step.
+    /// Returns the warnings that the signs justify: tolerance below rounding, f not smooth, and a coarse
+    /// solution inside a step.
     pub(crate) fn warnings<S: Real>(self) -> impl Iterator<Item = Warning> {
         let below = self.below.filter(|below| below.attempts >= ENOUGH);
         let below = below.map(|Below { component, t, size, allowed, attempts }| {

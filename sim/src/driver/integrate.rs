@@ -1,4 +1,5 @@
-//! Integration from a question to a [`Solution`]: checks the question, and picks the method.
+//! Integration of an initial value problem to a [`Solution`]: checks the arguments, selects the method
+//! and runs it.
 
 use tripos_traits::Real;
 
@@ -19,25 +20,26 @@ use crate::rhs::RightHandSide;
 use crate::solution::Solution;
 use tripos_traits::Method;
 
-/// Integrates y' = f(t, y) from (t0, y0) to t1, which may lie before t0.
+/// Integrates y' = f(t, y) from (t0, y0) to t1, which may lie before t0; `span` is (t0, t1), s.
 ///
 /// `rhs` is a closure `|t: f64, y: &[S], dydt: &mut [S]|` that writes f(t, y) to `dydt`, or another
-/// [`RightHandSide`]; both slices have the length of `y0`, and `dydt` comes with old contents. It may fail, or write
-/// numbers that are not finite: the step is then tried again with half its size, and the run ends with that reason
-/// when the size is down to 16 ulp of t.
+/// [`RightHandSide`]; both slices have the length of `y0`, and `dydt` comes with old contents. It may
+/// fail, or write numbers that are not finite: the step is then tried again with half its size. The run
+/// ends with that reason when the size is down to 16 ulp of t.
 ///
-/// The state is computed in the scalar `S`. Times, output times and errors are `f64`, and events look at the state
-/// rounded to `f64`; steps begin and end at times that are `f64` exactly, so that a wider scalar loses nothing.
+/// The state is computed in the scalar `S`. Times, output times and errors are `f64`, and events look
+/// at the state rounded to `f64`; steps begin and end at times that are `f64` exactly, so that a wider
+/// scalar loses nothing.
 ///
-/// If the right-hand side has constraints, the state is moved onto them after each step. The effect of this is in
-/// [`Solution::projection`].
+/// If the right-hand side has constraints, the state is moved onto them after each step. The
+/// corrections are reported in [`Solution::projection`].
 ///
 /// The solution up to the end of the run is returned, for any reason of that end.
 ///
 /// # Errors
-/// [`SimError`] if the question makes no sense: a span that is empty or not finite, a start that is not finite,
-/// tolerances or options out of range, output times outside the span, a method without the fixed step, the Jacobian or
-/// the Taylor coefficients that it needs.
+/// [`SimError`] if nothing can be run: a span that is empty or not finite, a start that is not finite,
+/// tolerances or options out of range, output times outside the span. Also if the method lacks the
+/// fixed step, the Jacobian or the Taylor coefficients that it needs.
 pub fn integrate<S, R>(
     rhs: R,
     span: (f64, f64),
@@ -52,11 +54,15 @@ where
     run(rhs, span, y0, options, events, None)
 }
 
-/// Integrates y' = f(t, y) from `y0` over `span` like [`integrate`], and moves the state onto its invariants after each
-/// step. The effect of this is in [`Solution::projection`]. See [`crate::projection`] for events and output.
+/// Integrates y' = f(t, y) from `y0` over `span`, s, like [`integrate`], and keeps `invariants` at
+/// their values at the start. After each step the state is moved onto them.
+///
+/// The corrections are reported in [`Solution::projection`]. See [`crate::projection`] for events and
+/// output.
 ///
 /// # Errors
-/// [`SimError`] if the question makes no sense: an empty span, a tolerance or option out of range, a wrong length.
+/// [`SimError`] if nothing can be run: an empty span, a tolerance or option out of range, a wrong
+/// length.
 pub fn integrate_projected<S, R>(
     rhs: R,
     span: (f64, f64),
@@ -72,6 +78,8 @@ where
     run(rhs, span, y0, options, events, Some(invariants))
 }
 
+/// Integrates y' = f(t, y) from `y0` over `span`, s, with the method of the options. The state is moved
+/// onto the given invariants, or else onto the constraints of the right-hand side if it has any.
 fn run<S, R>(
     mut rhs: R,
     span: (f64, f64),

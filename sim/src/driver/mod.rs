@@ -1,4 +1,5 @@
-//! Run of a method from its start to its end: step sizes, samples, errors, and the choice of a second run.
+//! Driver of a run: step sizes, samples, events, work and warnings of an integration, and the choice of
+//! a second run that measures its error.
 
 pub(crate) mod doubt;
 pub(crate) mod integrate;

@@ -1,4 +1,4 @@
-//! Sizes of the steps of a run: equal ones, or as large as their errors allow.
+//! Step sizes of a run: equal steps, or steps as large as their error estimates allow.
 
 use tripos_traits::Real;
 
@@ -11,61 +11,75 @@ use crate::stepper::{Trial, evaluate, same};
 use crate::tolerance::ErrorTest;
 use crate::warning::Warning;
 
-/// Verdict on an attempted step.
+/// Decision on an attempted step: accept it, repeat it with a smaller size, or end the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Verdict {
     /// The step is part of the solution.
     Accepted {
-        /// True if the step reached the end of the span.
+        /// True if the step reached the end of the span of the run.
         last: bool,
     },
-    /// The step is rejected, and a smaller one is to be tried.
+    /// The step is rejected, and a smaller step from the same time must be tried.
     Again,
-    /// The step is rejected, and no smaller one may be tried.
+    /// The step is rejected, and is already as small as is allowed: the run ends.
     GiveUp,
 }
 
-/// Step that is being tried, and the data on which the next steps depend.
+/// Step control of a run: the step that is being tried, and the data that decide the next sizes.
 #[derive(Clone)]
 pub(crate) struct Pace {
+    /// Start of the run, s.
     pub(crate) t0: f64,
+    /// End of the run, s.
     t1: f64,
+    /// Times at which the right-hand side has a corner or jump; adaptive steps end there.
     corners: Corners,
     /// Error test that a step must pass; `None` if all steps are equal.
     pub(crate) test: Option<ErrorTest>,
+    /// Kind of step control: equal or adaptive steps.
     kind: Kind,
+    /// Signed size and end time of the step that is being tried.
     pub(crate) trial: Trial,
+    /// True if the trial step ends at the end of the run.
     last: bool,
-    /// Number of evaluations of the right-hand side for the choice of the first step.
+    /// Number of calls of the right-hand side that the choice of the first step took.
     pub(crate) evaluations: u64,
 }
 
+/// Kind of step control: equal steps, or steps by error estimates.
 #[derive(Clone)]
 enum Kind {
-    /// Equal steps: their number in the span.
+    /// Equal steps. The number says how many there are in the span.
     Equal(f64),
+    /// Steps whose size follows from their error estimates.
     Adaptive(Adaptive),
 }
 
+/// Step control by error estimates: its rules, its limits and the next size.
 #[derive(Clone)]
 struct Adaptive {
+    /// Rules of the method for the choice of step sizes.
     rules: Rules,
+    /// Controller that finds the next size from the error of a step.
     control: Control,
+    /// Largest allowed size of a step of the run, s.
     longest: f64,
     /// Smallest size of a step that is tried from the current time, s.
     smallest: f64,
-    /// Size of the next step, s.
+    /// Wanted size of the next step, s.
     size: f64,
-    /// Size that the step would have without a corner, s; `None` if the step does not have to end at a corner.
+    /// Size that the trial step would have without a corner, s; `None` if the step does not have to end at
+    /// a corner.
     cut: Option<f64>,
 }
 
 impl Pace {
-    /// Creates the step sizes of a run of `n` equations over a span, with a warning about its tolerances if there is
-    /// one.
+    /// Creates the step control for a run of `n` equations over `span`, s, with a warning if the relative
+    /// tolerance was raised.
     ///
     /// # Errors
-    /// [`SimError`] for tolerances that make no sense, and for a method that cannot choose its steps.
+    /// [`SimError`] for invalid tolerances, and for a method that has no error estimate if the options give
+    /// no fixed step.
     pub(crate) fn new<S: Real>(
         span: (f64, f64),
         n: usize,
@@ -93,7 +107,8 @@ impl Pace {
         Ok((pace(Kind::Adaptive(adaptive), Some(test)), warning))
     }
 
-    /// Chooses the size of the first step from y' at the start, unless `initial` or the method gives it.
+    /// Chooses the size of the first step from the state `y` and its derivative `slope` at the start. A
+    /// given size `initial`, s, has precedence.
     pub(crate) fn start<S, R>(&mut self, rhs: &mut R, y: &[S], slope: &[S], initial: Option<f64>)
     where
         S: Real,
@@ -108,8 +123,11 @@ impl Pace {
         }
     }
 
-    /// Chooses the size of the first step as far as y' at the start decides it. If the rules need y' after a step of
-    /// Euler's method, the signed size of that step, in s, is returned, and [`Pace::correct_first_size`] must follow.
+    /// Chooses the size of the first step from the state and its derivative `slope` at the start.
+    /// `initial`, s, has precedence.
+    ///
+    /// Hairer's rules also need y' after a step of Euler's method. For them the signed size of that step,
+    /// s, is returned, and [`Pace::correct_first_size`] must follow; `None` for other rules.
     pub(crate) fn first_size<S: Real>(&mut self, y: &[S], slope: &[S], initial: Option<f64>) -> Option<f64> {
         let (Kind::Adaptive(adaptive), Some(test)) = (&mut self.kind, &self.test) else { return None };
         let longest = adaptive.longest;
@@ -127,8 +145,8 @@ impl Pace {
         None
     }
 
-    /// Corrects the size of the first step by y' after a step `h`, s, of Euler's method: `beyond`, or `None` if y' has
-    /// no value there.
+    /// Corrects the size of the first step by `beyond`, which is y' after a step of Euler's method of size
+    /// `h`, s. `None` if y' has no value there.
     pub(crate) fn correct_first_size<S: Real>(&mut self, y: &[S], slope: &[S], h: f64, beyond: Option<&Vec<S>>) {
         self.evaluations += 1;
         let (Kind::Adaptive(adaptive), Some(test)) = (&mut self.kind, &self.test) else { return };
@@ -139,25 +157,27 @@ impl Pace {
         }
     }
 
-    /// Passes the corners at `t`; `None` if no corner lies there. After a corner the right-hand side is another
-    /// function. Returns the derivatives of the instant of a jump that moves, or zeros if no jump moves.
+    /// Passes the corners of the right-hand side at time `t`, s; `None` if there are none. Returns the
+    /// derivatives of the time of a jump by the variables along which derivatives are taken; zeros if no
+    /// jump moves.
     pub(crate) fn pass_corners(&mut self, t: f64) -> Option<[f64; DIRECTIONS]> {
         self.corners.pass(t)
     }
 
-    /// Intervals of time in which the right-hand side is one function, at the current time.
+    /// Intervals of time around the current time in which the right-hand side is smooth.
     pub(crate) fn sides(&self) -> Sides {
         self.corners.sides()
     }
 
-    /// Sets the size of the next step, s, as the method proposes it.
+    /// Sets the size of the next step, s, to the size that the method proposes.
     pub(crate) fn propose(&mut self, size: f64) {
         if let Kind::Adaptive(adaptive) = &mut self.kind {
             adaptive.size = size;
         }
     }
 
-    /// Chooses the first trial of the step that begins at `t`, after `done` accepted steps.
+    /// Chooses the first trial of the step that begins at time `t`, s. `done` is the number of accepted
+    /// steps.
     pub(crate) fn begin(&mut self, t: f64, done: u64) {
         match &mut self.kind {
             Kind::Equal(count) => {
@@ -180,19 +200,21 @@ impl Pace {
         }
     }
 
+    /// Trial step of this size, s, from time `t`, s, in the direction of the run.
     fn aim(&self, t: f64, size: f64) -> Trial {
         let h = (self.t1 - self.t0).signum() * size;
         Trial { h, t_new: t + h }
     }
 
-    /// Limits the size of the next step to this fraction of the size that errors allow.
+    /// Limits the size of the next step to the fraction `margin` of the size that error estimates allow.
     pub(crate) fn heed(&mut self, margin: f64) {
         if let Kind::Adaptive(adaptive) = &mut self.kind {
             adaptive.control.margin = margin;
         }
     }
 
-    /// Judges the trial by its error; `None` if it has no result. After [`Verdict::Again`] the trial is a smaller one.
+    /// Decides on the trial step that began at time `t`, s, from the norm of its error; `None` if it has no
+    /// result. After [`Verdict::Again`] a smaller trial is set.
     pub(crate) fn judge(&mut self, t: f64, error: Option<f64>) -> Verdict {
         let Kind::Adaptive(adaptive) = &mut self.kind else {
             return if error.is_some() { Verdict::Accepted { last: self.last } } else { Verdict::GiveUp };
@@ -215,15 +237,16 @@ impl Pace {
     }
 }
 
-/// Smallest number of equal steps that are no longer than the wanted one; `quotient` is the span over that step. A
-/// quotient that is whole up to rounding is not divided further.
+/// Smallest whole number of equal steps that are no longer than the wanted step. `quotient` is the span
+/// over the wanted step; if it is whole up to rounding, it is the result.
 fn equal_steps(quotient: f64) -> f64 {
     let nearest = quotient.round();
     let whole = (quotient - nearest).abs() <= 4.0 * f64::EPSILON * quotient;
     if whole { nearest.max(1.0) } else { quotient.ceil() }
 }
 
-/// Norm of y'' from y' at the start and y' after a step `h` of Euler's method, `beyond`; `None` if it is not finite.
+/// Norm of y'', from y' at the start (`slope`) and y' after a step `h` of Euler's method (`beyond`).
+/// `None` if it is not finite.
 fn curvature<S: Real>(beyond: &[S], h: f64, y: &[S], slope: &[S], test: &ErrorTest) -> Option<f64> {
     let change: Vec<S> = beyond.iter().zip(slope).map(|(after, before)| *after - *before).collect();
     let curvature = test.root_sum(&change, y) / h.abs();

@@ -1,8 +1,8 @@
-//! Recorder of a solution's samples.
+//! Recorder of a run's samples: times, states and work.
 //!
-//! Invariant: memory does not grow with the number of steps. At most [`MOST`] points of steps are kept, unless their
-//! times were asked for. If there would be more, every second point is dropped, and only every second later point is
-//! taken.
+//! Invariant: memory does not grow with the number of steps. At most [`MOST`] points of steps are kept,
+//! unless their times were asked for. If there would be more, every second point is dropped, and only
+//! every second later point is taken.
 
 use tripos_traits::Real;
 
@@ -11,27 +11,34 @@ use crate::methods::options::Output;
 use crate::rounding::smallest_step;
 use crate::stepper::{DenseStep, Interpolant, same};
 
-/// Largest number of points of steps that a recorder keeps.
+/// Largest number of points of steps that a recorder keeps; beyond it every second point is dropped.
 pub(crate) const MOST: usize = 200_000;
 
-/// Samples of a run so far, and the rule by which further samples are taken.
+/// Samples of a run so far, and the rule that decides which further samples are taken.
 pub(crate) struct Recorder<'a, S> {
+    /// Choice of the points of the run that are kept as samples.
     output: &'a Output,
+    /// Index of the next time in the list of wanted output times, if there is such a list.
     next: usize,
-    /// Number of points of which one is kept; `passed` counts the points since the last kept one.
+    /// Number n such that only every n-th point of the steps is kept.
     every: u64,
+    /// Number of points of steps since the last point that was kept as a sample.
     passed: u64,
+    /// Times of the samples recorded so far, s.
     pub(crate) t: Vec<f64>,
+    /// States of the samples recorded so far, one for each time.
     pub(crate) y: Vec<Vec<S>>,
-    /// Work done up to each sample, J, if the equations state a power; else empty.
+    /// Work done up to each sample, J; empty if the equations state no power.
     pub(crate) work: Vec<f64>,
 }
 
-/// Function that gives the state at a fraction of a step and a time, s, and the work up to there, J, if it is recorded.
+/// Function of a fraction of a step and the time there, s. Returns the state, and the work up to there,
+/// J, if it is recorded.
 type Sampled<'a, S> = dyn FnMut(f64, f64) -> (Vec<S>, Option<f64>) + 'a;
 
 impl<'a, S: Real> Recorder<'a, S> {
-    /// Starts a recorder at (t0, y0). The times of [`Output::At`] must be in order.
+    /// Creates a recorder, and records the start (t0, y0) if it is wanted. `work` is the work at the start,
+    /// J; `None` if it is not recorded. The times of [`Output::At`] must be in the order of the run.
     pub(crate) fn new(output: &'a Output, t0: f64, y0: &[S], work: Option<f64>) -> Self {
         let mut recorder =
             Self { output, next: 0, every: 1, passed: 0, t: Vec::new(), y: Vec::new(), work: Vec::new() };
@@ -47,18 +54,21 @@ impl<'a, S: Real> Recorder<'a, S> {
         recorder
     }
 
+    /// Appends a sample: time t, s, state y, and work, J, or `None` if no work is recorded.
     fn push(&mut self, t: f64, y: Vec<S>, work: Option<f64>) {
         self.t.push(t);
         self.y.push(y);
         self.work.extend(work);
     }
 
+    /// Appends the sample at time `t`, s, which is the fraction `theta` of the current step.
     fn sample(&mut self, t: f64, theta: f64, sampled: &mut Sampled<'_, S>) {
         let (y, work) = sampled(theta, t);
         self.push(t, y, work);
     }
 
-    /// Records the point of a step at its fraction `theta`, unless the point is left out to bound the number of points.
+    /// Records the point at the fraction `theta` of a step, unless points are being left out to bound their
+    /// number.
     fn point(&mut self, step: &impl Interpolant<Real = S>, theta: f64, sampled: &mut Sampled<'_, S>) {
         self.passed += 1;
         if self.passed < self.every {
@@ -74,7 +84,7 @@ impl<'a, S: Real> Recorder<'a, S> {
         }
     }
 
-    /// True if samples inside a step over `span`, s, will be kept.
+    /// True if samples inside a step over `span`, s, are wanted, so that its dense output is needed.
     pub(crate) fn looks_inside(&self, span: (f64, f64)) -> bool {
         let (t_old, t_new) = span;
         match self.output {
@@ -85,7 +95,8 @@ impl<'a, S: Real> Recorder<'a, S> {
         }
     }
 
-    /// Records an accepted step up to its fraction `end` (1 unless an event ends the run inside the step).
+    /// Records the wanted samples of an accepted step up to its fraction `end`, which is 1 unless the run
+    /// ends inside the step.
     pub(crate) fn step(&mut self, step: &impl Interpolant<Real = S>, end: f64, sampled: &mut Sampled<'_, S>) {
         if end == 0.0 {
             return; // the run ends where the step began
@@ -111,7 +122,8 @@ impl<'a, S: Real> Recorder<'a, S> {
         }
     }
 
-    /// Gives the samples at `t` the slopes of `y`, which hold from `t` on.
+    /// Replaces the derivatives that the states of samples at time `t`, s, carry by those of `y`. They jump
+    /// at `t`, and `y` has the values after the jump.
     pub(crate) fn turned(&mut self, t: f64, y: &[S]) {
         if S::SLOPES == 0 {
             return;
@@ -121,7 +133,8 @@ impl<'a, S: Real> Recorder<'a, S> {
         kept.for_each(|(_, own)| turn(own, y));
     }
 
-    /// Adds the end of the run, if it is wanted and not kept yet.
+    /// Records the end of the run, if it is wanted and not recorded yet. `steps` is the number of accepted
+    /// steps.
     pub(crate) fn finish(&mut self, t_end: f64, y_end: &[S], work: Option<f64>, steps: u64) {
         let is_kept = self.t.last().is_some_and(|t| same(*t, t_end));
         let is_asked = match self.output {

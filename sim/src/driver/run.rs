@@ -1,7 +1,7 @@
-//! Driver of a run: one loop serves every method.
+//! Driver of a run: a single loop for all methods.
 //!
-//! A method is a [`Stepper`]; the sizes of its steps are decided by [`super::pace`]. The loop takes a step, lets the
-//! events examine it, records it, and stops at the first reason.
+//! A method is a [`Stepper`], and [`super::pace`] decides the sizes of its steps. The loop takes a
+//! step, lets the events examine it, records it, and stops at the first reason to end the run.
 
 use super::doubt::Doubts;
 use super::pace::{Pace, Verdict};
@@ -19,34 +19,46 @@ use crate::stepper::{DenseStep, Interpolant, Stepper, Trouble};
 use crate::warning::Warning;
 use tripos_traits::Real;
 
-/// Largest number of times that a step is shortened because its end is avoided; `SHORTER` is its assumed error, over
-/// the tolerance.
+/// Largest number of times that a step is shortened because the right-hand side must be avoided at its
+/// end.
 const MOST_AVOIDED: u32 = 4;
+/// Error that a step with an avoided end is assumed to have, as a multiple of the tolerance. It makes
+/// the step shorter.
 const SHORTER: f64 = 2.0;
 
-/// Difference of two fractions of a step below which they count as one place.
+/// Difference of two fractions of a step below which they count as the same place.
 const ONE_PLACE: f64 = 1e-9;
 
-/// Companions of the steps of a run: the recorder, the projector that moves their ends, and the work done.
+/// Objects that follow each step of a run: the recorder of samples, the projector onto constraints, and
+/// the work.
 struct Companions<'a, 'o, 'i, 'j, S> {
+    /// Recorder of the run's samples.
     recorder: &'a mut Recorder<'o, S>,
-    /// Projector that moves the ends of steps; `None` for a run without constraints and invariants.
+    /// Projector that moves the ends of steps onto constraints or invariants; `None` for a run without
+    /// either.
     projector: Option<&'a mut Projector<'i, 'j, S>>,
-    /// Work done by forces; `None` if it is not wanted.
+    /// Work of the forces so far; `None` if the right-hand side states no power.
     work: Option<&'a mut Work<S>>,
 }
 
-/// A run in progress: the method, the sizes of its steps, and counts.
+/// Run in progress: its method, its step control and its counts.
 struct Run<'o, M> {
+    /// Method of integration, with the current step.
     stepper: M,
+    /// Step control of the run, which decides the sizes of its steps.
     pace: Pace,
+    /// Options of the run.
     options: &'o Options,
+    /// Number of accepted steps of the run so far.
     steps: u64,
+    /// Number of rejected attempted steps of the run so far.
     rejected: u64,
+    /// Signs that steps are doubtful, for warnings.
     doubts: Doubts,
 }
 
-/// Runs a method from (t0, y0) to the end of the span or to the first reason to stop.
+/// Runs the method `stepper` from the start of the span and state `y0` to the end of the span, or to
+/// the first reason to stop. Returns the solution.
 pub(crate) fn solve<M, R>(
     stepper: M,
     mut pace: Pace,
@@ -101,7 +113,8 @@ where
 }
 
 impl<M: Stepper> Run<'_, M> {
-    /// Prepares the first step; returns the reason to stop if the run cannot start.
+    /// Prepares the events, the method and the first step size. Returns the reason to stop if the run
+    /// cannot start, else `None`.
     fn start<R>(&mut self, rhs: &mut R, y0: &[M::Real], watch: &mut Watch<'_, '_>) -> Option<Stop>
     where
         R: RightHandSide<M::Real>,
@@ -117,7 +130,8 @@ impl<M: Stepper> Run<'_, M> {
         None
     }
 
-    /// Takes steps until there is a reason to stop. Returns this reason and the last time of the solution, s.
+    /// Takes steps until there is a reason to stop. Writes the last state to `y_end`, and returns the
+    /// reason and the last time, s.
     fn walk<R>(
         &mut self,
         rhs: &mut Between<'_, R, M::Real>,
@@ -209,7 +223,7 @@ impl<M: Stepper> Run<'_, M> {
         (stop, self.stepper.span().0)
     }
 
-    /// Prepares the inside of the last step, and notes a step whose inside is coarse.
+    /// Prepares the dense output of the last step, and records a step whose dense output is coarse.
     fn prepare_inside<R>(&mut self, rhs: &mut R)
     where
         R: RightHandSide<M::Real>,
@@ -219,8 +233,8 @@ impl<M: Stepper> Run<'_, M> {
         }
     }
 
-    /// Takes a step, with as many attempts as it needs; true if it reached the end of the span. An error is the reason
-    /// to stop.
+    /// Takes a step, with as many attempts as it needs. True if it reached the end of the span. The error
+    /// is the reason to stop the run.
     fn advance<R>(&mut self, rhs: &mut R) -> Result<bool, Stop>
     where
         R: RightHandSide<M::Real>,
@@ -272,9 +286,12 @@ impl<M: Stepper> Run<'_, M> {
     }
 }
 
-/// Finds the end of a run inside a prepared step: an event, or a zero of a divisor. `suspicious` is the guard of the
-/// divisors; `None` if it suspects no zero in this step. Returns the fraction of the step and the reason; `None` if the
-/// run goes on. If both lie at one place, the event counts, since it names the condition that ends there.
+/// Searches a step, whose dense output is prepared, for an event or a zero of a divisor that ends the
+/// run. Returns the fraction of the step and the reason to stop; `None` if the run goes on. The error
+/// is a failure of an event function.
+///
+/// `suspicious` is the guard of the divisors, or `None` if it suspects no zero in this step. If both
+/// lie at the same place, the event counts, since its name tells why the motion ends there.
 pub(crate) fn end_inside<S, I, R>(
     step: &I,
     rhs: &mut R,
@@ -297,6 +314,7 @@ where
     }
 }
 
+/// Reason to stop a run whose smallest step had this trouble.
 fn stop_for(trouble: Trouble) -> Stop {
     match trouble {
         Trouble::NotFinite { component } => Stop::NotFinite { component },

@@ -1,12 +1,15 @@
-//! Choice of a second run that measures the error of a first one.
+//! Choice of a second run of the same motion, which measures the error of the first run.
 //!
-//! The same motion is integrated with other steps: the difference of both runs is the error of the worse one. A run
-//! that is ten times finer shows the whole error of the first run. A run that is ten times coarser shows its own error,
-//! which is larger. The finer run is chosen if it is known to cost no more than the first run did: another method at a
+//! The second run has other steps: the difference of both runs is the error of the less exact run. A
+//! run that is ten times finer shows the whole error of the first run. A run that is ten times coarser
+//! shows its own error, which is larger.
+//!
+//! The finer run is chosen if it is known to cost no more than the first run did: another method at a
 //! tenth of the tolerances. The coarser run always costs less.
 //!
-//! Invariant: a second run never has the steps of the first, not even if both have the longest step, since equal steps
-//! make equal errors. Cost is counted in evaluations of the right-hand side, not timed.
+//! Invariant: a second run never has the steps of the first, not even if both have the longest step,
+//! since equal steps make equal errors. Cost is counted in evaluations of the right-hand side, not
+//! timed.
 
 use crate::methods::control::Rules;
 use crate::methods::method::rules;
@@ -16,48 +19,52 @@ use crate::solution::Solution;
 use crate::tolerance::SMALLEST_RTOL;
 use tripos_traits::{AbsoluteTolerance, Method};
 
-/// Factor by which the tolerances of a second run are finer or coarser.
+/// Factor by which the tolerances of a second run are finer or coarser than those of the first run.
 const TIMES: f64 = 10.0;
-/// Fraction of the difference from a coarser run that counts as the first run's error. A tenth is expected, but a
-/// motion may amplify both errors differently: with one half, 4 of 208 runs of gauss6 had ten times the stated error.
+/// Fraction of the difference from a coarser second run that counts as the first run's error. A tenth
+/// would be expected, but a motion may amplify both errors differently. With one half, 4 of 208 runs of
+/// gauss6 had ten times the stated error.
 const PART: f64 = 1.0;
-/// Largest tolerance at which DOP853 takes no more evaluations than a method of order 5 at ten times the tolerance, and
-/// Taylor's method no more time than DOP853.
+/// Largest tolerance at which `dop853` takes no more evaluations than a method of order 5 at ten times
+/// the tolerance. At this tolerance Taylor's method takes no more time than `dop853`.
 const FINE: f64 = 1e-6;
-/// Cost of a finer run, in units of the first run, at tolerances above [`FINE`].
+/// Cost of a finer second run, in units of the first run's cost, at tolerances above `FINE`.
 const COARSE_COST: f64 = 1.6;
-/// Number of evaluations that a second run may always take, however few the first run took.
+/// Number of evaluations of the right-hand side that a second run may always take, even if the first
+/// run took fewer.
 const LEAST: f64 = 20_000.0;
-/// Largest cost of a second run, in units of the first run: 1, and a margin for the error of the forecast.
+/// Largest cost of a second run, in units of the first run's cost: 1, with a margin for the error of
+/// the forecast.
 const MOST: f64 = 1.25;
-/// Tolerances of the second run that checks a run with equal steps.
+/// Relative and absolute tolerance of the second run that checks a run with equal steps.
 const EQUAL: f64 = 1e-12;
 
-/// A second run, whose difference from a first run measures the error of the first.
+/// Second run of a motion, whose difference from the first run measures the error of the first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Second {
-    /// Options of the second run; the caller chooses which points it keeps.
+    /// Options of the second run. Its output is that of the first run, and may be changed.
     pub options: Options,
-    /// Fraction of the difference of the two runs that is the error of the first run.
+    /// Fraction of the difference of the two runs that counts as the error of the first run.
     pub part: f64,
-    /// True if the errors of the second run are smaller than those of the first: it then shows the behaviour of the
-    /// motion.
+    /// True if the errors of the second run are smaller than those of the first. The second run then shows
+    /// the behaviour of the motion better.
     pub is_finer: bool,
     /// Description of the second run in words, such as "dop853 at a tenth of the tolerances".
     pub words: String,
 }
 
-/// Cost of the Taylor coefficients of the equations.
+/// Cost of the Taylor coefficients of the equations, compared with a step of the method `dop853`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TaylorSeries {
-    /// At most that of a step of DOP853.
+    /// The Taylor coefficients of a step cost at most as much as a step of `dop853`.
     Cheap,
-    /// More than that of a step of DOP853, or the equations have no Taylor coefficients.
+    /// The Taylor coefficients of a step cost more than a step of `dop853`, or the equations have none.
     Costly,
 }
 
-/// Lists the second runs that measure the error of a run with these options, best first. If one of them ends early, the
-/// next is made.
+/// Lists the second runs that can measure the error of a run with these options, best first. If the
+/// first in the list ends early, the next can be tried. `solution` is the result of the run over
+/// `span`, s.
 #[must_use]
 pub fn seconds(options: &Options, solution: &Solution, span: (f64, f64), series: TaylorSeries) -> Vec<Second> {
     let method = options.method;
@@ -70,8 +77,8 @@ pub fn seconds(options: &Options, solution: &Solution, span: (f64, f64), series:
     }
     match method {
         Method::Taylor => vec![finer_by(Method::Taylor, MOST)],
-        // Most motions are not stiff, and the implicit method takes several times as long for them. Its errors are far
-        // below the tolerances: DOP853 has as small ones only at much finer tolerances.
+        // Most motions are not stiff, and the implicit method takes several times as long for them. Its errors
+        // are far below the tolerances: DOP853 has errors as small only at much finer tolerances.
         Method::Gauss6 => vec![first.finer(Method::Dop853, TIMES * TIMES, 0.5), first.coarser()],
         Method::Dop853 if is_cheap && series == TaylorSeries::Cheap => vec![finer_by(Method::Taylor, MOST)],
         Method::Ode45 | Method::Dopri5 if is_cheap => vec![finer_by(Method::Dop853, MOST)],
@@ -80,18 +87,19 @@ pub fn seconds(options: &Options, solution: &Solution, span: (f64, f64), series:
     }
 }
 
-/// First run, whose error second runs measure.
+/// First run, whose error a second run measures.
 struct First<'a> {
+    /// Options of the first run, whose error is wanted.
     options: &'a Options,
     /// Cost of the first run, in evaluations of the right-hand side.
     spent: f64,
-    /// Length of the span, s.
+    /// Length of the span of the first run, s.
     length: f64,
 }
 
 impl First<'_> {
-    /// Second run by this method at tolerances `times` times finer; `cost` is its largest cost in units of the first
-    /// run.
+    /// Makes the second run by `method` at tolerances `times` times finer. `cost` is its largest cost in
+    /// units of the first run.
     fn finer(&self, method: Method, times: f64, cost: f64) -> Second {
         let first = self.options;
         let same = method == first.method;
@@ -114,8 +122,8 @@ impl First<'_> {
         Second { options: self.limited(options, cost), part: 1.0, is_finer: true, words }
     }
 
-    /// Second run by the first run's method at ten times the tolerances, or with equal steps that make ten times the
-    /// error.
+    /// Makes the second run by the first run's method at ten times the tolerances. If the first run has
+    /// equal steps, the steps are so much longer that they make ten times the error.
     fn coarser(&self) -> Second {
         let first = self.options;
         let stretch = TIMES.powf(1.0 / f64::from(first.method.order().unwrap_or(8)));
@@ -132,7 +140,7 @@ impl First<'_> {
         Second { options: self.limited(options, MOST), part: PART, is_finer: false, words }
     }
 
-    /// Options of the first run with tolerances `times` times as large.
+    /// Options of the first run with tolerances multiplied by `times`, and without an initial step.
     fn at(&self, times: f64) -> Options {
         let first = self.options;
         let rtol = if first.rtol > 0.0 { (first.rtol * times).clamp(SMALLEST_RTOL, 0.5) } else { 0.0 };
@@ -143,14 +151,16 @@ impl First<'_> {
         Options { rtol, atol, initial_step: None, ..first.clone() }
     }
 
-    /// Longest step, s, that makes `times` times the error of the longest step of the first run.
+    /// Largest step size, s, at which a step makes `times` times the error of the longest step of the first
+    /// run.
     fn longest(&self, times: f64) -> f64 {
         let order = f64::from(self.options.method.order().unwrap_or(8));
         let own = rules(self.options.method).map_or(1.0, Rules::longest_part) * self.length;
         self.options.max_step.unwrap_or(own) * times.powf(1.0 / order)
     }
 
-    /// Limits the number of steps to a cost of `cost` times the first run.
+    /// Sets the limit on the number of steps so that the second run costs at most `cost` times the first
+    /// run.
     fn limited(&self, options: Options, cost: f64) -> Options {
         let evaluations = (cost * self.spent).max(LEAST);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive, and far below 2^64")]
@@ -159,12 +169,13 @@ impl First<'_> {
     }
 }
 
-/// Tolerance that decides most steps: the relative one, or the smallest absolute one if it is zero.
+/// Tolerance that decides most steps: the relative tolerance, or the smallest absolute one if that is
+/// zero.
 fn tolerance(options: &Options) -> f64 {
     if options.rtol > 0.0 { options.rtol } else { options.atol.smallest() }
 }
 
-/// Number of evaluations of the right-hand side in an attempted step.
+/// Typical number of evaluations of the right-hand side in an attempted step of a method.
 fn stages(method: Method) -> f64 {
     match method {
         Method::Taylor => 1.0,
@@ -175,7 +186,8 @@ fn stages(method: Method) -> f64 {
     }
 }
 
-/// Cost of an evaluation, in calls of the right-hand side; for Taylor coefficients, their order.
+/// Cost of an evaluation in calls of the right-hand side: 1, or the order of the series for Taylor's
+/// method.
 fn weight(options: &Options) -> f64 {
     if options.method == Method::Taylor { order_for(options) as f64 } else { 1.0 }
 }

@@ -1,4 +1,5 @@
-//! Watch of a run's events, step by step, in order of time.
+//! Watch of the events of a run: examines each step, records the events in it and finds the first that
+//! ends the run.
 
 use std::ops::{Deref, DerefMut};
 use tripos_traits::{Direction, Enclosure, Real};
@@ -14,9 +15,11 @@ use crate::solution::Stop;
 use crate::stepper::DenseStep;
 use crate::warning::Warning;
 
-/// Events of a run: owned by it, or borrowed.
+/// Events of a run, either owned or borrowed from the caller.
 pub(crate) enum Events<'w, 'e> {
+    /// Events that the run owns.
     Own(Vec<Event<'e>>),
+    /// Events that the caller lends to the run.
     Lent(&'w mut [Event<'e>]),
 }
 
@@ -39,16 +42,21 @@ impl DerefMut for Events<'_, '_> {
     }
 }
 
-/// Events of a run, with their memories and their records so far.
+/// Watch of the events of a run, with the state of each event's search and the records so far.
 pub(crate) struct Watch<'w, 'e> {
+    /// Events of the run that are watched.
     events: Events<'w, 'e>,
+    /// State of the search for each event at the end of the last step.
     memories: Vec<Memory>,
+    /// Working space for a state of the run, rounded to `f64`.
     y: Vec<f64>,
-    /// Largest size of each component of the state so far.
+    /// Largest absolute value of each component of the state so far, in its unit.
     magnitudes: Vec<f64>,
-    /// Solution inside the current step as a polynomial; `stretch` is the space for ranges of the state.
+    /// Dense output of the current step as polynomials, for events that are evaluated on ranges.
     polynomial: Polynomial,
+    /// Working space for ranges of the state over a part of the step.
     stretch: Vec<Enclosure>,
+    /// Events that have happened so far, in the order of the run.
     pub(crate) records: Vec<EventRecord>,
 }
 
@@ -69,7 +77,8 @@ impl<'w, 'e> Watch<'w, 'e> {
         }
     }
 
-    /// Evaluates the events at the start; returns the reason to stop if the run cannot start.
+    /// Evaluates the event functions at the start (t, y) of the run. Returns the reason to stop if a
+    /// function is not a number there, or if the start is outside a domain; else `None`.
     pub(crate) fn start<S: Real>(&mut self, t: f64, y: &[S]) -> Option<Stop> {
         for (rounded, y) in self.y.iter_mut().zip(y) {
             *rounded = y.to_f64();
@@ -90,8 +99,11 @@ impl<'w, 'e> Watch<'w, 'e> {
         None
     }
 
-    /// Examines an accepted step, and records its events up to its end, or up to the first event that ends the run.
-    /// That event is returned as its fraction of the step and the reason to stop.
+    /// Examines an accepted step, and records its events up to its end, or up to the first event that ends
+    /// the run.
+    ///
+    /// Returns the fraction of the step at which the run ends, with the reason; `None` if the run goes on.
+    /// Error if an event function is not a number inside the step.
     pub(crate) fn look(&mut self, step: &dyn DenseStep) -> Result<Option<(f64, Stop)>, Failure> {
         if self.is_empty() {
             return Ok(None);
@@ -134,7 +146,8 @@ impl<'w, 'e> Watch<'w, 'e> {
         Ok(end.map(|(i, f)| (f.theta, stop_for(&self.events[i]))))
     }
 
-    /// Removes the records of a step over `span`, s, that lie beyond the instant `t`.
+    /// Removes the records of a step over `span`, s, that lie beyond time `t`, s, in the direction of the
+    /// run.
     pub(crate) fn forget_beyond(&mut self, t: f64, span: (f64, f64)) {
         let (start, end) = span;
         self.records.retain(|record| (record.t - t) * (end - start).signum() <= 0.0);
@@ -145,13 +158,15 @@ impl<'w, 'e> Watch<'w, 'e> {
         self.events.is_empty()
     }
 
+    /// Updates the largest absolute values of the components by the state in `self.y`.
     fn note_magnitudes(&mut self) {
         for (magnitude, y) in self.magnitudes.iter_mut().zip(&self.y) {
             *magnitude = magnitude.max(y.abs());
         }
     }
 
-    /// Warnings about events that might have ended the run, but were not decided.
+    /// Returns a warning for each event that might have ended the run, but whose zeros were not all
+    /// decided.
     pub(crate) fn warnings(&self) -> impl Iterator<Item = Warning> {
         self.events.iter().enumerate().filter(|(_, event)| event.effect != Effect::Record).filter_map(|(i, event)| {
             let mut places = self.records.iter().filter(|r| r.event == i && r.kind == Kind::Undecided);
@@ -160,6 +175,8 @@ impl<'w, 'e> Watch<'w, 'e> {
         })
     }
 
+    /// Records an event that was found in a step, with its time and state. `event` is the index of the
+    /// event.
     fn record(&mut self, step: &dyn DenseStep, event: usize, found: Finding) {
         let Finding { theta, kind, .. } = found;
         let mut y = vec![0.0; self.y.len()];
@@ -175,7 +192,8 @@ impl<'w, 'e> Watch<'w, 'e> {
     }
 }
 
-/// True if the event counts this kind of zero.
+/// True if a zero of this kind counts for the event: crossings count in the event's direction, all
+/// other kinds always.
 fn matters(event: &Event<'_>, kind: Kind) -> bool {
     let direction = match event.effect {
         Effect::Domain => Direction::Falling,
@@ -188,6 +206,7 @@ fn matters(event: &Event<'_>, kind: Kind) -> bool {
     }
 }
 
+/// True if this zero of the event's function ends the run.
 fn ends_run(event: &Event<'_>, found: Finding) -> bool {
     match found.kind {
         Kind::Rising | Kind::Falling => event.effect != Effect::Record,
@@ -197,6 +216,7 @@ fn ends_run(event: &Event<'_>, found: Finding) -> bool {
     }
 }
 
+/// Reason to stop a run that this event ends.
 fn stop_for(event: &Event<'_>) -> Stop {
     let name = event.name.clone();
     match event.effect {
@@ -205,6 +225,7 @@ fn stop_for(event: &Event<'_>) -> Stop {
     }
 }
 
+/// Failure of the event function `name` that is not a number at time `t`, s.
 fn not_a_number(name: &str, t: f64) -> Failure {
     Failure { code: "event-not-a-number", message: format!("event function `{name}` is not a number at t = {t} s") }
 }

@@ -1,15 +1,16 @@
-//! Work of a run: the integral of a power along its accepted steps, which it does not change.
+//! Work of the forces in a run: the integral of their power along the accepted steps. It has no effect
+//! on the steps.
 //!
-//! Gauss–Legendre quadrature on the dense output, from sample to sample: NIST Digital Library of Mathematical
-//! Functions, §3.5(v). With five points its error is of a higher order than that of every method except Taylor's, whose
-//! steps are a small part of the radius of convergence of its series.
+//! Gauss–Legendre quadrature on the dense output, from sample to sample: NIST Digital Library of
+//! Mathematical Functions, §3.5(v). With five points its error is of a higher order than that of every
+//! method except Taylor's, whose steps are a small part of the radius of convergence of its series.
 
 use tripos_traits::Real;
 
 use crate::rhs::RightHandSide;
 use crate::stepper::Interpolant;
 
-/// Points of Gauss–Legendre quadrature on [0, 1], with their weights.
+/// Points of five-point Gauss–Legendre quadrature on the interval from 0 to 1, each with its weight.
 const POINTS: [(f64, f64); 5] = [
     (0.046_910_077_030_668_0, 0.118_463_442_528_094_54),
     (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
@@ -18,22 +19,24 @@ const POINTS: [(f64, f64); 5] = [
     (0.953_089_922_969_332, 0.118_463_442_528_094_54),
 ];
 
-/// Work done so far along a run, J.
+/// Work of the forces along a run, up to a place inside the current step.
 pub(crate) struct Work<S> {
-    /// Work, J, up to a place inside the current step.
+    /// Work from the start of the run up to the fraction `up_to` of the current step, J.
     pub(crate) done: f64,
-    /// Fraction of the current step at that place.
+    /// Fraction of the current step up to which the power has been integrated.
     up_to: f64,
+    /// Working space for a state inside a step, at which the power is evaluated.
     y: Vec<S>,
 }
 
 impl<S: Real> Work<S> {
-    /// Creates the work of a run at its start, 0 J; `None` if the equations state no power.
+    /// Creates the work of a run at its start (t, y), 0 J. `None` if the right-hand side states no power.
     pub(crate) fn new<R: RightHandSide<S>>(rhs: &mut R, t: f64, y: &[S]) -> Option<Self> {
         rhs.power(t, y).map(|_| Self { done: 0.0, up_to: 0.0, y: y.to_vec() })
     }
 
-    /// Adds the work up to the fraction `to` of the step, and returns the work done so far, J.
+    /// Integrates the power up to the fraction `to` of the step. Returns the work done from the start of
+    /// the run up to there, J.
     pub(crate) fn at<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>, to: f64) -> f64 {
         let (t, t_new) = step.span();
         let (from, part) = (self.up_to, to - self.up_to);
@@ -50,7 +53,7 @@ impl<S: Real> Work<S> {
         self.done
     }
 
-    /// Goes on to the next step.
+    /// Moves the work to the start of the next step, once the current step is integrated to its end.
     pub(crate) fn accept(&mut self) {
         self.up_to = 0.0;
     }

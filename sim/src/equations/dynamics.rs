@@ -1,7 +1,8 @@
-//! Equations of motion as a right-hand side: joins a [`System`] to the integrator.
+//! Equations of motion as a right-hand side, by a linear system at each state: joins a [`System`] to
+//! the integrator.
 //!
-//! The state is y = [q; v]: generalized coordinates, then motion variables. Buffers are made once:
-//! for up to 12 unknowns a call allocates nothing.
+//! The state is y = (q, v): generalized coordinates, then motion variables. Buffers are made once: for
+//! up to 12 unknowns a call allocates nothing.
 
 use tripos_traits::System;
 
@@ -10,20 +11,27 @@ use crate::linear::{self, Shape, Unsolvable};
 use crate::rhs::RightHandSide;
 use crate::solution::Solution;
 
-/// Equations of motion of a model in one formulation, with parameters, as a right-hand side.
+/// Right-hand side y' = (q̇, v̇) of a model's equations of motion with given parameters. The
+/// accelerations v̇ are solved for at each state.
 pub struct Dynamics<'a> {
+    /// Equations of motion of the model in a formulation.
     system: &'a dyn System<f64>,
+    /// Values of the parameters, in the order of the model file.
     parameters: Vec<f64>,
+    /// Name of the equations in messages; may be empty.
     label: String,
+    /// Matrix A of the linear system for accelerations and reactions, row by row.
     matrix: Vec<f64>,
+    /// Right-hand side b of the linear system A x = b; after its solution, accelerations and reactions x.
     unknowns: Vec<f64>,
 }
 
 impl<'a> Dynamics<'a> {
-    /// Makes a right-hand side of a system, with `parameters` in the order of the model file.
+    /// Creates the right-hand side of a system, with `parameters` in the order of the model file.
     ///
     /// # Errors
-    /// [`SimError::Length`] or [`SimError::NotFinite`] if the parameters are not the system's number of finite values.
+    /// [`SimError::Length`] for a wrong number of parameters; [`SimError::NotFinite`] if a parameter is not
+    /// finite.
     pub fn new(system: &'a dyn System<f64>, parameters: &[f64]) -> Result<Self, SimError> {
         check_length("parameters", system.lengths().parameters, parameters)?;
         if let Some(i) = parameters.iter().position(|p| !p.is_finite()) {
@@ -39,7 +47,7 @@ impl<'a> Dynamics<'a> {
         })
     }
 
-    /// Names the equations in messages, for instance "disk, kane".
+    /// Sets the name of the equations in messages, for instance "disk, kane".
     #[must_use]
     pub fn labelled(mut self, label: impl Into<String>) -> Self {
         self.label = label.into();
@@ -58,13 +66,13 @@ impl<'a> Dynamics<'a> {
         &self.parameters
     }
 
-    /// Length of the state: coordinates and motion variables.
+    /// Number of components of the state: coordinates and motion variables.
     #[must_use]
     pub fn state_length(&self) -> usize {
         self.system.lengths().state()
     }
 
-    /// Joins coordinates and motion variables to a state y = [q; v].
+    /// Joins generalized coordinates `q` and motion variables `v` to a state y = (q, v).
     ///
     /// # Errors
     /// [`SimError::Length`] if `q` or `v` does not have the system's length.
@@ -74,17 +82,19 @@ impl<'a> Dynamics<'a> {
         Ok([q, v].concat())
     }
 
-    /// Splits a state into (q, v). In a state that is too short the entries that exist fill q first, then v.
+    /// Splits a state y into generalized coordinates q and motion variables v. If y is too short, its
+    /// entries fill q first.
     #[must_use]
     pub fn split<'y>(&self, y: &'y [f64]) -> (&'y [f64], &'y [f64]) {
         y.split_at(self.system.lengths().coordinates.min(y.len()))
     }
 
-    /// Solves for the unknowns x of A x = b at (q, v): v̇, then the reactions.
+    /// Solves the equations of motion A x = b at (q, v) for the unknowns x: the accelerations v̇, then the
+    /// reactions.
     ///
     /// # Errors
-    /// [`Failure`] with the code `singular` if A is exactly singular or x overflows; `not-finite` if A or b is not
-    /// finite, with the entry; `length` if q or v has the wrong length.
+    /// [`Failure`] with the code `singular` if A is exactly singular or x overflows; `not-finite` if A or b
+    /// is not finite, with the entry; `length` if q or v has the wrong length.
     pub fn unknowns(&mut self, q: &[f64], v: &[f64]) -> Result<&[f64], Failure> {
         self.check_lengths(q, v)?;
         let (system, p, shape) = (self.system, self.parameters.as_slice(), self.shape());
@@ -95,8 +105,9 @@ impl<'a> Dynamics<'a> {
         }
     }
 
-    /// Reciprocal condition number of the matrix A(q, v), see [`linear::reciprocal_condition`]: 0 if A is singular, or
-    /// if `q` or `v` does not have the system's length.
+    /// Reciprocal condition number, between 0 and 1, of the matrix A(q, v) of the equations of motion, see
+    /// [`linear::reciprocal_condition`]. It is 0 if A is singular, or if `q` or `v` does not have the
+    /// system's length.
     pub fn reciprocal_condition(&mut self, q: &[f64], v: &[f64]) -> f64 {
         if self.check_lengths(q, v).is_err() {
             return 0.0;
@@ -105,7 +116,8 @@ impl<'a> Dynamics<'a> {
         linear::reciprocal_condition(&self.matrix, self.system.lengths().unknowns())
     }
 
-    /// Determinant of A(q, v); not a number if A is not finite, or if `q` or `v` does not have the system's length.
+    /// Determinant of the matrix A(q, v) of the equations of motion. Not a number if A is not finite, or if
+    /// `q` or `v` does not have the system's length.
     pub fn determinant(&mut self, q: &[f64], v: &[f64]) -> f64 {
         if self.check_lengths(q, v).is_err() {
             return f64::NAN;
@@ -114,7 +126,8 @@ impl<'a> Dynamics<'a> {
         linear::determinant(&self.matrix, self.system.lengths().unknowns())
     }
 
-    /// Energy T + V at (q, v), J; not a number if `q` or `v` does not have the system's length.
+    /// Total energy T + V of the system at (q, v), J; not a number if `q` or `v` does not have the system's
+    /// length.
     #[must_use]
     pub fn energy(&self, q: &[f64], v: &[f64]) -> f64 {
         if self.check_lengths(q, v).is_err() {
@@ -123,8 +136,9 @@ impl<'a> Dynamics<'a> {
         self.system.kinetic_energy(&self.parameters, q, v) + self.system.potential_energy(&self.parameters, q)
     }
 
-    /// Largest |E(t) − E(t0) − W(t)| over the samples of a solution and its end, J, with the work W that the solution
-    /// states. E(t0) is the energy of the first sample. Not a number if an energy is not a number.
+    /// Largest drift |E(t) − E(t0) − W(t)| of the energy E over the samples of a solution and its end, J. W
+    /// is the work that the solution states, and E(t0) the energy of the first sample. Not a number if an
+    /// energy is not a number.
     #[must_use]
     pub fn energy_drift(&self, solution: &Solution) -> f64 {
         let energy = |y: &Vec<f64>| {
@@ -134,10 +148,12 @@ impl<'a> Dynamics<'a> {
         solution.energy_drift(solution.y.iter().map(energy), energy(&solution.y_end))
     }
 
+    /// Kind of the matrix of the equations of motion: symmetric or general.
     fn shape(&self) -> Shape {
         if self.system.symmetric() { Shape::Symmetric } else { Shape::General }
     }
 
+    /// Refuses coordinates `q` or motion variables `v` whose length is not that of the system.
     fn check_lengths(&self, q: &[f64], v: &[f64]) -> Result<(), Failure> {
         if q.len() == self.system.lengths().coordinates && v.len() == self.system.lengths().variables {
             Ok(())
@@ -146,7 +162,8 @@ impl<'a> Dynamics<'a> {
         }
     }
 
-    /// Makes the failure of a linear system. Its forcing must not be overwritten yet if an entry is not finite.
+    /// Creates the failure of a linear system that has no solution, with the entry that is not finite if
+    /// there is such an entry. The matrix and the forcing must still be unchanged.
     fn failure(&self, why: Unsolvable) -> Failure {
         let matrix = match self.shape() {
             Shape::Symmetric => "mass matrix",
@@ -171,8 +188,11 @@ impl<'a> Dynamics<'a> {
     }
 }
 
-/// Right-hand side y' = [q̇; v̇] with accelerations from the linear system at each state; the time is not used. The
-/// Jacobian is that of the eliminated accelerations, if the system has these.
+/// Right-hand side y' = (q̇, v̇) with accelerations from the linear system at each state; the time is
+/// not used.
+///
+/// The Jacobian is that of the eliminated accelerations, which were solved for when the code was
+/// generated, if the system has these.
 impl RightHandSide<f64> for Dynamics<'_> {
     fn rhs(&mut self, _t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
         let (n, speeds) = (self.system.lengths().coordinates, self.system.lengths().variables);
@@ -224,11 +244,13 @@ impl RightHandSide<f64> for Dynamics<'_> {
     }
 }
 
+/// Failure for a state whose length does not fit the equations.
 fn wrong_length() -> Failure {
     let message = "the state does not have the length of the equations".to_owned();
     Failure { code: "length", message }
 }
 
+/// Refuses a list whose length differs from `expected`. `what` names the list in the error.
 fn check_length(what: &'static str, expected: usize, found: &[f64]) -> Result<(), SimError> {
     let found = found.len();
     if found == expected { Ok(()) } else { Err(SimError::Length { what, expected, found }) }

@@ -1,25 +1,30 @@
-//! Equations whose accelerations were solved for when their code was generated, as a right-hand side.
+//! Right-hand side of equations whose accelerations were solved for (eliminated) when their code was
+//! generated.
 
 use tripos_traits::{Real, System};
 
 use crate::error::Failure;
 use crate::rhs::RightHandSide;
 
-/// Right-hand side y' = [q̇; v̇] by [`System::derivative`], with its exact Jacobian, in any kind of number.
+/// Right-hand side y' = (q̇, v̇) of equations whose accelerations v̇ were solved for in advance, in any
+/// kind of number. It calls [`System::derivative`] and has an exact Jacobian.
 ///
-/// The state is y = [q; v], as for [`crate::Dynamics`], which solves the linear system at each state instead.
+/// The state is y = (q, v), as for [`crate::Dynamics`], which solves the linear system at each state
+/// instead.
 pub struct Eliminated<'a, S: Real = f64> {
+    /// Equations of motion whose accelerations were solved for in advance.
     system: &'a dyn System<S>,
+    /// Values of the parameters, in the order of the model file.
     parameters: Vec<S>,
-    /// Working space of the Taylor coefficients.
+    /// Working space for the Taylor coefficients.
     work: Vec<S>,
-    /// Matrix of the linear system, if it was asked for.
+    /// Working space for the matrix of the linear system, from which the mass matrix is read.
     matrix: Vec<S>,
 }
 
 impl<'a, S: Real> Eliminated<'a, S> {
-    /// Makes a right-hand side of a system, with `parameters` in the order of the model file. `None` if accelerations
-    /// were not solved for, or if the number of parameters is wrong.
+    /// Creates the right-hand side of a system, with `parameters` in the order of the model file. `None` if
+    /// accelerations were not solved for in advance, or if the number of parameters is wrong.
     #[must_use]
     pub fn new(system: &'a dyn System<S>, parameters: &[S]) -> Option<Self> {
         let fits = parameters.len() == system.lengths().parameters;

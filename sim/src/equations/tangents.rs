@@ -1,30 +1,42 @@
-//! Equations of motion with slopes along several directions, as a right-hand side.
+//! Right-hand side of equations of motion whose numbers carry derivatives along several directions
+//! (dual numbers).
 //!
-//! Invariant: values have the same bits as those of [`crate::Eliminated`], so that a run takes the same steps. The
-//! slopes of the rates are f_y s + f_p p′, by one call of the equations' body.
+//! Invariant: values have the same bits as those of [`crate::Eliminated`], so that a run takes the same
+//! steps. The derivatives of the rates f(y, p) are f_y s + f_p p′, by a single call of the equations'
+//! body. s are the derivatives of the state, and p′ those of the parameters.
 
 use tripos_traits::{Flow, Scalar, Series, System, Tangent};
 
 use crate::error::Failure;
 use crate::rhs::RightHandSide;
 
-/// Right-hand side y' = [q̇; v̇] with slopes, and the constraints that its run is kept on.
+/// Right-hand side y' = (q̇, v̇) in numbers that carry derivatives along K directions, with the
+/// constraints of the equations. A run with it gives sensitivities.
 pub struct Tangents<'a, const K: usize> {
-    /// Equations in doubles, for divisors, slopes of constraints and the Jacobian, which have no slopes themselves.
+    /// Equations in plain doubles, for divisors, slopes of constraints and the Jacobian, which carry no
+    /// derivatives.
     system: &'a dyn System<f64>,
+    /// Rates and constraints of the equations in numbers with derivatives.
     flow: &'a dyn Flow<Tangent<K>>,
+    /// Taylor coefficients in numbers with derivatives; `None` if the equations have none.
     series: Option<&'a dyn Series<Tangent<K>>>,
+    /// Parameters with their derivatives, in the order of the model file.
     parameters: Vec<Tangent<K>>,
-    /// Values of the parameters, without slopes.
+    /// Values of the parameters, without derivatives.
     values: Vec<f64>,
+    /// Working space for the Taylor coefficients.
     work: Vec<Tangent<K>>,
+    /// Working space for the values of a state, without derivatives.
     state: Vec<f64>,
+    /// Working space for results in plain doubles, without derivatives.
     out: Vec<f64>,
 }
 
 impl<'a, const K: usize> Tangents<'a, K> {
-    /// Creates the right-hand side from `parameters` in the order of the model file, with their slopes. `None` if the
-    /// accelerations of the equations were not solved for, or if the number of parameters is wrong.
+    /// Creates the right-hand side from the equations and from `parameters` with their derivatives, in the
+    /// order of the model file. `series` gives Taylor coefficients, if known.
+    ///
+    /// `None` if the accelerations were not solved for in advance, or if the number of parameters is wrong.
     #[must_use]
     pub fn new(
         system: &'a dyn System<f64>,
@@ -47,7 +59,8 @@ impl<'a, const K: usize> Tangents<'a, K> {
         })
     }
 
-    /// Writes a function of the state in doubles, without slopes.
+    /// Evaluates a function `of` of the state in plain doubles, and writes the result to `out` with
+    /// derivatives of 0.
     fn plain(
         &mut self,
         y: &[Tangent<K>],
@@ -75,8 +88,8 @@ impl<const K: usize> RightHandSide<Tangent<K>> for Tangents<'_, K> {
         Ok(())
     }
 
-    /// Writes the Jacobian without slopes: iterations that solve with it find the slopes of a solution as they find its
-    /// value.
+    /// Writes the Jacobian with derivatives of 0. Newton iterations with it find the derivatives of a
+    /// solution as they find its value.
     fn jacobian(&mut self, _t: f64, y: &[Tangent<K>], out: &mut [Tangent<K>]) -> Option<Result<(), Failure>> {
         self.plain(y, out, |system, p, q, v, out| system.jacobian(p, q, v, out));
         Some(Ok(()))

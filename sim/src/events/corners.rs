@@ -1,65 +1,74 @@
-//! Instants at which a right-hand side has a corner or a jump in time. Steps end there, and each step sees only the
-//! right-hand side on its own side of the corner.
+//! Corners of a right-hand side: times at which it has a kink or a jump. Steps end there, and each step
+//! sees only the right-hand side on its own side of the corner.
 //!
-//! If such an instant depends on a variable along which slopes are taken, the slopes of the state jump there. Before
-//! and after it the state is y(t, p). With a right-hand side that jumps from f⁻ to f⁺ at t(p), the slopes change by (f⁻
-//! − f⁺) dt/dp. If a right-hand side only bends, its slopes are those on the side of the step.
+//! States may carry derivatives by variables p (dual numbers). If the time of a jump depends on p,
+//! these derivatives jump, too. Where the right-hand side jumps from f⁻ to f⁺ at t(p), the derivatives
+//! of the state y(t, p) change by (f⁻ − f⁺) dt/dp. At a kink, the derivatives of f are those on the
+//! side of the step.
 
 use crate::error::Failure;
 use crate::rhs::{Pulled, RightHandSide, Transposed};
 use crate::rounding::smallest_step;
 use tripos_traits::Real;
 
-/// An instant at which a right-hand side is not smooth in time.
+/// Time at which a right-hand side f(t, y) is not smooth: it has a kink or a jump.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corner {
-    /// Time of the corner, s.
+    /// Time at which the right-hand side has the kink or jump, s.
     pub at: f64,
-    /// True if the right-hand side jumps there: steps to and from the corner see their own side, at 8 ulp of t from it.
+    /// True if the right-hand side jumps at the corner, false for a kink. At a jump a step evaluates f on
+    /// its own side, 8 ulp of t away.
     pub jumps: bool,
-    /// Derivative of the corner's time along each direction along which the state carries slopes.
+    /// Derivative of the corner's time by each variable along which the numbers of the state carry
+    /// derivatives.
     pub moves: [f64; DIRECTIONS],
 }
 
-/// Largest number of directions along which a state carries slopes.
+/// Largest number of variables along which the numbers of a state can carry derivatives.
 pub const DIRECTIONS: usize = 4;
 
 impl Corner {
-    /// Makes a corner at which the right-hand side jumps, and whose time, s, depends on nothing.
+    /// Creates a corner at time `at`, s, at which the right-hand side jumps. The time depends on no
+    /// variable.
     #[must_use]
     pub const fn jump(at: f64) -> Self {
         Self { at, jumps: true, moves: [0.0; DIRECTIONS] }
     }
 
-    /// Makes a corner at which the right-hand side is continuous, and whose time, s, depends on nothing.
+    /// Creates a corner at time `at`, s, at which the right-hand side is continuous and has a kink. The
+    /// time depends on no variable.
     #[must_use]
     pub const fn bend(at: f64) -> Self {
         Self { at, jumps: false, moves: [0.0; DIRECTIONS] }
     }
 }
 
-/// Intervals of time in which a right-hand side is one smooth function.
+/// Intervals of time, around the current time of a run, in which a right-hand side has no jump or no
+/// corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sides {
-    /// Interval between the neighbouring jumps, s; its ends are just inside.
+    /// Interval between the neighbouring jumps, s. Its ends are 8 ulp of t inside.
     pub(crate) values: (f64, f64),
-    /// Interval between the neighbouring corners of any kind, s; its ends are just inside. There the slopes are one
-    /// function, too.
+    /// Interval between the neighbouring corners of any kind, s. Its ends are 8 ulp of t inside. The
+    /// derivatives of f are smooth in it, too.
     pub(crate) slopes: (f64, f64),
 }
 
-/// Corners of a run, and the number of corners that it has passed.
+/// Corners in a run, and the number of corners that the run has passed.
 #[derive(Clone, Default)]
 pub(crate) struct Corners {
-    /// Corners in the order in which the run comes to them.
+    /// Corners in the order in which the run meets them.
     all: Vec<Corner>,
-    /// Direction of the run: 1 forwards in time, −1 backwards.
+    /// Direction of the run: 1 forward in time, −1 backward.
     toward: f64,
+    /// Time at which the run ends, s.
     end: f64,
+    /// Number of corners that the run has passed.
     behind: usize,
 }
 
 impl Corners {
+    /// Creates the list of corners for a run over `span`, s, of which none is passed yet.
     pub(crate) fn new(corners: &[Corner], span: (f64, f64)) -> Self {
         let (t0, t1) = span;
         let toward = (t1 - t0).signum();
@@ -68,15 +77,17 @@ impl Corners {
         Self { all, toward, end: t1, behind: 0 }
     }
 
-    /// Passes all corners before `t`, at it, or beyond it by less than the smallest step; `None` if there are none.
-    /// Returns the derivatives of the instant of a jump that moves, or zeros if no jump moves.
+    /// Marks all corners up to time `t`, s, as passed, with those beyond it by less than the smallest step.
+    /// `None` if there are none. Returns the derivatives of the time of a jump by the variables of the
+    /// state; zeros if no jump depends on them.
     pub(crate) fn pass(&mut self, t: f64) -> Option<[f64; DIRECTIONS]> {
         let passed = self.passed(t);
         let moved = passed.iter().find(|corner| corner.jumps && corner.moves.iter().any(|by| *by != 0.0));
         (!passed.is_empty()).then(|| moved.map_or([0.0; DIRECTIONS], |corner| corner.moves))
     }
 
-    /// Passes the same corners as [`Self::pass`], and returns these corners.
+    /// Marks all corners up to time `t`, s, as passed, with those beyond it by less than the smallest step.
+    /// Returns the newly passed corners.
     pub(crate) fn passed(&mut self, t: f64) -> &[Corner] {
         let before = self.behind;
         let least = smallest_step(t);
@@ -86,18 +97,19 @@ impl Corners {
         &self.all[before..self.behind]
     }
 
-    /// Time of the next corner before the end of the run, s.
+    /// Time of the next corner, s; `None` if there is none before the end of the run.
     pub(crate) fn next(&self) -> Option<f64> {
         let next = self.all.get(self.behind).map(|corner| corner.at);
         next.filter(|corner| self.toward * (self.end - corner) >= smallest_step(self.end))
     }
 
-    /// Intervals between the neighbouring jumps and between the neighbouring corners.
+    /// Intervals between the neighbouring jumps and between the neighbouring corners of any kind.
     pub(crate) fn sides(&self) -> Sides {
         Sides { values: self.between(|corner| corner.jumps), slopes: self.between(|_| true) }
     }
 
-    /// Interval between the neighbouring corners that satisfy `is_meant`; its ends are half the smallest step inside.
+    /// Interval between the neighbouring corners for which `is_meant` is true, s. Its ends are half the
+    /// smallest step inside; infinite if there is no corner on a side.
     fn between(&self, is_meant: impl Fn(&Corner) -> bool) -> (f64, f64) {
         // Farther from the corner than the rounding error of an argument such as `k*t - a`.
         let beside = |corner: &Corner, toward: f64| corner.at + toward * smallest_step(corner.at) / 2.0;
@@ -109,35 +121,43 @@ impl Corners {
     }
 }
 
-/// A right-hand side between two corners. At a jump it has the value just inside, at a bend the slopes just inside.
+/// Right-hand side that is smooth between two neighbouring corners. At a jump it has the value just
+/// inside the interval, at a kink the derivatives just inside.
 pub(crate) struct Between<'a, R, S> {
+    /// Right-hand side that has corners in time.
     rhs: &'a mut R,
-    /// Index of the state's component that is the time.
+    /// Index of the component of the state that is the time; `None` if there is none.
     clock: Option<usize>,
+    /// Intervals of time in which the right-hand side is smooth: between jumps, and between corners of any
+    /// kind.
     sides: Sides,
-    /// Copy of a state, with its time moved inside the interval.
+    /// Copy of a state, with its time component moved into the interval.
     state: Vec<S>,
-    /// Values whose slopes are taken, computed inside the interval.
+    /// Working space for values computed inside the interval, whose derivatives are used.
     beside: Vec<S>,
 }
 
 impl<'a, R, S: Real> Between<'a, R, S> {
+    /// Creates the smooth right-hand side in these intervals of time. `clock` is the index of the state's
+    /// component that is the time; `None` if there is none.
     pub(crate) fn new(rhs: &'a mut R, clock: Option<usize>, sides: Sides) -> Self {
         Self { rhs, clock, sides, state: Vec::new(), beside: Vec::new() }
     }
 
-    /// Sets the interval to that between two other corners.
+    /// Replaces the intervals in which the right-hand side is smooth by those between two other corners.
     pub(crate) fn go_on(&mut self, sides: Sides) {
         self.sides = sides;
     }
 
-    /// Evaluates the right-hand side at an instant and a state whose time is moved inside the interval.
+    /// Calls `question` with the right-hand side, a time and a state. Time and the state's time component
+    /// are first moved into the interval between jumps.
     #[inline]
     fn ask<T>(&mut self, t: f64, y: &[S], question: impl FnOnce(&mut R, f64, &[S]) -> T) -> T {
         self.ask_inside(self.sides.values, t, y, question)
     }
 
-    /// Asks at an instant and a state whose time is moved inside the interval, s.
+    /// Calls `question` with the right-hand side, a time and a state. Time and the state's time component
+    /// are first moved into `interval`, s.
     #[inline]
     fn ask_inside<T>(
         &mut self,
@@ -158,8 +178,9 @@ impl<'a, R, S: Real> Between<'a, R, S> {
         question(self.rhs, inside, &self.state)
     }
 
-    /// Gives `values` the slopes of this side of a corner, if they were computed at a corner: at `t`, or at the time in
-    /// the state.
+    /// Replaces the derivatives that `values` carry by those on this side of a corner, if `t` or the
+    /// state's time component lies outside the interval between corners. `again` computes the values a
+    /// second time, inside.
     #[inline]
     fn turn(&mut self, t: f64, y: &[S], values: &mut [S], again: impl FnOnce(&mut R, f64, &[S], &mut [S])) {
         let (low, high) = self.sides.slopes;
@@ -177,8 +198,8 @@ impl<'a, R, S: Real> Between<'a, R, S> {
 }
 
 impl<R: RightHandSide<S>, S: Real> Between<'_, R, S> {
-    /// Enters the interval between other corners from a state at `t`. The slopes of the state change if the jump
-    /// between the intervals moves.
+    /// Moves to the intervals after a corner at time `t`, s. The derivatives that the state `y` carries
+    /// change if the corner is a jump whose time has derivatives `moves`.
     pub(crate) fn enter(&mut self, sides: Sides, t: f64, y: &mut [S], moves: &[f64; DIRECTIONS]) {
         let is_moved = S::SLOPES > 0 && moves.iter().any(|by| *by != 0.0);
         let before = is_moved.then(|| self.rates(t, y));
@@ -193,7 +214,7 @@ impl<R: RightHandSide<S>, S: Real> Between<'_, R, S> {
         }
     }
 
-    /// Computes y′ in doubles; not a number if f has no value.
+    /// Computes y′ = f(t, y), rounded to `f64`; not a number if f has no value.
     fn rates(&mut self, t: f64, y: &[S]) -> Vec<f64> {
         let mut rates = vec![S::from_f64(0.0); y.len()];
         match self.rhs(t, y, &mut rates) {
@@ -204,13 +225,14 @@ impl<R: RightHandSide<S>, S: Real> Between<'_, R, S> {
 }
 
 impl<R: Transposed> Between<'_, R, f64> {
-    /// Pulls weights back as [`Transposed::pull`] does, with the right-hand side of this interval between corners.
+    /// Adds f_yᵀ w and f_pᵀ w to the two vectors of `to`, as [`Transposed::pull`] does, for the smooth
+    /// right-hand side between corners. Error if the Jacobians have no value.
     pub(crate) fn pull(&mut self, t: f64, y: &[f64], weights: &[f64], to: Pulled<'_>) -> Result<(), Failure> {
         self.ask_inside(self.sides.slopes, t, y, |rhs, t, y| rhs.pull(t, y, weights, to))
     }
 
-    /// Pulls weights of constraints back as [`Transposed::pull_constraints`] does, with the constraints of this
-    /// interval.
+    /// Adds φ_yᵀ w and φ_pᵀ w to the two vectors of `to`, as [`Transposed::pull_constraints`] does, for the
+    /// constraints between corners. w are `shares`. Error if the Jacobians have no value.
     pub(crate) fn pull_constraints(
         &mut self,
         t: f64,
@@ -222,7 +244,8 @@ impl<R: Transposed> Between<'_, R, f64> {
     }
 }
 
-/// Replaces the slopes of `numbers` by those of `of`; the values stay.
+/// Replaces the derivatives that `numbers` carry by those of the numbers `of`; their values are not
+/// changed.
 pub(crate) fn turn<S: Real>(numbers: &mut [S], of: &[S]) {
     for (number, of) in numbers.iter_mut().zip(of) {
         for at in 0..S::SLOPES {

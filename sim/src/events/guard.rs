@@ -1,13 +1,16 @@
-//! Guard of the divisors of equations, so that no step leads across a place where the equations have no value.
+//! Guard of the divisors of equations, so that no step leads across a place where the equations have no
+//! value.
 //!
-//! Invariant: the steps are those of a run without a guard, up to the step that changes the sign of a divisor. The
-//! divisors are evaluated once for each accepted step; zeros inside it are found on the dense output.
+//! Invariant: the steps are those of a run without a guard, up to the step in which a divisor changes
+//! its sign. The divisors are evaluated once for each accepted step; zeros inside it are found on the
+//! dense output.
 //!
-//! A divisor may touch zero without a change of sign, such as the distance of two points that meet. The run ends there
-//! if f jumps, as a force along the line between the points does. It goes on if f is continuous.
+//! A divisor may touch zero without a change of sign, such as the distance of two points that meet. The
+//! run ends there if f jumps, as a force along the line between the points does. It goes on if f is
+//! continuous.
 //!
-//! The guard can miss a divisor that reaches zero and turns back within a step, if the divisor did not move towards
-//! zero in the step before.
+//! The guard can miss a divisor that reaches zero and turns back within a step, if the divisor did not
+//! move towards zero in the step before.
 
 use tripos_traits::{Real, larger};
 
@@ -15,42 +18,47 @@ use super::root::{self, NotANumber};
 use crate::rhs::RightHandSide;
 use crate::stepper::Interpolant;
 
-/// A divisor that is zero inside a step.
+/// Place inside a step at which a divisor of the equations is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Zero {
-    /// Index of the divisor.
+    /// Index of the divisor that is zero, from 0.
     pub(crate) divisor: usize,
     /// Fraction of the step at which the divisor is zero.
     pub(crate) theta: f64,
 }
 
-/// Distances from a zero at which f is checked, as fractions of a step.
+/// Distances from a zero of a divisor at which the size of f is examined, as fractions of a step.
 const NEAR: [f64; 3] = [1e-4, 1e-8, 1e-12];
-/// Distances from a zero at which f is compared on both sides, as fractions of a step: a jump does not shrink from the
-/// first to the second.
+/// Distances from a zero of a divisor at which f is compared on both sides, as fractions of a step. If
+/// f jumps, the change of f does not shrink from the first distance to the second.
 const SIDES: [f64; 2] = [1e-4, 1e-6];
-/// Largest divisor that counts as touching zero, over its size at the ends of the step. The divisor may be a square.
+/// Largest value of a divisor that counts as touching zero, as a fraction of its value at the ends of
+/// the step. The divisor may be a square.
 const TOUCHED: f64 = 1e-12;
-/// Smallest change of f across a zero that counts as a jump, over the largest component of f. Divided rounding errors
-/// stay below it.
+/// Smallest change of f across a zero of a divisor that counts as a jump, as a fraction of the largest
+/// component of f. Rounding errors over the divisor stay below it.
 const JUMP: f64 = 1e-7;
-/// Factor by which f may be larger next to a zero of a divisor than elsewhere in the step.
+/// Factor by which f may be larger near a zero of a divisor than elsewhere in the step, if it is
+/// bounded there.
 const LARGE: f64 = 100.0;
-/// Fraction of the largest component of f that a smaller component is raised to before it is compared.
+/// Smallest size with which a component of f is compared, as a fraction of the largest component.
 const SMALL: f64 = 1e-9;
 
-/// Guard of a run's divisors, with its memory from step to step.
+/// Guard of a run's divisors, with their values at the ends of the last two steps.
 pub(crate) struct Guard<S> {
-    /// Divisors at the start of the step before, at the start of this step, and at its end.
+    /// Values of the divisors at the start of the previous step, at the start of the current step, and at
+    /// its end.
     values: [Vec<f64>; 3],
-    /// Length of the step before, s; `None` in the first step.
+    /// Signed length of the previous step, s; `None` in the first step.
     before: Option<f64>,
+    /// Working space for the values of the divisors.
     out: Vec<S>,
+    /// Working space for a state at which divisors are evaluated.
     y: Vec<S>,
 }
 
 impl<S: Real> Guard<S> {
-    /// Creates the guard of these equations' divisors at the start of a run.
+    /// Creates the guard of the divisors of `rhs` at the start (t, y) of a run.
     pub(crate) fn new<R: RightHandSide<S>>(rhs: &mut R, t: f64, y: &[S]) -> Self {
         let count = rhs.divisor_count();
         let zeros = || vec![0.0; count];
@@ -67,7 +75,8 @@ impl<S: Real> Guard<S> {
         self.out.is_empty()
     }
 
-    /// Evaluates the divisors at the end of an accepted step; true if one may have been zero inside.
+    /// Evaluates the divisors at the end of an accepted step. True if a divisor may have been zero inside
+    /// the step.
     pub(crate) fn suspects<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>) -> bool {
         let (t, t_new) = step.span();
         self.y.copy_from_slice(step.ends().1);
@@ -75,7 +84,8 @@ impl<S: Real> Guard<S> {
         (0..self.out.len()).any(|at| self.is_suspect(at, t_new - t))
     }
 
-    /// Finds the first zero of a divisor inside a suspected step; `None` if no divisor is zero there.
+    /// Finds the first zero of a divisor inside a suspected step. `None` if no divisor is zero there, or if
+    /// f is bounded and continuous at the zero.
     pub(crate) fn zero<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>) -> Option<Zero> {
         let (t, t_new) = step.span();
         let suspects: Vec<usize> = (0..self.out.len()).filter(|at| self.is_suspect(*at, t_new - t)).collect();
@@ -86,13 +96,14 @@ impl<S: Real> Guard<S> {
         found.min_by(|a, b| a.theta.total_cmp(&b.theta))
     }
 
-    /// Goes on to the next step after a step of this length, s.
+    /// Moves to the next step, after an accepted step of this signed length, s.
     pub(crate) fn accept(&mut self, length: f64) {
         self.values.rotate_left(1);
         self.before = Some(length);
     }
 
-    /// True if a divisor changed its sign over the step, or would have if it had gone on as in the step before.
+    /// True if the divisor with index `at` changed its sign over the step of this signed length, s. Also
+    /// true if a linear continuation of the previous step would have changed it.
     fn is_suspect(&self, at: usize, length: f64) -> bool {
         let [before, start, end] = [0, 1, 2].map(|k| self.values[k][at]);
         if start == 0.0 || start.is_nan() || end.is_nan() {
@@ -102,7 +113,8 @@ impl<S: Real> Guard<S> {
         (end < 0.0) != (start < 0.0) || end == 0.0 || (goes_on < 0.0) != (start < 0.0)
     }
 
-    /// Fraction of the step of a suspected divisor's first zero; `None` if it only came near, or passed through a pole.
+    /// Fraction of the step at which the suspected divisor with index `at` is first zero. `None` if it only
+    /// came near zero, or passed through a pole.
     fn locate<R: RightHandSide<S>>(
         &mut self,
         rhs: &mut R,
@@ -134,9 +146,11 @@ impl<S: Real> Guard<S> {
         (there <= start.abs().max(end.abs()) || there.is_nan()).then_some(theta)
     }
 
-    /// True if f stays as large next to a zero of a divisor as it is elsewhere in the step, and does not jump there.
-    /// The dividend is then zero, too, and the motion passes. That needs exact zeros, such as a speed that no force
-    /// changes: an error of the dividend would be divided as well.
+    /// True if the motion can pass a zero of a divisor at the fraction `zero` of the step. There f is as
+    /// large as elsewhere in the step, and does not jump.
+    ///
+    /// The dividend is then zero, too. That needs exact zeros, such as a speed that no force changes: an
+    /// error of the dividend would be divided as well.
     fn is_passed<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>, zero: f64) -> bool {
         let (t, t_new) = step.span();
         let mut rates = |theta: f64| {
@@ -167,7 +181,8 @@ impl<S: Real> Guard<S> {
         is_smooth && far.len() == 2 && next_to.into_iter().all(|theta| rates(theta).map(sizes).is_some_and(is_bounded))
     }
 
-    /// Evaluates the divisors at `self.y`, as the divisors at the end of a step.
+    /// Evaluates the divisors at time `t`, s, and state `self.y`, and stores them as the values at the end
+    /// of the step.
     fn evaluate<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) {
         rhs.divisors(t, &self.y, &mut self.out);
         for (value, out) in self.values[2].iter_mut().zip(&self.out) {

@@ -1,8 +1,10 @@
-//! Division of a step into parts on which ranges decide the behaviour of an event function.
+//! Division of a step into parts on which interval arithmetic decides the behaviour of an event
+//! function.
 //!
-//! A part is halved until one of four conditions holds. Its range excludes 0, so that nothing happens in it; or the
-//! range of its slope does, so that at most one zero is in it; or it is as narrow as [`resolution`]; or its range is no
-//! wider than rounding makes it. Work is counted: a part that is not decided after [`MOST`] ranges stays open.
+//! A part is halved until one of four conditions holds. The range of the function excludes 0, so that
+//! it has no zero in the part. The range of its slope excludes 0, so that it has at most one zero. The
+//! part is as narrow as [`resolution`]. The range is no wider than rounding makes it. Work is counted:
+//! a part that is not decided after [`MOST`] ranges stays open.
 
 use tripos_traits::{Enclosure, Interval};
 
@@ -10,72 +12,85 @@ use super::RangeFunction;
 use super::samples::{Probe, Sign};
 use crate::polynomial::Polynomial;
 
-/// Width of the narrowest part, as a fraction of the step: 2⁻⁴⁰.
+/// Width of the narrowest part of a step that the search for events makes, as a fraction of the step:
+/// 2⁻⁴⁰.
 const NARROW: f64 = 1.0 / 1_099_511_627_776.0;
-/// Largest number of ranges that are computed in a step for one event.
+/// Largest number of ranges that are computed in a step for a single event.
 const MOST: u32 = 4096;
-/// Number of ranges after which the search gives up on a function that is zero within rounding at all open parts.
+/// Number of ranges after which the search examines if the event function is zero within rounding at
+/// all undecided parts, and gives up if it is.
 const ENOUGH: u32 = 128;
 
 /// Known behaviour of an event function on a part of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Known {
-    /// The function has this sign on the whole part.
+    /// The event function has this sign, 1 or −1, on the whole part of the step.
     Clear(Sign),
-    /// The function is finite, and only rises or only falls. It has one zero if its signs at the ends differ, else
-    /// none.
+    /// The function is finite, and only rises or only falls. It has a single zero if its signs at the ends
+    /// of the part differ, else none.
     Monotone,
-    /// The behaviour is unknown, and no narrower part would decide it.
+    /// The behaviour is not known, and halving the part would not decide it.
     Unknown,
-    /// The behaviour is undecided so far: the part is to be halved.
+    /// The behaviour is not decided yet: the part must be halved.
     Open,
 }
 
-/// Part of a step, from one fraction of the step to another.
+/// Part of a step between two fractions of it, with the known behaviour of an event function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Part {
+    /// Fraction of the step at which the part begins.
     pub(crate) from: f64,
+    /// Fraction of the step at which the part ends.
     pub(crate) to: f64,
+    /// Known behaviour of the event function on the part.
     pub(crate) known: Known,
 }
 
-/// An event function in ranges, along the polynomial of a step.
+/// Event function in interval arithmetic, along the polynomial dense output of a step.
 pub(crate) struct Ranges<'p, 'f> {
+    /// Dense output of the step, as a polynomial for each component of the state.
     pub(crate) polynomial: &'p mut Polynomial,
+    /// Event function of ranges of time and state.
     pub(crate) function: &'p mut RangeFunction<'f>,
-    /// Space for the ranges of a state.
+    /// Working space for the ranges of a state.
     pub(crate) y: &'p mut Vec<Enclosure>,
 }
 
 impl Ranges<'_, '_> {
-    /// Range of the function from one fraction of the step to another, and of its slope by that fraction.
+    /// Range of the event function between the fractions `from` and `to` of the step, and range of its
+    /// derivative by the fraction.
     pub(crate) fn over(&mut self, from: f64, to: f64) -> Enclosure {
         self.polynomial.state(from, to, self.y);
         (self.function)(self.polynomial.time(from, to), self.y)
     }
 
-    /// Spread of the function by rounding alone at a fraction of the step; 0 if it is infinite.
+    /// Width of the event function's range at the fraction `theta` of the step, which rounding alone
+    /// causes; 0 if it is infinite.
     pub(crate) fn spread(&mut self, theta: f64) -> f64 {
         let width = self.over(theta, theta).value.width();
         if width.is_finite() { width } else { 0.0 }
     }
 }
 
-/// Parts of a step in order, and the fraction at which the function first had no value; no part begins at this
-/// fraction or later.
+/// Division of a step into parts with known behaviour of an event function.
 pub(crate) struct Isolation {
+    /// Parts of the step in order, each with the known behaviour of the event function.
     pub(crate) parts: Vec<Part>,
+    /// First fraction of the step at which the event function has no value; `None` if it has values
+    /// everywhere. No part begins there or later.
     pub(crate) cut: Option<f64>,
 }
 
 impl Isolation {
-    /// Ends of the parts, in order, up to where the function has no value.
+    /// Fractions of the step at which parts begin or end, in order, before the fraction at which the
+    /// function has no value.
     pub(crate) fn ends(&self) -> impl Iterator<Item = f64> {
         let ends = self.parts.first().map(|part| part.from).into_iter().chain(self.parts.iter().map(|part| part.to));
         ends.filter(|theta| self.cut.is_none_or(|cut| *theta < cut))
     }
 
-    /// Side on which the function is in the whole step; `None` if it is not known to be on one side.
+    /// Sign of the event function, 1 or −1, if it is the same in the whole step; `None` if that is not
+    /// known.
     pub(crate) fn side(&self) -> Option<Sign> {
         match self.parts[..] {
             [Part { known: Known::Clear(side), .. }] if self.cut.is_none() => Some(side),
@@ -84,8 +99,8 @@ impl Isolation {
     }
 }
 
-/// Width of the narrowest part of a step over `span`, s, that is not halved: 2⁻⁴⁰, or 8 ε of the time over the step if
-/// that is more.
+/// Width of the narrowest part of a step over `span`, s, that the search for events halves no more, as
+/// a fraction of the step. It is 2⁻⁴⁰, or 8 ε of the time over the length of the step if that is more.
 pub(crate) fn resolution(span: (f64, f64)) -> f64 {
     let (start, end) = span;
     NARROW.max(8.0 * f64::EPSILON * start.abs().max(end.abs()) / (end - start).abs())
@@ -118,19 +133,25 @@ fn joined(parts: &[Part]) -> Vec<Part> {
     list
 }
 
+/// Search that divides a step into parts with known behaviour of an event function.
 struct Search<'s, 'p, 'r, 'q, 'f> {
+    /// Event function along the step, evaluated at single points.
     probe: &'s mut Probe<'p>,
+    /// Event function along the step, evaluated on ranges by interval arithmetic.
     ranges: &'r mut Ranges<'q, 'f>,
+    /// Width of the narrowest part that is halved no more, as a fraction of the step.
     narrow: f64,
-    /// Number of ranges that were computed so far.
+    /// Number of ranges of the event function that were computed so far.
     spent: u32,
-    /// First fraction of the step at which the function has no value; infinite if it has one everywhere.
+    /// First fraction of the step at which the event function has no value; infinite if it has values
+    /// everywhere.
     cut: f64,
-    /// True once the search has checked if the function stays at zero.
+    /// True once the search has examined if the event function is zero at all undecided parts.
     steady: bool,
 }
 
 impl Search<'_, '_, '_, '_, '_> {
+    /// Finds the behaviour of the event function between the fractions `from` and `to` of the step.
     fn judge(&mut self, from: f64, to: f64) -> Part {
         self.spent += 1;
         let over = self.ranges.over(from, to);
@@ -144,8 +165,10 @@ impl Search<'_, '_, '_, '_, '_> {
         Part { from, to, known }
     }
 
-    /// Judges a part by g(x) = g(m) + g'(ξ) (x − m) with the middle m. The overestimate of this form falls with the
-    /// square of the width.
+    /// Finds the behaviour of the event function on a part by g(x) = g(m) + g'(ξ) (x − m), with the middle
+    /// m. `over` has the ranges of g and g' on the part.
+    ///
+    /// The overestimate of this form falls with the square of the width.
     fn judge_about_middle(&mut self, from: f64, to: f64, over: Enclosure) -> Known {
         let middle = f64::midpoint(from, to);
         if over.value.is_undefined() && self.probe.at(middle).is_nan() {
@@ -167,6 +190,7 @@ impl Search<'_, '_, '_, '_, '_> {
         }
     }
 
+    /// Halves all undecided parts, and finds the behaviour of the event function on the halves.
     fn halve(&mut self, parts: &[Part]) -> Vec<Part> {
         let mut finer = Vec::with_capacity(parts.len() + 8);
         for part in parts {
@@ -184,8 +208,8 @@ impl Search<'_, '_, '_, '_, '_> {
         finer
     }
 
-    /// True if the search is to stop: it has computed the largest number of ranges, or the event function is zero
-    /// within rounding at all open parts.
+    /// True if the search must stop. Either it has computed the largest number of ranges, or the event
+    /// function is zero within rounding at all undecided parts.
     fn gives_up(&mut self, parts: &[Part]) -> bool {
         if self.spent >= ENOUGH && !self.steady {
             self.steady = true;

@@ -43,51 +43,57 @@ pub(crate) mod walk;
 use std::fmt;
 use tripos_traits::{Direction, Enclosure};
 
-/// Effect of an event's crossing on the run.
+/// Effect of an event on the run when its function crosses zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Effect {
     /// The crossing is recorded, and the run goes on.
     Record,
     /// The crossing ends the run with [`crate::Stop::Event`].
     Terminal,
-    /// The equations hold only where the function is positive: a crossing ends the run with
-    /// [`crate::Stop::LeftDomain`]. A start at which it is negative ends the run with [`crate::Stop::StartsOutside`],
-    /// before any step. A start at exactly zero is watched from the next instant on.
+    /// The equations hold only while the event function is positive: a crossing ends the run with
+    /// [`crate::Stop::LeftDomain`].
+    ///
+    /// A negative value at the start ends the run with [`crate::Stop::StartsOutside`], before any step. A
+    /// start at exactly zero is watched from the next instant on.
     Domain,
 }
 
-/// Event function g(t, y) of the time, s, and the state.
+/// Event function g(t, y) of the time t, s, and the state y. Its zeros are the events.
 pub type EventFunction<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
-/// Event function g over a part of a step: the range of its values and of its slopes by one variable, from those of
-/// time and state by the same variable.
+/// Event function g in interval arithmetic. The arguments are the ranges of time, s, and of each
+/// component of the state, with their slopes by a single variable; the result is the range of g and of
+/// its slope.
 pub type RangeFunction<'a> = Box<dyn FnMut(Enclosure, &[Enclosure]) -> Enclosure + 'a>;
 
-/// An event function in ranges, with the components of the state that it needs.
+/// Event function in interval arithmetic, with the components of the state that it depends on.
 pub struct InRanges<'a> {
-    /// Event function over ranges of time and state.
+    /// Event function g, evaluated on ranges of time and state by interval arithmetic.
     pub function: RangeFunction<'a>,
-    /// Components of the state that the function depends on: it gets only their ranges. With `None` it gets all ranges.
+    /// Indices of the state's components on which the function depends; only their ranges are computed.
+    /// `None` means all components.
     pub components: Option<Vec<usize>>,
 }
 
-/// A function of time and state, and the meaning of its zeros.
+/// Event of a run: a function of time and state, and the meaning of its zeros.
 pub struct Event<'a> {
-    /// Name by which the event is reported.
+    /// Name of the event in results and messages.
     pub name: String,
-    /// Event function g(t, y). It is called at many points of a step, out of order, and should be smooth where it is
-    /// zero.
+    /// Event function g(t, y). It is called at many points of a step, out of order, and should be smooth
+    /// near its zeros.
     pub function: EventFunction<'a>,
-    /// Event function in ranges; `None` lets the function be sampled.
+    /// Event function in interval arithmetic, with which no crossing is missed; `None` means that the
+    /// function is sampled.
     pub ranges: Option<InRanges<'a>>,
-    /// Direction of the crossings that count.
+    /// Direction of the crossings that count: rising, falling or either.
     pub direction: Direction,
-    /// Effect of these crossings on the run.
+    /// Effect of a counted crossing on the run.
     pub effect: Effect,
 }
 
 impl<'a> Event<'a> {
-    /// Makes an event that is recorded at each crossing of `function` in `direction`.
+    /// Creates an event that is recorded at each crossing of zero by `function` in `direction`, and does
+    /// not end the run.
     pub fn recorded(
         name: impl Into<String>,
         direction: Direction,
@@ -97,7 +103,7 @@ impl<'a> Event<'a> {
         Self { name: name.into(), function, ranges: None, direction, effect: Effect::Record }
     }
 
-    /// Makes an event that ends the run at the first crossing of `function` in `direction`.
+    /// Creates an event that ends the run at the first crossing of zero by `function` in `direction`.
     pub fn terminal(
         name: impl Into<String>,
         direction: Direction,
@@ -106,7 +112,8 @@ impl<'a> Event<'a> {
         Self { effect: Effect::Terminal, ..Self::recorded(name, direction, function) }
     }
 
-    /// Makes a condition of validity: the run ends where `function` ceases to be positive.
+    /// Creates a domain event: the equations hold while `function` is positive, and the run ends where it
+    /// becomes negative.
     pub fn domain(name: impl Into<String>, function: impl FnMut(f64, &[f64]) -> f64 + 'a) -> Self {
         Self { effect: Effect::Domain, ..Self::recorded(name, Direction::Falling, function) }
     }
@@ -144,20 +151,20 @@ impl fmt::Debug for Event<'_> {
     }
 }
 
-/// Behaviour of an event function at the time of a record.
+/// Kind of a recorded event: the behaviour of the event function at its zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
-    /// The function went from negative to positive.
+    /// The event function went from negative to positive as the run proceeded.
     Rising,
-    /// The function went from positive to negative.
+    /// The event function went from positive to negative as the run proceeded.
     Falling,
-    /// The function reached zero and returned to the side it came from.
+    /// The event function reached zero within rounding, and returned to the side from which it came.
     Touch,
-    /// The function was zero when the run began.
+    /// The event function was zero within rounding when the run began.
     AtStart,
-    /// The function changed sign through infinity.
+    /// The event function changed its sign through infinity.
     Pole,
-    /// The function comes so close to zero, or varies so fast, that it is not decided whether it crosses there. The
+    /// The event function comes so close to zero, or varies so fast, that a crossing is not decided. The
     /// limit is rounding, or the allowed number of ranges.
     Undecided,
 }
@@ -165,15 +172,15 @@ pub enum Kind {
 /// Record of an event that happened.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EventRecord {
-    /// Position of the event in the list of the run's events.
+    /// Index of the event in the list of the run's events, from 0.
     pub event: usize,
-    /// Name of the event.
+    /// Name of the event that happened.
     pub name: String,
-    /// Time of the event, s: exact to the rounding of the step's times.
+    /// Time of the event, s, exact to the rounding of the step's times.
     pub t: f64,
     /// State at the time of the event, from the dense output.
     pub y: Vec<f64>,
-    /// Behaviour of the event function at that time.
+    /// Kind of the event: the behaviour of its function at this time.
     pub kind: Kind,
     /// True if the event ended the run.
     pub terminal: bool,

@@ -1,28 +1,30 @@
-//! Zeros and minima of a function of one variable on an interval.
+//! Zeros and minima of a function of a single variable on an interval.
 //!
-//! Invariant: an iteration keeps a bracket and ends by itself; no input makes it loop. A value that
-//! is not a number is handed back as [`NotANumber`].
+//! Invariant: an iteration keeps a bracket and ends by itself; no input makes it loop. A value that is
+//! not a number is returned as the error [`NotANumber`].
 
-/// Error of a search: the function has no value at a point.
+/// Error of a search for a zero or minimum: the function is not a number at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct NotANumber {
-    /// Argument at which the function has no value.
+    /// Argument at which the function is not a number.
     pub(crate) at: f64,
 }
 
-/// A point (x, f(x)) of a function.
+/// Point (x, f(x)) on the graph of a function.
 pub(crate) type Point = (f64, f64);
 
+/// Value of `f` at `x`; an error if it is not a number.
 fn value(f: &mut impl FnMut(f64) -> f64, x: f64) -> Result<f64, NotANumber> {
     let y = f(x);
     if y.is_nan() { Err(NotANumber { at: x }) } else { Ok(y) }
 }
 
-/// Finds a zero between two points with values of opposite sign, to within `tolerance` or the spacing of numbers.
-/// Returns the end of the final bracket at which |f| is smaller.
+/// Finds a zero of `f` between two points with values of opposite sign, to within `tolerance` or the
+/// spacing of numbers. Returns the end of the final bracket at which |f| is smaller. Error if a value
+/// is not a number.
 ///
-/// Bisection safeguards a secant through the bracket's ends with the Illinois modification;
-/// infinite values only bisect. G. Dahlquist & Å. Björck, *Numerical Methods* (1974), §6.4.
+/// Bisection safeguards a secant through the bracket's ends with the Illinois modification; infinite
+/// values only bisect. G. Dahlquist & Å. Björck, *Numerical Methods* (1974), §6.4.
 pub(crate) fn zero(
     f: &mut impl FnMut(f64) -> f64,
     mut a: Point,
@@ -59,7 +61,8 @@ pub(crate) fn zero(
     Ok(if a.1.abs() < b.1.abs() { a.0 } else { b.0 })
 }
 
-/// Finds a minimum of `f` inside (`low`, `high`); ends early once the value is below `enough`.
+/// Finds a minimum of `f` between `low` and `high`, and returns its point. The search ends early once a
+/// value is below `enough`. Error if a value is not a number.
 ///
 /// Golden sections with a parabola through the three best points where it helps; R. P. Brent,
 /// *Algorithms for Minimization without Derivatives* (1973), ch. 5.
@@ -115,7 +118,8 @@ pub(crate) fn minimum(
     Ok(x)
 }
 
-/// Distance from `x` to the vertex of the parabola through three points; `None` if they define no parabola.
+/// Distance along the axis from `x` to the vertex of the parabola through three points; `None` if they
+/// define no parabola.
 fn vertex(x: Point, v: Point, w: Point) -> Option<f64> {
     let r = (x.0 - v.0) * (x.1 - w.1);
     let q = (x.0 - w.0) * (x.1 - v.1);

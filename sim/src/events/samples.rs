@@ -1,4 +1,4 @@
-//! Samples of an event function in one step, and the evidence that they give between the samples.
+//! Samples of an event function in a step, and tests for zeros that lie between the samples.
 
 use std::iter::once;
 
@@ -8,7 +8,8 @@ use crate::stepper::DenseStep;
 /// Sign of an event function: −1 below zero, 0 within rounding of zero, 1 above zero.
 pub(crate) type Sign = i8;
 
-/// Sign of `g`; values up to `tolerance` in size count as zero.
+/// Sign of the value `g` of an event function: −1, 0 or 1. Values up to `tolerance` in size count as
+/// zero.
 pub(crate) fn sign(g: f64, tolerance: f64) -> Sign {
     if g.abs() <= tolerance {
         0
@@ -19,37 +20,43 @@ pub(crate) fn sign(g: f64, tolerance: f64) -> Sign {
     }
 }
 
-/// An event function along the dense output of a step.
+/// Event function along the dense output of a step, as a function of the fraction of the step.
 pub(crate) struct Probe<'p> {
+    /// Step of the run, with its dense output.
     pub(crate) step: &'p dyn DenseStep,
+    /// Event function g(t, y) of time, s, and state.
     pub(crate) function: &'p mut (dyn FnMut(f64, &[f64]) -> f64 + 'p),
-    /// Space for a state.
+    /// Working space for a state at which the event function is evaluated.
     pub(crate) y: &'p mut [f64],
-    /// Largest size of each component of the state so far: its rounding errors were made at that size.
+    /// Largest absolute value of each component of the state in the run so far; its rounding errors were
+    /// made at that size.
     pub(crate) magnitudes: &'p [f64],
 }
 
 impl Probe<'_> {
-    /// Value of the event function at a fraction of the step; may be not a number.
+    /// Value of the event function at the fraction `theta` of the step; it may be not a number.
     pub(crate) fn at(&mut self, theta: f64) -> f64 {
         self.step.interpolate(theta, self.y);
         (self.function)(self.step.time_at(theta), self.y)
     }
 
-    /// Rounding error of an instant of the step, in s: 4 ε of its times.
+    /// Rounding error of a time within the step, s: 4 ε of the larger of the step's times.
     pub(crate) fn instant(&self) -> f64 {
         let (start, end) = self.step.times();
         4.0 * f64::EPSILON * start.abs().max(end.abs())
     }
 
-    /// Value of the event function at a fraction of the step; an error if it is not a number.
+    /// Value of the event function at the fraction `theta` of the step; an error if it is not a number.
     pub(crate) fn value_at(&mut self, theta: f64) -> Result<f64, NotANumber> {
         let g = self.at(theta);
         if g.is_nan() { Err(NotANumber { at: theta }) } else { Ok(g) }
     }
 
-    /// Largest |g| that rounding alone can produce at `theta`: 4 times the change of g when each component of the
-    /// state, and the time, move by ε of their size; plus 2 ε of `scale`.
+    /// Largest |g| that rounding alone can cause at the fraction `theta` of the step, for the event
+    /// function g.
+    ///
+    /// It is 4 times the change of g if each component of the state, and the time, move by ε of their size,
+    /// plus 2 ε of `scale`.
     pub(crate) fn rounding(&mut self, theta: f64, scale: f64) -> f64 {
         const ULPS: f64 = 8.0; // moved together, so that the change is not lost in g's own rounding
         let base = self.at(theta);
@@ -71,15 +78,19 @@ impl Probe<'_> {
     }
 }
 
-/// A sample of an event function: g at a fraction of the step, and the side of zero on which it counts.
+/// Sample of an event function in a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node {
+    /// Fraction of the step at which the sample is taken.
     pub(crate) theta: f64,
+    /// Value of the event function at the sample.
     pub(crate) g: f64,
+    /// Sign with which the sample counts; 0 if the value is zero within rounding.
     pub(crate) sign: Sign,
 }
 
-/// True if |g| may reach zero between samples k − 1 and k: it has a minimum there, and both are on one side.
+/// True if |g| may reach zero between samples k − 1 and k: it has a minimum there, and both samples are
+/// on the same side of zero.
 pub(crate) fn may_dip(nodes: &[Node], k: usize) -> bool {
     let (a, b) = (nodes[k - 1], nodes[k]);
     if a.sign == 0 || a.sign != b.sign {
@@ -92,8 +103,9 @@ pub(crate) fn may_dip(nodes: &[Node], k: usize) -> bool {
     slope_a <= 0.0 && slope_b >= 0.0 && a.g.abs().min(b.g.abs()) <= 4.0 * fall
 }
 
-/// Fractions between samples k − 1 and k at which the polynomial through the samples has extrema, and the midpoints
-/// between these. Empty if there are fewer than two extrema: the slopes at the two samples show a single one.
+/// Fractions of the step between samples k − 1 and k at which the polynomial through the samples has
+/// extrema, with the midpoints between these. Empty if there are fewer than two extrema: the slopes at
+/// the two samples show a single one.
 pub(crate) fn hidden_extrema(nodes: &[Node], k: usize) -> Vec<f64> {
     const PARTS: u32 = 8;
     let (a, b) = (nodes[k - 1].theta, nodes[k].theta);
@@ -102,28 +114,31 @@ pub(crate) fn hidden_extrema(nodes: &[Node], k: usize) -> Vec<f64> {
     let values: Vec<f64> = points.map(|theta| interpolated(near(nodes, k), theta)).collect();
     let rises = values.windows(2).map(|v| v[1] - v[0]);
     let slopes: Vec<f64> = once(slope(nodes, k - 1)).chain(rises).chain(once(slope(nodes, k))).collect();
-    // Slope 0 belongs to a, slope i to the middle of part i, the last one to b.
+    // Slope 0 is that at sample a, slope i that in the middle of part i, and the last slope that at sample
+    // b.
     let turns = slopes.windows(2).enumerate().filter(|(_, s)| s[0] * s[1] < 0.0);
     let extrema: Vec<f64> = turns.map(|(i, _)| a + width * (i as f64).clamp(0.25, f64::from(PARTS) - 0.25)).collect();
-    // Halfway between two extrema the function is on its way from one to the other.
+    // Halfway between two extrema the function passes from the value of the first to that of the second.
     extrema.windows(2).flat_map(|e| [e[0], f64::midpoint(e[0], e[1]), e[1]]).collect()
 }
 
-/// Five samples around sample i. The polynomial through them is g itself if g is linear in the state and does not
-/// depend on t, since a dense output has degree 4.
+/// Five samples around sample i. If g is linear in the state and does not depend on t, the polynomial
+/// through them is g itself, since a dense output of `ode45` has degree 4.
 fn near(nodes: &[Node], i: usize) -> &[Node] {
     let low = i.saturating_sub(2).min(nodes.len().saturating_sub(5));
     &nodes[low..(low + 5).min(nodes.len())]
 }
 
-/// Value at `theta` of the polynomial through the samples, by Lagrange's formula.
+/// Value at the fraction `theta` of the step of the polynomial through the samples, by Lagrange's
+/// formula.
 fn interpolated(nodes: &[Node], theta: f64) -> f64 {
     let others = |j: usize| nodes.iter().enumerate().filter(move |(m, _)| *m != j).map(|(_, n)| n.theta);
     let term = |(j, n): (usize, &Node)| n.g * others(j).map(|x| (theta - x) / (n.theta - x)).product::<f64>();
     nodes.iter().enumerate().map(term).sum()
 }
 
-/// Slope dg/dθ at sample i of the polynomial through the samples near it.
+/// Slope dg/dθ, by the fraction θ of the step, at sample i of the polynomial through the samples near
+/// it.
 fn slope(nodes: &[Node], i: usize) -> f64 {
     let at = nodes[i];
     // Σ over the other samples j of (g_j − g_i) / (x_j − x_i) · Π over the remaining m of (x_i − x_m) / (x_j − x_m)

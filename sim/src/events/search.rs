@@ -1,4 +1,5 @@
-//! Search for the zeros of an event function in one step: by ranges if the event has them, else by samples.
+//! Search for the zeros of an event function in a step: by interval arithmetic if the event has ranges,
+//! else by samples.
 
 use super::Kind;
 use super::isolate::{Isolation, Known, Ranges, isolate};
@@ -6,13 +7,14 @@ use super::root::NotANumber;
 use super::samples::{Node, Probe, hidden_extrema, may_dip, sign};
 use super::walk::{Doubt, Finding, Findings, LADDER, Memory, walk};
 
-/// Fraction of a step over which the slope of an event function at the step's ends is taken: the root of ε, below which
-/// a smooth function cannot turn by more than rounding.
+/// Fraction of a step over which the slope of an event function at the step's ends is taken. It is the
+/// root of ε, within which a smooth function cannot turn by more than rounding.
 const DELTA: f64 = 1.0 / 67_108_864.0;
-/// Number of evenly spaced intervals between the samples of a step.
+/// Number of equal intervals between the samples of an event function in a step.
 const INTERVALS: u32 = 8;
 
-/// Searches one step for the zeros of an event function; `memory` moves to the end of the step.
+/// Searches a step for the zeros of an event function, and returns them. Updates `memory` to the end of
+/// the step. Without `ranges` the function is sampled.
 pub(crate) fn search(probe: &mut Probe<'_>, memory: &mut Memory, ranges: Option<Ranges<'_, '_>>) -> Findings {
     match ranges {
         Some(mut ranges) => by_ranges(probe, memory, &mut ranges),
@@ -20,7 +22,8 @@ pub(crate) fn search(probe: &mut Probe<'_>, memory: &mut Memory, ranges: Option<
     }
 }
 
-/// Searches by parts of the step on which ranges decide the behaviour of the function.
+/// Searches a step for the zeros of an event function, on parts on which interval arithmetic decides
+/// its behaviour.
 fn by_ranges(probe: &mut Probe<'_>, memory: &mut Memory, ranges: &mut Ranges<'_, '_>) -> Findings {
     let isolation = isolate(probe, ranges);
     let mut findings = Findings { not_a_number: isolation.cut, ..Findings::default() };
@@ -46,6 +49,7 @@ fn by_ranges(probe: &mut Probe<'_>, memory: &mut Memory, ranges: &mut Ranges<'_,
     findings
 }
 
+/// Doubt about a zero on a part of the step on which this behaviour of the event function is known.
 fn doubt_of(known: Known) -> Doubt {
     match known {
         Known::Clear(_) | Known::Monotone => Doubt::None,
@@ -54,8 +58,8 @@ fn doubt_of(known: Known) -> Doubt {
     }
 }
 
-/// Reports the open parts of a step as one undecided event, at their smallest sample. Parts that begin and end at zero
-/// are not reported.
+/// Reports all parts of a step that stayed undecided as a single undecided event, at their smallest
+/// sample. `None` if there are none; parts that begin and end at zero do not count.
 fn left_open(isolation: &Isolation, nodes: &[Node], memory: &Memory) -> Option<Finding> {
     let parts = isolation.parts.iter().zip(nodes.windows(2)).filter(|(part, _)| part.known == Known::Open);
     let ends = parts.filter(|(_, ends)| ends.iter().any(|n| n.sign != 0)).flat_map(|(_, ends)| ends);
@@ -63,6 +67,7 @@ fn left_open(isolation: &Isolation, nodes: &[Node], memory: &Memory) -> Option<F
     Some(Finding { theta: near.theta, kind: Kind::Undecided, side: memory.side })
 }
 
+/// Searches a step for the zeros of an event function from samples of it.
 fn by_samples(probe: &mut Probe<'_>, memory: &mut Memory) -> Findings {
     let mut findings = Findings::default();
     let nodes = &mut gather(probe, memory, &mut findings);
@@ -75,7 +80,8 @@ fn by_samples(probe: &mut Probe<'_>, memory: &mut Memory) -> Findings {
     findings
 }
 
-/// Takes the samples of a step, in order, up to the first that is not a number.
+/// Takes the samples of an event function in a step, in order, up to the first value that is not a
+/// number.
 fn gather(probe: &mut Probe<'_>, memory: &Memory, findings: &mut Findings) -> Vec<Node> {
     let mut nodes = vec![Node { theta: 0.0, g: memory.value, sign: memory.sign }];
     let thetas = (1..INTERVALS).map(|i| f64::from(i) / f64::from(INTERVALS));
@@ -94,15 +100,16 @@ fn gather(probe: &mut Probe<'_>, memory: &Memory, findings: &mut Findings) -> Ve
     nodes
 }
 
-/// True if all samples have one sign, and are more than 4 times as far from zero as they vary: a shortcut for the
-/// common case.
+/// True if all samples of an event function have the same sign and are more than 4 times as far from
+/// zero as they vary. This is a shortcut for the usual case.
 fn is_far(nodes: &[Node]) -> bool {
     let low = nodes.iter().map(|n| n.g).fold(f64::INFINITY, f64::min);
     let high = nodes.iter().map(|n| n.g).fold(f64::NEG_INFINITY, f64::max);
     low.max(-high) > 4.0 * (high - low)
 }
 
-/// Adds samples of the event function at the fractions `thetas` of the step, until a value is not a number.
+/// Appends samples of the event function at the fractions `thetas` of the step to `nodes`, until a
+/// value is not a number.
 fn sample(probe: &mut Probe<'_>, thetas: impl Iterator<Item = f64>, nodes: &mut Vec<Node>, findings: &mut Findings) {
     for theta in thetas {
         let g = probe.at(theta);
@@ -114,7 +121,8 @@ fn sample(probe: &mut Probe<'_>, thetas: impl Iterator<Item = f64>, nodes: &mut 
     }
 }
 
-/// True if the samples leave no doubt that the function had no zero in the step.
+/// True if the samples show beyond doubt that the event function had no zero in the step. `scale` is
+/// the largest |g| of the samples.
 fn is_quiet(nodes: &[Node], memory: &Memory, scale: f64) -> bool {
     if is_far(nodes) && nodes[0].sign == memory.side {
         return true;
@@ -124,7 +132,8 @@ fn is_quiet(nodes: &[Node], memory: &Memory, scale: f64) -> bool {
     same_side && end_is_clear && !(1..nodes.len()).any(|k| may_dip(nodes, k))
 }
 
-/// Separates zeros from rounding, then walks over the samples.
+/// Separates zeros of the event function from rounding, then finds its zeros by a walk over the
+/// samples. `scale` is the largest |g| of the samples. Error if a value is not a number.
 fn examine(
     probe: &mut Probe<'_>,
     nodes: &mut Vec<Node>,
@@ -149,15 +158,16 @@ fn examine(
     walk(probe, nodes, &doubt, memory, tolerance, findings)
 }
 
-/// Fraction of the step at which the sample is smallest; `None` without samples.
+/// Fraction of the step of the sample with the smallest |g|; `None` without samples.
 fn nearest(nodes: &[Node]) -> Option<f64> {
     nodes.iter().min_by(|a, b| a.g.abs().total_cmp(&b.g.abs())).map(|n| n.theta)
 }
 
-/// Sets the signs of samples; values within the tolerance count as zero.
+/// Sets the signs of samples of an event function; values up to `tolerance` count as zero.
 ///
-/// The instant at which a run starts is uncertain by its rounding, in which the function changes with `slope`, by the
-/// fraction of the step. So a run that begins where an event ended another run begins at zero.
+/// The time at which a run starts is uncertain by rounding. During that time the function changes by
+/// `slope`, its derivative by the fraction of the step. So a run that begins where an event ended
+/// another run begins at zero.
 fn set_signs(
     probe: &Probe<'_>,
     nodes: &mut [Node],
@@ -179,7 +189,8 @@ fn set_signs(
     }
 }
 
-/// Sets the signs of the first samples to zero, while the start of a run that begins at zero is uncertain.
+/// Sets the signs of the first samples to zero, as long as rounding cannot separate them from the start
+/// of a run that begins at a zero.
 fn stay_at_start(probe: &Probe<'_>, nodes: &mut [Node], memory: &mut Memory) {
     let Some(zero_at) = memory.zero_at else { return };
     let (end, instant) = (probe.step.times().1, probe.instant());

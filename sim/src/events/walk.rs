@@ -1,36 +1,42 @@
-//! Walk over samples of an event function in one step: finds the zeros, and remembers the function between steps.
+//! Walk over the samples of an event function in a step: finds its zeros, and remembers its sign from
+//! step to step.
 //!
-//! Invariant: `Memory::side` is the side of zero on which the function was last known to be. Every change of sign
-//! against it is reported exactly once. See [`crate::events`] for the conventions.
+//! Invariant: `Memory::side` is the side of zero on which the function was last known to be. Every
+//! change of sign against it is reported exactly once. See [`crate::events`] for the conventions.
 
 use super::Kind;
 use super::root::{self, NotANumber};
 use super::samples::{Node, Probe, Sign, sign};
 
-/// Distances from a zero at which the side of the function is examined: 2⁻²⁰, 2⁻¹⁴ and 2⁻⁸ of a step.
+/// Distances from a zero at which the sign of the event function is examined, as fractions of a step:
+/// 2⁻²⁰, 2⁻¹⁴ and 2⁻⁸.
 pub(crate) const LADDER: [f64; 3] = [1.0 / 1_048_576.0, 1.0 / 16_384.0, 1.0 / 256.0];
-/// Smallest size of a function at a change of sign through infinity, over its size at the ends of the bracket.
+/// Factor by which an event function is larger where it changes sign than at the ends of the bracket,
+/// if it does so through infinity.
 const BEYOND: f64 = 4.0;
 
-/// Memory of the search for an event, at the start of a step.
+/// Data about an event function that its search keeps from step to step, at the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Memory {
     /// Value of the event function at the start of the step.
     pub(crate) value: f64,
-    /// Sign of that value, 0 within rounding.
+    /// Sign of the event function at the start of the step; 0 within rounding of zero.
     pub(crate) sign: Sign,
-    /// Sign of the event function when it was last not zero; 0 if it has been zero since the start of the run.
+    /// Sign of the event function when it was last not zero; 0 if it has been zero since the start of the
+    /// run.
     pub(crate) side: Sign,
-    /// True if a step has been searched for zero crossings.
+    /// True if a step of the run has been searched for zeros.
     pub(crate) begun: bool,
-    /// Side assumed for an event function that is zero at the start of the run.
+    /// Sign that is assumed for an event function that is zero at the start of the run: 1 for a domain
+    /// event, else 0.
     pub(crate) side_at_zero: Sign,
-    /// Time at which the run began, s, if the function was zero then; else `None`.
+    /// Start time of the run, s, if the event function is zero there and the run is still within rounding
+    /// of it; else `None`.
     pub(crate) zero_at: Option<f64>,
 }
 
 impl Memory {
-    /// Moves to the last of a step's samples.
+    /// Updates the memory to the last of a step's samples.
     pub(crate) fn move_on(&mut self, nodes: &[Node]) {
         self.begun = true;
         if let Some(end) = nodes.last() {
@@ -38,12 +44,14 @@ impl Memory {
         }
     }
 
-    /// Moves to the end of a step in which the function was on this side, with an unknown value.
+    /// Updates the memory to the end of a step in which the event function had the sign `side`, with an
+    /// unknown value.
     pub(crate) fn stay(&mut self, side: Sign) {
         (self.begun, self.side, self.sign, self.value) = (true, side, side, f64::from(side));
     }
 
-    /// Begins at the first sample of a run: on its side, or at zero, which is reported.
+    /// Sets the memory to the first sample of a run, whose sign is `first`. If it is zero, that is reported
+    /// in `findings`.
     pub(crate) fn begin(&mut self, first: Sign, findings: &mut Findings) {
         self.side = first;
         if first == 0 {
@@ -53,24 +61,29 @@ impl Memory {
     }
 }
 
-/// A finding of the search: a kind of event at a fraction of the step.
+/// Zero of an event function that a search found in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Finding {
+    /// Fraction of the step at which the zero lies.
     pub(crate) theta: f64,
+    /// Kind of the zero, such as a rising crossing or a touch.
     pub(crate) kind: Kind,
-    /// Side on which the function is afterwards.
+    /// Sign of the event function after the zero.
     pub(crate) side: Sign,
 }
 
-/// Findings of the search in one step, in no particular order, up to the fraction at which the function has no value.
+/// Zeros of an event function that a search found in a step.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Findings {
+    /// Zeros that were found in the step, in no particular order.
     pub(crate) found: Vec<Finding>,
+    /// First fraction of the step at which the function is not a number; `None` if there is none.
     pub(crate) not_a_number: Option<f64>,
 }
 
 impl Findings {
-    /// Keeps the first fraction of the step at which the function has no value.
+    /// Records the fraction of the step at which the function is not a number, if `outcome` is an error and
+    /// no earlier fraction is recorded.
     pub(crate) fn note(&mut self, outcome: Result<(), NotANumber>) {
         if let Err(NotANumber { at }) = outcome {
             self.not_a_number = Some(self.not_a_number.map_or(at, |theta| theta.min(at)));
@@ -78,23 +91,27 @@ impl Findings {
     }
 }
 
-/// Doubt whether a function reached zero, and returned, between a sample and the one before.
+/// Doubt whether an event function reached zero and returned between two neighbouring samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Doubt {
-    /// The function surely did not reach zero.
+    /// The function certainly did not reach zero.
     None,
-    /// The minimum of the function between the samples decides.
+    /// The minimum of |g| between the samples decides if it reached zero.
     Dip,
-    /// The minimum of the function between the samples decides, if it is at zero or beyond; else the doubt stays.
+    /// The minimum of |g| between the samples decides if it is at zero or beyond. If it is above zero, the
+    /// place is undecided.
     Unknown,
 }
 
+/// Crossing at the fraction `theta` of the step, after which the function has the sign `side`.
 fn crossing_to(side: Sign, theta: f64) -> Finding {
     Finding { theta, kind: if side > 0 { Kind::Rising } else { Kind::Falling }, side }
 }
 
-/// Walks over samples with known signs, up to `tolerance`, and reports the zeros. `doubt` gives the doubt before each
-/// sample except the first.
+/// Walks over the samples of an event function in a step, in order, and adds its zeros to `findings`.
+/// Values up to `tolerance` count as zero. Error if a value is not a number.
+///
+/// `doubt(k)` is the doubt about a zero between samples k − 1 and k.
 pub(crate) fn walk(
     probe: &mut Probe<'_>,
     nodes: &[Node],
@@ -130,8 +147,11 @@ pub(crate) fn walk(
     Ok(())
 }
 
-/// Finds the change of sign between samples `low` and `high`. It is at the last sample before `high` if both have one
-/// sign, and it is a pole if the function grows towards it.
+/// Finds the change of sign between samples `low` and `high`. It is a pole if the function grows
+/// towards it. Error if a value is not a number.
+///
+/// If both values have the same sign before rounding, the change counts as being at the last sample
+/// before `high`.
 fn change(
     probe: &mut Probe<'_>,
     nodes: &[Node],
@@ -149,7 +169,8 @@ fn change(
     Ok(if grown { Finding { kind: Kind::Pole, ..crossing } } else { crossing })
 }
 
-/// Follows |g| down between two samples on one side, and reports two crossings, a touch, an undecided place or nothing.
+/// Follows |g| to its minimum between two samples on the same side of zero. Adds two crossings, a
+/// touch, an undecided place or nothing to `findings`. Error if a value is not a number.
 fn dip(
     probe: &mut Probe<'_>,
     [a, b]: [Node; 2],
@@ -175,8 +196,8 @@ fn dip(
     Ok(())
 }
 
-/// Reports a function that is zero from the first of `zeros` to the last sample. It is a touch if the function goes
-/// back to its side a little beyond the step, else a crossing.
+/// Reports an event function that is zero from the first of `zeros` to the last sample of the step. It
+/// is a touch if the function returns to its side shortly after the step, else a crossing.
 fn arrive(probe: &mut Probe<'_>, zeros: &[Node], memory: &mut Memory, tolerance: f64) -> Finding {
     let end = zeros.last().map_or(1.0, |n| n.theta);
     let mut sides = LADDER.iter().map(|d| sign_or_zero(probe.at(end + d), tolerance));
@@ -192,6 +213,7 @@ fn arrive(probe: &mut Probe<'_>, zeros: &[Node], memory: &mut Memory, tolerance:
     crossing_to(memory.side, theta)
 }
 
+/// Sign of the value `g` of an event function: 0 if it is not a number, or up to `tolerance` in size.
 fn sign_or_zero(g: f64, tolerance: f64) -> Sign {
     if g.is_nan() { 0 } else { sign(g, tolerance) }
 }

@@ -1,12 +1,13 @@
-//! Elliptic integrals and functions by the arithmetic–geometric mean.
+//! Elliptic integrals and Jacobi's elliptic functions by the arithmetic–geometric mean, in any scalar.
 //!
-//! NIST *Digital Library of Mathematical Functions* §19.8(i) (the mean), §22.20(ii) (Jacobi's functions), and
-//! Abramowitz & Stegun 17.6 (the incomplete integral).
+//! NIST *Digital Library of Mathematical Functions* §19.8(i) (the mean), §22.20(ii) (Jacobi's
+//! functions), and Abramowitz & Stegun 17.6 (the incomplete integral).
 
 use super::trigonometry::nearest_whole;
 use tripos_traits::Real;
 
-/// Largest number of steps of the mean: more than any precision takes, since each doubles the digits.
+/// Largest number of steps of the arithmetic–geometric mean. No precision takes so many, since each
+/// step doubles the digits.
 const STEPS_LIMIT: usize = 40;
 
 /// Elliptic functions of one parameter m = k² in [0, 1].
@@ -20,40 +21,49 @@ const STEPS_LIMIT: usize = 40;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Elliptic<S> {
+    /// Parameter m = k² of the elliptic functions.
     parameter: S,
+    /// Complementary parameter 1 − m of the elliptic functions.
     complement: S,
-    /// Steps of the mean from a₀ = 1, each with aₙ₊₁, the mean of aₙ and bₙ; bₙ; and cₙ₊₁/aₙ₊₁ with cₙ₊₁ = (aₙ − bₙ)/2.
+    /// Steps of the arithmetic–geometric mean from a₀ = 1 and b₀ = √(1 − m); none for m = 1 or an invalid
+    /// m.
     steps: Vec<Step<S>>,
 }
 
+/// Step n of the arithmetic–geometric mean, from aₙ and bₙ to aₙ₊₁ and bₙ₊₁.
 #[derive(Clone, Copy, Debug)]
 struct Step<S> {
+    /// Arithmetic mean aₙ₊₁ = (aₙ + bₙ)/2 after step n of the arithmetic–geometric mean.
     mean: S,
+    /// Geometric mean bₙ before step n of the arithmetic–geometric mean.
     geometric: S,
+    /// Ratio cₙ₊₁/aₙ₊₁ of step n of the arithmetic–geometric mean, with cₙ₊₁ = (aₙ − bₙ)/2.
     ratio: S,
 }
 
-/// Jacobi's elliptic functions at one argument.
+/// Values of Jacobi's elliptic functions at an argument u.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JacobiValues<S> {
-    /// Value sn u = sin am u.
+    /// Elliptic sine sn u = sin am u.
     pub sn: S,
-    /// Value cn u = cos am u.
+    /// Elliptic cosine cn u = cos am u.
     pub cn: S,
-    /// Value dn u = √(1 − m sn² u), positive.
+    /// Delta amplitude dn u = √(1 − m sn² u) of the argument u, positive.
     pub dn: S,
-    /// Amplitude am u, rad, which grows by π over 2 K.
+    /// Amplitude am u, rad, which grows by π whenever u grows by 2 K, with the quarter period K.
     pub am: S,
 }
 
 impl<S: Real> Elliptic<S> {
-    /// Makes the elliptic functions of the parameter m in [0, 1].
+    /// Creates the elliptic functions of the parameter m from 0 to 1. For other m all results are not a
+    /// number.
     #[must_use]
     pub fn new(m: S) -> Self {
         Self::with_complement(m, S::int(1) - m)
     }
 
-    /// Makes the elliptic functions of m from m and 1 − m: near m = 1 the digits of 1 − m matter.
+    /// Creates the elliptic functions from the parameter m and its complement 1 − m, whose digits matter
+    /// near m = 1. For m outside 0 to 1 all results are not a number.
     #[must_use]
     pub fn with_complement(m: S, complement: S) -> Self {
         let zero = S::int(0);
@@ -69,19 +79,20 @@ impl<S: Real> Elliptic<S> {
         S::pi() / (S::int(2) * self.mean())
     }
 
-    /// Complementary parameter 1 − m.
+    /// Complementary parameter 1 − m of the elliptic functions.
     #[must_use]
     pub fn complement(&self) -> S {
         self.complement
     }
 
-    /// Arithmetic–geometric mean of 1 and √(1 − m).
+    /// Arithmetic–geometric mean of 1 and √(1 − m); 0 for m = 1.
     fn mean(&self) -> S {
         // Without steps the mean is 0 for m = 1, or not a number.
         self.steps.last().map_or(self.complement, |step| step.mean)
     }
 
-    /// Computes sn, cn, dn and am of u. Their absolute error is that of u, so at least |u| EPSILON.
+    /// Computes Jacobi's functions sn, cn, dn and the amplitude am of the argument u. Their absolute error
+    /// is that of u, so at least |u| EPSILON.
     #[must_use]
     pub fn jacobi(&self, u: S) -> JacobiValues<S> {
         if self.steps.is_empty() {
@@ -99,8 +110,8 @@ impl<S: Real> Elliptic<S> {
         JacobiValues { sn: sign * sn, cn: sign * cn, dn, am: reduced + n * S::pi() }
     }
 
-    /// Amplitude am u by the descending Landen transformation: from φ_N = 2ᴺ a_N u back by sin(2φₙ − φₙ₊₁) =
-    /// (cₙ₊₁/aₙ₊₁) sin φₙ₊₁.
+    /// Amplitude am u, rad, by the descending Landen transformation: from φ_N = 2ᴺ a_N u back by sin(2φₙ −
+    /// φₙ₊₁) = (cₙ₊₁/aₙ₊₁) sin φₙ₊₁. The argument u lies within half a period of 0.
     fn amplitude_within_half_period(&self, u: S) -> S {
         let doublings = self.steps.iter().fold(u, |u, _| u + u);
         self.steps.iter().rev().fold(doublings * self.mean(), |phi, step| {
@@ -109,8 +120,8 @@ impl<S: Real> Elliptic<S> {
         })
     }
 
-    /// Functions for m = 1: sn = tanh u, cn = dn = 1/cosh u, am the Gudermannian of u; or not a number for an invalid
-    /// m.
+    /// Jacobi's functions for m = 1: sn = tanh u, cn = dn = 1/cosh u, am the Gudermannian of u. Not a
+    /// number for an invalid m.
     fn of_last_parameter(&self, u: S) -> JacobiValues<S> {
         // The complement is 0 or not a number.
         let u = u + self.complement;
@@ -119,7 +130,8 @@ impl<S: Real> Elliptic<S> {
         JacobiValues { sn: u.tanh(), cn: sech, dn: sech, am: two * (u / two).tanh().atan() }
     }
 
-    /// Incomplete integral F(φ) = ∫₀^φ dφ'/√(1 − m sin² φ'), the inverse of am; for m = 1 only where |φ| < π/2.
+    /// Incomplete integral F(φ) = ∫₀^φ dφ'/√(1 − m sin² φ') of the amplitude φ, rad; the inverse of am.
+    /// For m = 1 it is valid only for |φ| < π/2.
     #[must_use]
     pub fn argument_of(&self, phi: S) -> S {
         if self.steps.is_empty() {
@@ -141,7 +153,8 @@ impl<S: Real> Elliptic<S> {
     }
 }
 
-/// Steps of the arithmetic–geometric mean of 1 and √complement, until further changes are below rounding.
+/// Steps of the arithmetic–geometric mean of 1 and √`complement`, until further changes are below
+/// rounding.
 fn mean_steps<S: Real>(complement: S) -> Vec<Step<S>> {
     let two = S::int(2);
     let (mut a, mut b) = (S::int(1), complement.sqrt());

@@ -1,41 +1,52 @@
-//! Exact rotation of a rigid body without torque.
+//! Exact rotation of a rigid body without torque, by elliptic functions.
 
 use super::elliptic::Elliptic;
 use super::trigonometry::angle_of;
 use tripos_traits::Real;
 
-/// Exact solution of Euler's equations I₁ ω₁′ = (I₂ − I₃) ω₂ ω₃ and cyclic: the angular velocity of a free rigid body,
-/// or of one held at its mass centre, along its principal axes.
+/// Exact solution of Euler's equations I₁ ω₁′ = (I₂ − I₃) ω₂ ω₃ and cyclic. It is the angular
+/// velocity, along its principal axes, of a free rigid body, or of a body held at its mass centre.
 ///
-/// The axes are ordered as a, b, c by rising or falling moments, such that ω never leaves one side of c. Then ω_a = A
-/// cn u, ω_b = B sn u, ω_c = C dn u, u = rate · t + u₀. A symmetric body is the case m = 0.
+/// The axes are ordered as a, b, c by rising or falling moments, such that ω never leaves one side of
+/// c. Then ω_a = A cn u, ω_b = B sn u, ω_c = C dn u, u = rate · t + u₀. A symmetric body is the case m
+/// = 0.
 ///
-/// Landau & Lifshitz, *Mechanics* §37; Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §69.
+/// Landau & Lifshitz, *Mechanics* §37; Whittaker, *Analytical Dynamics of Particles and Rigid Bodies*
+/// §69.
 #[derive(Clone, Debug)]
 pub struct FreeBody<S> {
+    /// Kind of the motion of the angular velocity, with its constants.
     motion: Motion<S>,
 }
 
+/// Kind of the motion of the angular velocity in the body.
 #[derive(Clone, Debug)]
 enum Motion<S> {
-    /// Rotation with a constant angular velocity, rad/s.
+    /// Constant angular velocity along the principal axes, rad/s.
     Steady([S; 3]),
+    /// Angular velocity that moves periodically about an outer principal axis.
     Circling(Circling<S>),
 }
 
+/// Periodic motion of the angular velocity about a principal axis, by elliptic functions of u = rate ·
+/// t + start.
 #[derive(Clone, Debug)]
 struct Circling<S> {
+    /// Elliptic functions that give the angular velocity.
     elliptic: Elliptic<S>,
-    /// Axes a, b, c as indices of the body's axes.
+    /// Indices of the body's principal axes in the order a, b, c; the angular velocity circles about c.
     axes: [usize; 3],
-    /// Amplitudes A, B, C, rad/s.
+    /// Amplitudes A, B, C of the angular velocity's components along the axes a, b, c, rad/s.
     sizes: [S; 3],
+    /// Rate of the argument u of the elliptic functions, 1/s.
     rate: S,
+    /// Argument u of the elliptic functions at t = 0.
     start: S,
 }
 
 impl<S: Real> FreeBody<S> {
-    /// Motion of a body with principal moments `inertia`, positive, kg m², from the angular velocity `omega_0`, rad/s.
+    /// Exact motion of a body with the positive principal moments `inertia`, kg m², from the angular
+    /// velocity `omega_0` along the principal axes, rad/s.
     #[must_use]
     pub fn new(inertia: [S; 3], omega_0: [S; 3]) -> Self {
         let rising = rising_order(inertia);
@@ -45,7 +56,7 @@ impl<S: Real> FreeBody<S> {
         Self { motion: circling.map_or(Motion::Steady(omega_0), Motion::Circling) }
     }
 
-    /// Angular velocity ω(t) along the principal axes, rad/s.
+    /// Angular velocity ω along the principal axes at time t, s, in rad/s.
     #[must_use]
     pub fn rate(&self, t: S) -> [S; 3] {
         match &self.motion {
@@ -54,7 +65,7 @@ impl<S: Real> FreeBody<S> {
         }
     }
 
-    /// Time after which ω repeats, s; infinite on the separatrix, 0 if ω is constant.
+    /// Time after which the angular velocity repeats, s; infinite on the separatrix, 0 if it is constant.
     #[must_use]
     pub fn period(&self) -> S {
         match &self.motion {
@@ -65,7 +76,8 @@ impl<S: Real> FreeBody<S> {
 }
 
 impl<S: Real> Circling<S> {
-    /// Creates the motion about these axes; `None` if ω is constant.
+    /// Creates the periodic motion with the principal axes in this order a, b, c; `None` if the angular
+    /// velocity is constant.
     fn new(inertia: [S; 3], omega_0: [S; 3], axes: [usize; 3]) -> Option<Self> {
         let zero = S::int(0);
         let [i_a, i_b, i_c] = axes.map(|axis| inertia[axis]);
@@ -91,6 +103,7 @@ impl<S: Real> Circling<S> {
         Some(Self { elliptic, axes, sizes: [size_a, size_b, size_c], rate, start })
     }
 
+    /// Angular velocity along the principal axes at time t, s, in rad/s.
     fn at(&self, t: S) -> [S; 3] {
         let at = self.elliptic.jacobi(self.rate * t + self.start);
         let [a, b, c] = self.axes;
@@ -102,19 +115,21 @@ impl<S: Real> Circling<S> {
     }
 }
 
-/// Difference L² − 2 T I_b: its sign decides about which outer axis ω circles.
+/// Difference L² − 2 T I_b of angular momentum L and kinetic energy T, with the middle moment I_b. Its
+/// sign decides which outer axis the angular velocity circles about.
 fn excess_over_middle<S: Real>(inertia: [S; 3], omega: [S; 3], [a, b, c]: [usize; 3]) -> S {
     let of = |axis: usize| inertia[axis] * (inertia[axis] - inertia[b]) * omega[axis] * omega[axis];
     of(c) + of(a)
 }
 
+/// Indices of the principal axes in the order of rising moments of inertia.
 fn rising_order<S: Real>(inertia: [S; 3]) -> [usize; 3] {
     let mut axes = [0, 1, 2];
     axes.sort_by(|&a, &b| inertia[a].partial_cmp(&inertia[b]).unwrap_or(core::cmp::Ordering::Equal));
     axes
 }
 
-/// Handedness of an order of axes: 1 if it is cyclic, −1 if not.
+/// Handedness of an order of three axes: 1 if it is cyclic, −1 if not.
 fn handedness<S: Real>([a, b, _]: [usize; 3]) -> S {
     if (a + 1) % 3 == b { S::int(1) } else { S::int(-1) }
 }

@@ -1,53 +1,67 @@
-//! Exact orientation of a symmetric rigid body without torque.
+//! Exact orientation of a symmetric rigid body without torque, in Euler's angles.
 
 use super::trigonometry::{angle_of, nearest_whole};
 use tripos_traits::Real;
 
-/// Start of a free symmetric body: Euler's angles (rotations z–x–z), in rad, and rates in rad/s.
+/// Orientation and angular velocity at t = 0 of a free symmetric body, in Euler's angles (rotations
+/// z–x–z).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyStart<S> {
     /// Precession ψ, rad: the angle of the line of nodes about the fixed third axis n₃.
     pub precession: S,
-    /// Nutation θ in (0, π), rad: the angle of the body's axis from n₃.
+    /// Nutation θ between 0 and π, rad: the angle of the body's axis from n₃.
     pub nutation: S,
     /// Spin angle φ, rad: the angle of the body about its axis, from the line of nodes.
     pub spin_angle: S,
-    /// Angular velocity, rad/s, in three components. Along the line of nodes it is θ′; across this line and the axis ψ′
-    /// sin θ; along the axis φ′ + ψ′ cos θ.
+    /// Angular velocity, rad/s, in three components. Along the line of nodes it is θ′. Across the line of
+    /// nodes and the body's axis it is ψ′ sin θ. Along the axis it is φ′ + ψ′ cos θ.
     pub angular_velocity: [S; 3],
 }
 
-/// Exact motion of a symmetric rigid body without torque, in Euler's angles about any fixed axes: θ need not be steady.
+/// Exact motion of a symmetric rigid body without torque, in Euler's angles ψ, θ, φ about any fixed
+/// axes. The nutation θ need not be steady.
 ///
-/// The angular momentum H is fixed, and so is ω₃ along the axis. With the transverse moment I₁ and the axial I₃ ω =
-/// H/I₁ + (1 − I₃/I₁) ω₃ e: the body turns about its axis e at the second rate while all of it turns about H at |H|/I₁.
-/// The product of the start's quaternion and that of the turn gives the angles, continuous in time. Its parts z = cos
-/// ½θ e^{i(ψ+φ)/2} and w = sin ½θ e^{i(ψ−φ)/2} both go round ellipses about 0. If the axis passes exactly through ±n₃,
-/// one of the ellipses is a segment: θ is reflected there, and ψ and φ do not jump by π.
+/// The angular momentum H is fixed, and so is ω₃ along the body's axis e. With the transverse moment I₁ and the
+/// axial moment I₃, ω = H/I₁ + (1 − I₃/I₁) ω₃ e. The body turns about e at the rate (1 − I₃/I₁)
+/// ω₃, while e turns about H at |H|/I₁.
 ///
-/// Landau & Lifshitz, *Mechanics* §33 and §35; Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §§8, 69.
+/// The product of the start's quaternion and that of the turn gives the angles, continuous in time. Its
+/// parts z = cos ½θ e^{i(ψ+φ)/2} and w = sin ½θ e^{i(ψ−φ)/2} both go round ellipses about 0. If the
+/// axis passes exactly through ±n₃, one of the ellipses is a segment: θ is reflected there, and ψ and φ
+/// do not jump by π.
+///
+/// Landau & Lifshitz, *Mechanics* §33 and §35; Whittaker, *Analytical Dynamics of Particles and Rigid
+/// Bodies* §§8, 69.
 #[derive(Clone, Debug)]
 pub struct FreeSymmetricBody<S> {
-    /// Rate Ω = |H|/I₁, rad/s; `direction` is H/|H| in the fixed axes.
+    /// Rate Ω = |H|/I₁ of the axis about the angular momentum H, rad/s.
     rate: S,
+    /// Direction H/|H| of the angular momentum in the fixed axes; 0 for a body at rest.
     direction: [S; 3],
-    /// Angular velocity ω₃ along the axis, rad/s; `spin` is (1 − I₃/I₁) ω₃.
+    /// Angular velocity ω₃ along the body's axis, rad/s.
     axial: S,
+    /// Rate (1 − I₃/I₁) ω₃ at which the body turns about its axis relative to the rotation about H, rad/s.
     spin: S,
+    /// Ellipse that cos ½θ e^{i(ψ+φ)/2}, a part of the body's quaternion, goes round.
     z: Ellipse<S>,
+    /// Ellipse that sin ½θ e^{i(ψ−φ)/2}, a part of the body's quaternion, goes round.
     w: Ellipse<S>,
 }
 
-/// Ellipse cos s · a + sin s · b in the plane of complex numbers; `argument` is its argument at s = 0, rad.
+/// Ellipse cos s · a + sin s · b in the plane of complex numbers.
 #[derive(Clone, Debug)]
 struct Ellipse<S> {
+    /// Point of the ellipse at s = 0: real and imaginary part.
     a: [S; 2],
+    /// Point of the ellipse at s = π/2: real and imaginary part.
     b: [S; 2],
+    /// Argument (angle) of the ellipse's point at s = 0, as a complex number, rad.
     argument: S,
 }
 
 impl<S: Real> FreeSymmetricBody<S> {
-    /// Motion of a body with the moments `transverse` and `axial`, positive, in kg m² about the mass centre.
+    /// Exact motion of a body from its state `start` at t = 0. `transverse` and `axial` are its positive
+    /// moments of inertia about the mass centre, kg m².
     #[must_use]
     pub fn new(transverse: S, axial: S, start: BodyStart<S>) -> Self {
         let [zero, two] = [0, 2].map(S::int);
@@ -76,7 +90,7 @@ impl<S: Real> FreeSymmetricBody<S> {
         }
     }
 
-    /// Euler's angles ψ, θ and φ at the time t, rad.
+    /// Euler's angles ψ, θ and φ at time t, s, in rad; ψ and φ are continuous in time.
     #[must_use]
     pub fn angles(&self, t: S) -> [S; 3] {
         let two = S::int(2);
@@ -86,7 +100,8 @@ impl<S: Real> FreeSymmetricBody<S> {
         [sum + difference, nutation, sum - difference + self.spin * t]
     }
 
-    /// Angular velocity at the time t, as in [`BodyStart::angular_velocity`], rad/s; its third component is constant.
+    /// Angular velocity at time t, s, in rad/s, in the components of [`BodyStart::angular_velocity`]. The
+    /// third component is constant.
     #[must_use]
     pub fn angular_velocity(&self, t: S) -> [S; 3] {
         let [precession, nutation, _] = self.angles(t);
@@ -98,28 +113,30 @@ impl<S: Real> FreeSymmetricBody<S> {
         [along(node), along(across), self.axial]
     }
 
-    /// Rate |H|/I₁ at which the axis goes round the angular momentum, rad/s.
+    /// Rate |H|/I₁ at which the body's axis goes round the angular momentum H, rad/s.
     #[must_use]
     pub fn precession_rate(&self) -> S {
         self.rate
     }
 }
 
-/// Unit vectors along the line of nodes, across it and the axis, and along the axis, in the fixed axes.
+/// Three unit vectors, in the fixed axes: along the line of nodes, across it and the body's axis, and
+/// along the body's axis. Angles are in rad.
 fn moving_axes<S: Real>(precession: S, nutation: S) -> [[S; 3]; 3] {
     let ((sin_p, cos_p), (sin_n, cos_n)) = (precession.sin_cos(), nutation.sin_cos());
     [[cos_p, sin_p, S::int(0)], [-sin_p * cos_n, cos_p * cos_n, sin_n], [sin_p * sin_n, -cos_p * sin_n, cos_n]]
 }
 
 impl<S: Real> Ellipse<S> {
+    /// Absolute value of the ellipse's point cos s · a + sin s · b, as a complex number.
     fn size_at(&self, s: S) -> S {
         let (sin, cos) = s.sin_cos();
         let [x, y] = [0, 1].map(|k| cos * self.a[k] + sin * self.b[k]);
         (x * x + y * y).sqrt()
     }
 
-    /// Argument of the ellipse's point at s, rad, continuous in s: half a turn of s is half a turn of the argument, one
-    /// way or the other.
+    /// Argument (angle) of the ellipse's point at s, both in rad, continuous in s. Half a turn of s is half
+    /// a turn of the argument, in the same or the opposite direction.
     fn argument_at(&self, s: S) -> S {
         let [[a1, a2], [b1, b2]] = [self.a, self.b];
         let (cross, dot, square) = (a1 * b2 - a2 * b1, a1 * b1 + a2 * b2, a1 * a1 + a2 * a2);

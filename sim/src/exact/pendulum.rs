@@ -1,37 +1,42 @@
-//! Exact motion of the plane pendulum.
+//! Exact motion of the plane pendulum, by elliptic functions.
 
 use super::elliptic::Elliptic;
 use super::trigonometry::{angle_of, nearest_whole, root_of_positive};
 use tripos_traits::Real;
 
-/// Exact motion of a pendulum θ″ = −(g/l) sin θ, θ from hanging, rad, counted on over full turns.
+/// Exact motion of a plane pendulum, θ″ = −(g/l) sin θ. The angle θ, rad, is counted from the hanging
+/// position, and over full turns.
 ///
-/// Let w = √(g/l), and κ = sin²(θ₀/2) + (ω₀/2w)² the energy over 2 w². The pendulum swings for κ < 1: sin(θ/2) = √κ
-/// sn(w t + u₀; m = κ). It turns over for κ > 1: θ/2 = am(√κ w t + u₀; m = 1/κ). At κ = 1 it climbs for ever. A
-/// compound pendulum has g/l = M g s/I with I about the pivot.
+/// Let w = √(g/l), and κ = sin²(θ₀/2) + (ω₀/2w)² the energy over 2 w². The pendulum swings for κ < 1:
+/// sin(θ/2) = √κ sn(w t + u₀; m = κ). It turns over for κ > 1: θ/2 = am(√κ w t + u₀; m = 1/κ). At κ = 1
+/// it climbs for ever. A compound pendulum has g/l = M g s/I with I about the pivot.
 ///
 /// Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §44; DLMF 22.19(i).
 #[derive(Clone, Debug)]
 pub struct Pendulum<S> {
+    /// Elliptic functions that give the angle of the pendulum.
     elliptic: Elliptic<S>,
+    /// Kind of the motion: a swing, or full turns.
     motion: Motion<S>,
     /// Rate of the argument u = rate · t + start of the elliptic functions, 1/s.
     rate: S,
+    /// Argument u of the elliptic functions at t = 0.
     start: S,
 }
 
+/// Kind of the motion of a pendulum.
 #[derive(Clone, Debug)]
 enum Motion<S> {
-    /// Swing about the angle 2π · `turns`; `modulus` = √κ = sin(θ_max/2).
-    Libration {
-        modulus: S,
-        turns: S,
-    },
+    /// Swing about the angle 2π · `turns`. `modulus` is √κ = sin(θ_max/2), with the largest angle θ_max
+    /// from there.
+    Libration { modulus: S, turns: S },
+    /// The pendulum makes full turns in the same direction.
     Rotation,
 }
 
 impl<S: Real> Pendulum<S> {
-    /// Motion with g/l = `stiffness` > 0, in 1/s², from the angle `theta_0`, rad, and the rate `omega_0`, rad/s.
+    /// Exact motion from the angle `theta_0`, rad, and the rate `omega_0`, rad/s, at t = 0. `stiffness` is
+    /// g/l > 0, 1/s².
     #[must_use]
     pub fn new(stiffness: S, theta_0: S, omega_0: S) -> Self {
         let [one, two] = [1, 2].map(S::int);
@@ -54,7 +59,7 @@ impl<S: Real> Pendulum<S> {
         }
     }
 
-    /// Angle θ(t), rad.
+    /// Angle θ of the pendulum at time t, s, in rad.
     #[must_use]
     pub fn angle(&self, t: S) -> S {
         let two = S::int(2);
@@ -66,7 +71,7 @@ impl<S: Real> Pendulum<S> {
         }
     }
 
-    /// Angular velocity θ′(t), rad/s.
+    /// Angular velocity θ′ of the pendulum at time t, s, in rad/s.
     #[must_use]
     pub fn rate(&self, t: S) -> S {
         let two = S::int(2);
@@ -77,7 +82,7 @@ impl<S: Real> Pendulum<S> {
         }
     }
 
-    /// Time of a swing to and fro, or of a full turn, s; infinite at the border between swinging and turning over.
+    /// Period of a whole swing, or of a full turn, s; infinite on the border between both kinds of motion.
     #[must_use]
     pub fn period(&self) -> S {
         let quarters = match self.motion {
@@ -87,7 +92,7 @@ impl<S: Real> Pendulum<S> {
         quarters * self.elliptic.quarter_period() / self.rate.abs()
     }
 
-    /// True if the pendulum turns over.
+    /// True if the pendulum makes full turns, false if it swings.
     #[must_use]
     pub fn turns_over(&self) -> bool {
         matches!(self.motion, Motion::Rotation)

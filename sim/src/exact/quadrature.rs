@@ -1,42 +1,52 @@
-//! Integrals of smooth functions to rounding.
+//! Adaptive Gauss–Legendre quadrature: integrals of smooth functions, and of even periodic functions,
+//! to rounding.
 
 use super::trigonometry::nearest_whole;
 use tripos_traits::Real;
 
-/// Number of points of the rule. With 20 points a panel that resolves the function to 1 % gives 30 digits.
+/// Number of points of the Gauss–Legendre rule. With 20 points a panel that resolves the function to 1
+/// % gives 30 digits.
 const POINTS: i64 = 20;
-/// Largest number of halvings. Next to a pole at a distance d an integral takes a few times log₂(1/d).
+/// Largest number of halvings of panels in an integral. Near a pole at a distance d an integral takes a
+/// few times log₂(1/d).
 const HALVINGS_LIMIT: usize = 300;
 
-/// Gauss–Legendre quadrature on panels; the worst panel is halved until its halves agree with the whole.
+/// Adaptive Gauss–Legendre quadrature on panels (subintervals). The worst panel is halved until its
+/// halves agree with the whole.
 ///
 /// Davis & Rabinowitz, *Methods of Numerical Integration* §2.7; DLMF 3.5(v).
 #[derive(Clone, Debug)]
 pub(super) struct Quadrature<S> {
-    /// Points in (0, 1) with their weights; the rule is symmetric about 0 on [−1, 1].
+    /// Points between 0 and 1 with their weights; the rule from −1 to 1 is symmetric about 0.
     points: Vec<(S, S)>,
 }
 
-/// Part of the interval of an integral: the integrals over its halves, and the difference of the rule on the whole.
+/// Panel of an integral: a subinterval with the integrals over its two halves and an error estimate.
 struct Panel<S> {
+    /// Lower end of the panel, a subinterval of an integral.
     a: S,
+    /// Upper end of the panel, a subinterval of an integral.
     b: S,
+    /// Integrals over the two halves of the panel.
     halves: [S; 2],
+    /// Absolute difference between the sum of both halves and the rule on the whole panel.
     error: f64,
 }
 
 impl<S: Real> Panel<S> {
+    /// Integral over the panel: the sum of its halves.
     fn total(&self) -> S {
         self.halves[0] + self.halves[1]
     }
 }
 
 impl<S: Real> Quadrature<S> {
+    /// Computes the points and weights of the rule in the scalar `S`.
     pub(super) fn new() -> Self {
         Self { points: (1..=POINTS / 2).map(point_and_weight).collect() }
     }
 
-    /// Integral of f from `a` to `b`, to about 16 EPSILON of ∫ |f|.
+    /// Integral of f from `a` to `b`, with an error of about 16 EPSILON of ∫ |f|.
     pub(super) fn integrate(&self, f: impl Fn(S) -> S, a: S, b: S) -> S {
         let mut panels = vec![self.panel(&f, a, b, self.rule(&f, a, b))];
         for _ in 0..HALVINGS_LIMIT {
@@ -54,13 +64,14 @@ impl<S: Real> Quadrature<S> {
         panels.iter().fold(S::int(0), |total, panel| total + panel.total())
     }
 
-    /// Makes the panel from `a` to `b`; `whole` is its integral by a single application of the rule.
+    /// Creates the panel from `a` to `b`. `whole` is its integral by a single application of the rule.
     fn panel(&self, f: &impl Fn(S) -> S, a: S, b: S, whole: S) -> Panel<S> {
         let middle = (a + b) / S::int(2);
         let halves = [self.rule(f, a, middle), self.rule(f, middle, b)];
         Panel { a, b, halves, error: (halves[0] + halves[1] - whole).to_f64().abs() }
     }
 
+    /// Integral of f from `a` to `b` by a single application of the rule.
     fn rule(&self, f: &impl Fn(S) -> S, a: S, b: S) -> S {
         let (middle, half) = ((a + b) / S::int(2), (b - a) / S::int(2));
         let sum = self.points.iter().fold(S::int(0), |sum, &(point, weight)| {
@@ -70,8 +81,8 @@ impl<S: Real> Quadrature<S> {
     }
 }
 
-/// Computes the i-th largest zero x of the Legendre polynomial P_n by Newton's method, with its weight 2/((1 − x²)
-/// P_n′(x)²).
+/// Computes the i-th largest zero x of the Legendre polynomial P_n by Newton's method, with its weight
+/// 2/((1 − x²) P_n′(x)²) in the rule.
 fn point_and_weight<S: Real>(i: i64) -> (S, S) {
     let one = S::int(1);
     let guess = (core::f64::consts::PI * (i as f64 - 0.25) / (POINTS as f64 + 0.5)).cos();
@@ -98,21 +109,26 @@ fn legendre<S: Real>(x: S) -> (S, S) {
     (value, slope)
 }
 
-/// Integral from 0 of an even function that repeats with `period`: whole periods are integrated once.
+/// Integral from 0 of an even function that repeats with `period`. The integral over a whole period is
+/// computed once.
 #[derive(Clone, Debug)]
 pub(super) struct PeriodicIntegral<S> {
+    /// Adaptive quadrature for the part beyond whole periods.
     quadrature: Quadrature<S>,
+    /// Period of the function; infinite if it does not repeat.
     period: S,
+    /// Integral of the function over a whole period.
     over_period: S,
 }
 
 impl<S: Real> PeriodicIntegral<S> {
-    /// Integral of the function 0.
+    /// Creates the integral of the function 0.
     pub(super) fn none() -> Self {
         let zero = S::int(0);
         Self { quadrature: Quadrature { points: Vec::new() }, period: zero, over_period: zero }
     }
 
+    /// Creates the integral of the even function `f` with this period.
     pub(super) fn new(f: impl Fn(S) -> S, period: S) -> Self {
         let quadrature = Quadrature::new();
         let two = S::int(2);
@@ -120,7 +136,7 @@ impl<S: Real> PeriodicIntegral<S> {
         Self { quadrature, period, over_period }
     }
 
-    /// Integral of f from 0 to x; `f` must be the function of [`PeriodicIntegral::new`].
+    /// Integral of f from 0 to x. `f` must be the function that was given to [`PeriodicIntegral::new`].
     pub(super) fn to(&self, f: impl Fn(S) -> S, x: S) -> S {
         let zero = S::int(0);
         // A motion that takes for ever to repeat has no whole period.

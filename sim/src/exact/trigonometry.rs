@@ -1,8 +1,10 @@
-//! Functions of angles and roots that [`Real`] leaves out.
+//! Functions of angles and roots for scalars of the trait [`Real`], which has no arctangent of two
+//! arguments.
 
 use tripos_traits::Real;
 
-/// Angle of the point (x, y) from the axis of x, in [−π, π], rad; 0 for the origin.
+/// Angle of the point (x, y) from the x axis (arctangent of two arguments), from −π to π rad; 0 for the
+/// origin.
 pub(super) fn angle_of<S: Real>(y: S, x: S) -> S {
     let [zero, two] = [0, 2].map(S::int);
     if x == zero && y == zero {
@@ -22,12 +24,12 @@ pub(super) fn angle_of<S: Real>(y: S, x: S) -> S {
     turned + (y / x).atan()
 }
 
-/// Whole number nearest to x, as rounded from the f64 nearest to x.
+/// Whole number nearest to x, after x is rounded to `f64`.
 pub(super) fn nearest_whole<S: Real>(x: S) -> S {
     S::from_f64(x.to_f64().round())
 }
 
-/// Square root √x, and 0 if rounding left x below 0.
+/// Square root of x; 0 if rounding left x below 0.
 pub(super) fn root_of_positive<S: Real>(x: S) -> S {
     if x < S::int(0) { S::int(0) } else { x.sqrt() }
 }

@@ -1,18 +1,19 @@
 //! LU factors of a dense matrix in any scalar, real or complex, with partial pivoting.
 //!
-//! They serve the orders of implicit steps, up to three times the state's length; nothing is allocated after `new`.
+//! They serve the linear systems of implicit steps, whose order is up to three times the state's
+//! length. Nothing is allocated after `new`.
 
 use std::ops::{Add, Div, Mul, Sub};
 
 use tripos_traits::Real;
 
-/// A number of a field, real or complex, that can be an entry of a factored matrix.
+/// Real or complex number that can be an entry of a factored matrix.
 pub(crate) trait Entry:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     /// Returns the number 0.
     fn zero() -> Self;
-    /// Absolute value of the number, rounded to f64, for the choice of pivots.
+    /// Absolute value of the number, rounded to `f64`, for the choice of pivots.
     fn size(self) -> f64;
 }
 
@@ -25,22 +26,24 @@ impl<S: Real> Entry for S {
     }
 }
 
-/// A square matrix, or its LU factors once it is factored.
+/// Square matrix of order n; its LU factors after a call of `factor`.
 pub(crate) struct Lu<S> {
+    /// Order n of the square matrix.
     n: usize,
-    /// Entries, row by row. After factoring: U, and below the diagonal the multipliers L.
+    /// Entries of the matrix, row by row. After the factorization: U, and below the diagonal the
+    /// multipliers L.
     pub(crate) entries: Vec<S>,
-    /// Row from which column i took its pivot, for each i.
+    /// Index of the row that was exchanged with row i when column i was eliminated, for each i.
     pivots: Vec<usize>,
 }
 
 impl<S: Entry> Lu<S> {
-    /// Makes a zero matrix of order `n`.
+    /// Creates a matrix of order `n` whose entries are all zero.
     pub(crate) fn new(n: usize) -> Self {
         Self { n, entries: vec![S::zero(); n * n], pivots: vec![0; n] }
     }
 
-    /// Factors the entries in place; false if a pivot is 0 or not finite.
+    /// Replaces the entries of the matrix by its LU factors. False if a pivot is 0 or not finite.
     pub(crate) fn factor(&mut self) -> bool {
         let n = self.n;
         for column in 0..n {
@@ -69,7 +72,7 @@ impl<S: Entry> Lu<S> {
         true
     }
 
-    /// Solves A x = b with the factors; the solution replaces `b`.
+    /// Solves A x = b with the LU factors of A; the solution x replaces `b`, n entries.
     pub(crate) fn solve(&self, b: &mut [S]) {
         let n = self.n;
         for (i, pivot) in self.pivots.iter().enumerate() {

@@ -1,38 +1,42 @@
-//! Linear conditions in a metric: the smallest vector that satisfies them, the part of another vector that they leave
-//! free, and the conditions that depend on others.
+//! Linear conditions in a metric: the smallest vector that satisfies them, the part of another vector
+//! that they leave free, and the conditions that depend on others.
 //!
-//! A metric M = L Lᵀ makes x into z = Lᵀ x, whose plain length is that of x in the metric. Rows G of conditions G x = d
-//! become the columns of L⁻¹ Gᵀ. The method of Gram and Schmidt finds orthonormal axes for them. It takes the rows in
-//! the order of their relative remainders, the largest first (P. Businger & G. H. Golub, Numer. Math. 7 (1965)
-//! 269–276). So the units of rows do not matter, and the remainder of a row measures its distance from depending on the
-//! rows before it.
+//! A metric M = L Lᵀ makes x into z = Lᵀ x, whose plain length is that of x in the metric. Rows G of
+//! conditions G x = d become the columns of L⁻¹ Gᵀ. The method of Gram and Schmidt finds orthonormal
+//! axes for them. It takes the rows in the order of their relative remainders, the largest first (P.
+//! Businger & G. H. Golub, Numer. Math. 7 (1965) 269–276). So the units of rows do not matter, and the
+//! remainder of a row measures its distance from depending on the rows before it.
 //!
-//! Metric and conditions are created once and set again for each state, without an allocation. Vectors lie in a single
-//! list, one after another.
+//! Metric and conditions are created once and set again for each state, without an allocation. Vectors
+//! lie in a single list, one after another.
 
-/// Largest remainder, over the length of the row, with which a row counts as depending on others.
+/// Largest remainder of a row after projection on the other rows, over its length, with which it counts
+/// as dependent.
 pub(crate) const DEPENDENT: f64 = 1e-8;
 
-/// Smallest remainder of a diagonal entry in the factors of a definite mass matrix, over the entry.
+/// Smallest pivot in the Cholesky factors of a positive definite mass matrix, as a fraction of the
+/// diagonal entry. A smaller pivot is rounding.
 const CLEAR: f64 = 1e-13;
 
 /// Kind of a metric: by weights, or by a mass matrix.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
-    /// Each component is divided by its weight.
+    /// Each component of a vector is divided by its weight.
     Weights,
-    /// A factored mass matrix gives lengths; `is_plain` is false if inertia was added to it.
+    /// The mass matrix defines lengths. `is_plain` is false if inertia was added to the matrix.
     Inertia { is_plain: bool },
 }
 
-/// Metric that defines the length of vectors.
+/// Metric that defines the length of vectors: weights, or a mass matrix M = L Lᵀ.
 #[derive(Clone)]
 pub(crate) struct Metric {
+    /// Kind of the metric: by weights, or by a mass matrix.
     kind: Kind,
+    /// Number of components of the vectors that are measured.
     length: usize,
     /// Weights of the components; or L row by row, with the reciprocals of its diagonal.
     entries: Vec<f64>,
-    /// Copy of a mass matrix, with the added inertia.
+    /// Copy of the mass matrix with added inertia, row by row.
     heavier: Vec<f64>,
 }
 
@@ -50,9 +54,11 @@ impl Metric {
         self.length = self.entries.len();
     }
 
-    /// Sets the metric of a mass matrix, row by row, for vectors of this length. The matrix may be singular along
-    /// motions that the rows prevent. Massless links are then given an inertia there, which changes no motion that the
-    /// rows allow. False if an allowed motion has no inertia.
+    /// Sets the metric of a mass matrix, `length` × `length` entries row by row. `rows` are the rows of
+    /// conditions. False if a motion that the rows allow has no inertia.
+    ///
+    /// The matrix may be singular along motions that the rows prevent. Massless links are then given an
+    /// inertia there, which changes no motion that the rows allow.
     pub(crate) fn set_inertia(&mut self, matrix: &[f64], length: usize, rows: &[f64]) -> bool {
         self.length = length;
         self.kind = Kind::Inertia { is_plain: true };
@@ -62,9 +68,11 @@ impl Metric {
         self.set_heavier(matrix, length, rows)
     }
 
-    /// Sets the metric of a mass matrix, row by row, with inertia added along the rows in any case. Motions that the
-    /// rows allow keep their inertia, and lengths of rows stay bounded if the prevented motions have none. False if a
-    /// motion that the rows allow has no inertia.
+    /// Sets the metric of a mass matrix, `length` × `length` entries row by row, and always adds inertia
+    /// along the rows of conditions. False if a motion that the rows allow has no inertia.
+    ///
+    /// Motions that the rows allow keep their inertia. Lengths of rows stay bounded if the prevented
+    /// motions have none.
     pub(crate) fn set_heavier(&mut self, matrix: &[f64], length: usize, rows: &[f64]) -> bool {
         self.length = length;
         self.kind = Kind::Inertia { is_plain: false };
@@ -82,12 +90,13 @@ impl Metric {
         factor(&self.heavier, length, &mut self.entries)
     }
 
-    /// True if the metric does not depend on the rows of conditions.
+    /// True if no inertia was added along rows of conditions, so that the metric does not depend on them.
     pub(crate) fn is_plain(&self) -> bool {
         self.kind != Kind::Inertia { is_plain: false }
     }
 
-    /// Multiplies a linear form, such as a force or a row of conditions, by L⁻¹, in place.
+    /// Multiplies a linear form, such as a force or a row of conditions, by L⁻¹ in place. Its dot products
+    /// with z = Lᵀ x are those of the form with x.
     pub(crate) fn raise(&self, form: &mut [f64]) {
         if self.kind == Kind::Weights {
             return scale(form, &self.entries);
@@ -97,7 +106,8 @@ impl Metric {
         }
     }
 
-    /// Computes x = L⁻ᵀ z, in place of z.
+    /// Replaces z by x = L⁻ᵀ z in place, with the factor L of the metric M = L Lᵀ. In a metric of weights
+    /// each component is multiplied by its weight.
     pub(crate) fn lower(&self, z: &mut [f64]) {
         if self.kind == Kind::Weights {
             return scale(z, &self.entries);
@@ -110,8 +120,8 @@ impl Metric {
     }
 }
 
-/// Computes L of a matrix, row by row, with the reciprocals of its diagonal. False if the matrix is not definite by
-/// more than rounding.
+/// Computes the Cholesky factor L of a matrix, row by row, with the reciprocals of its diagonal. False
+/// if the matrix is not positive definite by more than rounding.
 fn factor(matrix: &[f64], length: usize, lower: &mut Vec<f64>) -> bool {
     lower.clear();
     lower.extend_from_slice(matrix);
@@ -132,29 +142,34 @@ fn factor(matrix: &[f64], length: usize, lower: &mut Vec<f64>) -> bool {
     true
 }
 
-/// Rows of linear conditions in a metric, with orthonormal axes for them.
+/// Linear conditions G x = d in a metric, with orthonormal axes for their rows.
 #[derive(Clone)]
 pub(crate) struct Conditions {
+    /// Number of components of each condition's row.
     length: usize,
-    /// Rows times L⁻¹; `rest` has the remainder of each beside the rows taken before it.
+    /// Rows G of the conditions in the metric M = L Lᵀ: each is multiplied by L⁻¹.
     forms: Vec<f64>,
+    /// Remainder of each row of `forms`, without its part along the axes found so far.
     rest: Vec<f64>,
-    /// Orthonormal axes, one for each row that is kept.
+    /// Orthonormal axes, one vector for each condition that is kept as independent.
     axes: Vec<f64>,
-    /// Indices of the kept rows, in the order in which they were taken; `open` has the other rows.
+    /// Indices of the independent rows, which are kept, in the order in which they were taken.
     kept: Vec<usize>,
+    /// Indices of the rows of conditions that are not kept, since they depend on others.
     open: Vec<usize>,
-    /// Components of each kept row along the axes up to its own, one list after another.
+    /// Components of each kept row along the axes up to its own axis: lists of 1, 2, 3 … numbers in this
+    /// order.
     along: Vec<f64>,
+    /// Working space for the components of a vector along the axes of the conditions.
     shares: Vec<f64>,
-    /// Length of each row in the metric.
+    /// Length of each condition's row in the metric.
     pub(crate) sizes: Vec<f64>,
-    /// Length of the remainder of each row beside the rows taken before it.
+    /// Length of each row's remainder, without its part along the rows that were taken before it.
     pub(crate) left: Vec<f64>,
 }
 
 impl Conditions {
-    /// Creates a set without conditions.
+    /// Creates an empty set of conditions.
     pub(crate) const fn new() -> Self {
         Self {
             length: 0,
@@ -170,8 +185,9 @@ impl Conditions {
         }
     }
 
-    /// Sets these rows, one after another. A row is not kept if its remainder is no more than `dependent` times its
-    /// length.
+    /// Sets the conditions to these rows, which lie one after another, in a metric. A row counts as
+    /// dependent and is left out if its remainder beside the rows before it is at most `dependent` times
+    /// its length.
     pub(crate) fn set(&mut self, metric: &Metric, rows: &[f64], dependent: f64) {
         self.length = metric.length.max(1);
         self.forms.clear();
@@ -194,7 +210,8 @@ impl Conditions {
         }
     }
 
-    /// Place in `open` of the row with the largest relative remainder; `None` if no remainder is above `dependent`.
+    /// Position in `open` of the row with the largest remainder over its length; `None` if no ratio is
+    /// above `dependent`.
     fn clearest(&self, dependent: f64) -> Option<usize> {
         // A row of zeros is no condition.
         let part = |row: usize| if self.sizes[row] > 0.0 { self.left[row] / self.sizes[row] } else { 0.0 };
@@ -202,8 +219,8 @@ impl Conditions {
         parts.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, most)| *most > dependent).map(|(place, _)| place)
     }
 
-    /// Makes an axis of the remainder of an open row, and subtracts its direction from the remainders of the other
-    /// rows.
+    /// Keeps the row at this position in `open`: makes an axis of its remainder, and subtracts this axis
+    /// from the remainders of the other open rows.
     fn take(&mut self, place: usize) {
         let (n, row) = (self.length, self.open.remove(place));
         let known = self.axes.len();
@@ -224,12 +241,13 @@ impl Conditions {
         self.kept.push(row);
     }
 
-    /// True if no row of the conditions depends on others.
+    /// True if no row of the conditions depends on the other rows.
     pub(crate) fn is_independent(&self) -> bool {
         self.kept.len() == self.sizes.len()
     }
 
-    /// Adds the shortest z that satisfies the kept conditions with these right-hand sides, one for each row.
+    /// Adds to `z` the shortest vector that satisfies the kept conditions. `sides` has the right-hand side
+    /// of each condition, kept or not. Vectors are in the coordinates z = Lᵀ x.
     pub(crate) fn add_least(&mut self, sides: &[f64], z: &mut [f64]) {
         self.shares.clear();
         let mut along = self.along.as_slice();
@@ -244,7 +262,8 @@ impl Conditions {
         }
     }
 
-    /// Removes from z its part along all axes: the remaining z is free of the kept conditions.
+    /// Removes from `z` its part along the axes of all kept conditions. The conditions do not restrict the
+    /// remaining `z`.
     pub(crate) fn free(&self, z: &mut [f64]) {
         for axis in self.axes.chunks_exact(self.length) {
             axpy(-dot(axis, z), axis, z);
@@ -252,18 +271,19 @@ impl Conditions {
     }
 }
 
+/// Dot product of two vectors.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Computes y + a x in place of y.
+/// Adds a · x to the vector y in place.
 pub(crate) fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
     for (y, x) in y.iter_mut().zip(x) {
         *y += a * x;
     }
 }
 
-/// Scales a vector to the length 1; a vector of zeros becomes not a number.
+/// Scales a vector to the length 1, in place; a vector of zeros becomes not a number.
 pub(crate) fn shorten(x: &mut [f64]) {
     let size = dot(x, x).sqrt();
     for x in x {
@@ -271,6 +291,7 @@ pub(crate) fn shorten(x: &mut [f64]) {
     }
 }
 
+/// Multiplies each component of `x` by the component of `by`, in place.
 fn scale(x: &mut [f64], by: &[f64]) {
     for (x, by) in x.iter_mut().zip(by) {
         *x *= by;

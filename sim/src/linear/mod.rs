@@ -1,7 +1,8 @@
-//! Linear systems of the small orders that occur in mechanics.
+//! Solvers for linear systems of the small orders that occur in mechanics, with determinants and
+//! condition numbers.
 //!
-//! Invariant: an order up to 12 is solved on the stack, without an allocation. Absent on purpose: structure (bands,
-//! blocks) and iteration; both belong to the equations, not here.
+//! Invariant: an order up to 12 is solved on the stack, without an allocation. Absent on purpose:
+//! structure (bands, blocks) and iteration; both belong to the equations, not here.
 
 pub(crate) mod lu;
 pub(crate) mod metric;
@@ -10,32 +11,35 @@ pub(crate) mod singular;
 use nalgebra::{Const, DMatrix, DVector, DimMin, SMatrix, SVector};
 use tripos_traits::largest;
 
-/// Kind of a matrix, as known before it is factored.
+/// Kind of a matrix, which selects its factorization.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Shape {
-    /// A symmetric matrix, positive definite unless nearly singular. Cholesky's factorization is tried first, then LU:
-    /// far from singular, only an indefinite matrix needs it.
+    /// Symmetric matrix, positive definite unless nearly singular. Cholesky's factorization is tried first,
+    /// then LU. Far from singular, only an indefinite matrix needs LU.
     Symmetric,
-    /// A matrix of any kind: LU with partial pivoting.
+    /// Square matrix of any kind, which is solved by LU with partial pivoting.
     General,
 }
 
-/// Reason why a linear system has no solution.
+/// Reason why a linear system A x = b has no solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unsolvable {
-    /// The matrix or the right-hand side holds an infinity or a "not a number".
+    /// The matrix or the right-hand side contains an infinity or a "not a number".
     NotFinite,
-    /// A pivot is exactly zero, or the solution overflows.
+    /// A pivot of the matrix is exactly zero, the solution overflows, or the matrix has the wrong number of
+    /// entries.
     Singular,
 }
 
-/// Solves A x = b; `a` holds A row by row, with b.len()² entries; the solution replaces `b`.
+/// Solves the linear system A x = b. `a` holds A row by row, with b.len()² entries; the solution
+/// replaces `b`.
 ///
 /// The residual is small whenever the solution exists; the error can be as large as ε / rcond(A), see
 /// [`reciprocal_condition`].
 ///
 /// # Errors
-/// [`Unsolvable`] if there is no finite solution, or if `a` has the wrong length; `b` is then useless.
+/// [`Unsolvable`] if there is no finite solution, or if `a` has the wrong length; `b` then has no
+/// meaning.
 pub fn solve(a: &[f64], b: &mut [f64], shape: Shape) -> Result<(), Unsolvable> {
     if a.len() != b.len() * b.len() {
         return Err(Unsolvable::Singular);
@@ -62,6 +66,8 @@ pub fn solve(a: &[f64], b: &mut [f64], shape: Shape) -> Result<(), Unsolvable> {
     if solved && b.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(Unsolvable::Singular) }
 }
 
+/// Solves a linear system of order N, known at compile time, on the stack; the solution replaces `b`.
+/// False if a pivot is zero.
 fn solve_static<const N: usize>(a: &[f64], b: &mut [f64], shape: Shape) -> bool
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
@@ -83,6 +89,7 @@ where
     solved
 }
 
+/// Solves a linear system of any order; the solution replaces `b`. False if a pivot is zero.
 fn solve_dynamic(a: &[f64], b: &mut [f64], shape: Shape) -> bool {
     let matrix = DMatrix::from_row_slice(b.len(), b.len(), a);
     let mut x = DVector::from_column_slice(b);
@@ -101,11 +108,12 @@ fn solve_dynamic(a: &[f64], b: &mut [f64], shape: Shape) -> bool {
     solved
 }
 
-/// Reciprocal condition number 1 / (‖A‖₁ ‖A⁻¹‖₁) after every row, then every column, is divided by its largest entry; 0
-/// for a singular matrix or one that is not finite. `a` holds n² entries, row by row.
+/// Reciprocal condition number 1 / (‖A‖₁ ‖A⁻¹‖₁) of a matrix after scaling. Every row, then every
+/// column, is divided by its largest entry. `a` holds n² entries, row by row. 0 for a singular matrix
+/// or a matrix that is not finite.
 ///
-/// The scaling removes the choice of units, so that the number measures nearness to a singular matrix. It takes an
-/// explicit inverse: it is for messages and charts, not for every step.
+/// The scaling removes the choice of units, so that the number measures nearness to a singular matrix.
+/// It takes an explicit inverse: it is for messages and charts, not for every step.
 #[must_use]
 pub fn reciprocal_condition(a: &[f64], n: usize) -> f64 {
     if a.len() != n * n || n == 0 || !a.iter().all(|x| x.is_finite()) {
@@ -128,8 +136,9 @@ pub fn reciprocal_condition(a: &[f64], n: usize) -> f64 {
     if reciprocal.is_finite() { reciprocal } else { 0.0 }
 }
 
-/// Reciprocal condition number 1 / (‖A‖₁ ‖A⁻¹‖₁) of the matrix without scaling, which depends on the choice of units; 0
-/// for a singular matrix or one that is not finite. `a` holds n² entries, row by row.
+/// Reciprocal condition number 1 / (‖A‖₁ ‖A⁻¹‖₁) of a matrix without scaling, which depends on the
+/// choice of units. `a` holds n² entries, row by row. 0 for a singular matrix or a matrix that is not
+/// finite.
 #[must_use]
 pub fn plain_reciprocal_condition(a: &[f64], n: usize) -> f64 {
     if a.len() != n * n || n == 0 || !a.iter().all(|x| x.is_finite()) {
@@ -141,7 +150,8 @@ pub fn plain_reciprocal_condition(a: &[f64], n: usize) -> f64 {
     if reciprocal.is_finite() { reciprocal } else { 0.0 }
 }
 
-/// Determinant of a matrix of order `n`, by LU; not a number if `a` does not hold n² finite numbers.
+/// Determinant of a matrix of order `n`, by LU. `a` holds n² entries, row by row. Not a number if the
+/// length is wrong or an entry is not finite.
 #[must_use]
 pub fn determinant(a: &[f64], n: usize) -> f64 {
     if a.len() != n * n || !a.iter().all(|x| x.is_finite()) {

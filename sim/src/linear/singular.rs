@@ -1,15 +1,17 @@
-//! Nearness of vectors to linear dependence, by their least singular value.
+//! Least singular value of a set of vectors, which measures their nearness to linear dependence.
 //!
-//! The vectors are turned, two at a time, until all are at right angles: their lengths are then the singular values (M.
-//! R. Hestenes, J. SIAM 6 (1958) 51–90). Small ones are found as exactly as large ones, and nothing is allocated.
+//! The vectors are rotated, two at a time, until all are orthogonal: their lengths are then the
+//! singular values (M. R. Hestenes, J. SIAM 6 (1958) 51–90). Small ones are found as exactly as large
+//! ones, and nothing is allocated.
 
 use super::metric::dot;
 
-/// Largest number of rounds over all pairs of vectors; usually a handful is enough.
+/// Largest number of rounds over all pairs of vectors in the search for singular values.
 const ROUNDS: usize = 30;
 
-/// Least singular value of vectors of this length, which lie one after another and are turned by the method. Not a
-/// number if an entry is not a number; infinite without vectors.
+/// Least singular value of the matrix whose rows are these vectors. They lie one after another, each
+/// with `length` entries, and are overwritten. Not a number if an entry is not a number; infinite if
+/// there are no vectors.
 pub(crate) fn least_singular_value(vectors: &mut [f64], length: usize) -> f64 {
     let count = vectors.len() / length.max(1);
     for _ in 0..ROUNDS {
@@ -28,11 +30,12 @@ pub(crate) fn least_singular_value(vectors: &mut [f64], length: usize) -> f64 {
     sizes.fold(f64::INFINITY, |least, size| if size < least || size.is_nan() { size } else { least })
 }
 
-/// Turns two vectors in their plane until they are at right angles; false if they already were at right angles.
+/// Rotates two vectors in their plane until they are orthogonal. False, with nothing changed, if they
+/// already were, or if an entry is not a number.
 fn turn(a: &mut [f64], b: &mut [f64]) -> bool {
     let (aa, bb, ab) = (dot(a, a), dot(b, b), dot(a, b));
     let bound = f64::EPSILON * (aa * bb).sqrt();
-    // Not a number cannot be turned.
+    // Vectors with an entry that is not a number are left as they are.
     if ab.abs() <= bound || ab.is_nan() || bound.is_nan() {
         return false;
     }

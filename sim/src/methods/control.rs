@@ -1,28 +1,28 @@
-//! Control of step sizes: the rules of `ode45`, and those of Hairer's codes, as data.
+//! Control of step sizes by error estimates: the rules of `ode45` and those of Hairer's codes, as data.
 //!
 //! Sizes are positive in both directions of time. No rule tries a failed step again below 16 ulp of t.
 
 use crate::rounding::smallest_step;
 use crate::tolerance::ErrorTest;
 
-/// Rules by which the sizes of steps follow from their errors.
+/// Rules by which the size of the next step follows from the error of the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Rules {
     /// Rules of `ode45`: L. F. Shampine & M. W. Reichelt, "The MATLAB ODE Suite", SIAM J. Sci. Comput. 18 (1997) 1–22.
     Ode45 {
-        /// Degree of the root of the error that changes the size.
+        /// Degree of the root of the error by which a step size is changed.
         order: u32,
     },
-    /// The method proposes each size, and a step that fails is halved.
+    /// The method proposes each size itself, and a step that fails is halved.
     Proposed,
     /// Rules of `dopri5` and `dop853`, with the stabilization of Lund and Gustafsson: E. Hairer, S. P. Nørsett & G.
     /// Wanner, *Solving Ordinary Differential Equations I* (1993), §II.4 and §IV.2 of volume II.
     Hairer {
-        /// Degree of the root in the choice of the first step.
+        /// Degree of the root in the formula for the size of the first step.
         order: u32,
         /// Power of the error by which the size is divided.
         exponent: f64,
-        /// Effect of the error of the step before on the size.
+        /// Effect of the error of the previous step on the size.
         earlier: Earlier,
         /// Smallest factor by which the size changes from one step to the next.
         shrink: f64,
@@ -31,45 +31,50 @@ pub(crate) enum Rules {
     },
 }
 
-/// Effect of the step before on the size of the next step.
+/// Effect of the previous step's error on the size of the next step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Earlier {
-    /// The step before has no effect.
+    /// The error of the previous step has no effect.
     Forgotten,
-    /// The size is multiplied by this power of the error of the step before: alternating errors are damped.
+    /// The size is multiplied by this power of the error of the previous step, which damps alternating
+    /// errors.
     Damps(f64),
-    /// The error is predicted to grow again as it did in the last step, if that gives a smaller size: K. Gustafsson,
-    /// "Control-theoretic techniques for stepsize selection in implicit Runge–Kutta methods", ACM Trans. Math. Software
-    /// 20 (1994) 496–517; Hairer & Wanner, *Solving Ordinary Differential Equations II*, §IV.8. A size that would grow
-    /// by a fifth or less stays, since another size needs new factors of the matrices.
+    /// The error is predicted to grow again as it did in the last step, if that gives a smaller size: K.
+    /// Gustafsson, "Control-theoretic techniques for stepsize selection in implicit Runge–Kutta methods",
+    /// ACM Trans. Math. Software 20 (1994) 496–517; Hairer & Wanner, *Solving Ordinary Differential
+    /// Equations II*, §IV.8.
+    ///
+    /// A size that would grow by a fifth or less is kept, since another size needs a new factorization of
+    /// the matrices.
     Predicts,
 }
 
-/// Largest growth of a step for which its size is kept, if that saves factors of matrices.
+/// Largest growth factor for which a step size is kept, to save a new factorization of the matrices.
 const WORTH_A_CHANGE: f64 = 1.2;
 
-/// Safety divisor of Hairer's rules: a step is 0.9 of the size that its error allows. It is written as 1 / 0.9, since
-/// the next step waits for these operations, and a product is ready sooner than a quotient.
+/// Safety divisor of Hairer's rules: a step is 0.9 of the size that its error allows. It is the
+/// constant 1 / 0.9, since a product is computed sooner than a quotient.
 const MARGIN: f64 = 1.0 / 0.9;
 
 impl Earlier {
-    /// Lower bound on the remembered error of a step.
+    /// Lower bound on the error of a step that the control remembers, as a fraction of the tolerance.
     fn least(self) -> f64 {
         if self == Self::Predicts { 1e-2 } else { 1e-4 }
     }
 }
 
 impl Rules {
-    /// Longest step as a fraction of the span, if the options state none.
+    /// Largest size of a step as a fraction of the span, if the options state none.
     pub(crate) fn longest_part(self) -> f64 {
         match self {
-            // A polynomial is its own Taylor series, and events are sampled at several places of each step.
+            // A motion that is a polynomial in time has no error to limit the step; and events are sampled at
+            // several places of each step.
             Self::Ode45 { .. } | Self::Proposed => 0.1,
             Self::Hairer { .. } => 1.0,
         }
     }
 
-    /// Largest factor by which a step is stretched to reach the end of the run.
+    /// Largest factor by which a step is stretched to end exactly at the end of the run or at a corner.
     pub(crate) fn stretch(self) -> f64 {
         match self {
             Self::Ode45 { .. } => 1.1,
@@ -78,27 +83,32 @@ impl Rules {
     }
 }
 
-/// Control of step sizes by rules, with a memory of earlier steps.
+/// Control of step sizes by rules, which remembers the errors of earlier steps.
 #[derive(Clone, Debug)]
 pub(crate) struct Control {
+    /// Rules by which the method chooses its step sizes.
     rules: Rules,
+    /// Largest norm of an error that passes the error test.
     tolerance: f64,
-    /// True if the step that is tried failed before.
+    /// True if an attempt at the current step has failed.
     failed: bool,
-    /// Error of the step before in Hairer's rules, at least 1e-4, or 1e-2 for [`Earlier::Predicts`]; `previous_size` is
-    /// the size of that step.
+    /// Error of the previous accepted step in Hairer's rules, at least 1e-4, or 1e-2 for
+    /// [`Earlier::Predicts`].
     previous: f64,
+    /// Size of the previous accepted step, s; `None` before the first.
     previous_size: Option<f64>,
-    /// Fraction of the size that the error allows, at most 1, in Hairer's rules.
+    /// Factor, at most 1, on the size that the error allows, in Hairer's rules. An implicit method sets it
+    /// below 1 if its equations were hard to solve.
     pub(crate) margin: f64,
 }
 
 impl Control {
+    /// Creates the control for these rules and the tolerance of an error test, before the first step.
     pub(crate) fn new(rules: Rules, test: &ErrorTest) -> Self {
         Self { rules, tolerance: test.tolerance, failed: false, previous: 1e-4, previous_size: None, margin: 1.0 }
     }
 
-    /// Size of the next step after an accepted step of this size with this error.
+    /// Size of the next step, s, after an accepted step of `size` s with the norm `error` of its error.
     pub(crate) fn after_success(&mut self, size: f64, error: f64) -> f64 {
         let failed = std::mem::replace(&mut self.failed, false);
         match self.rules {
@@ -123,13 +133,15 @@ impl Control {
         }
     }
 
-    /// Divisor of the size if the error grows again as it did from the step before to this step; 0 after a first step.
+    /// Divisor of the size if the error grows again as it did from the previous step to this step; 0 after
+    /// the first step.
     fn predicted(&self, size: f64, error: f64, exponent: f64) -> f64 {
         let Some(before) = self.previous_size else { return 0.0 };
         (before / size) * power(error * error / self.previous, exponent) * MARGIN
     }
 
-    /// Size to try after a failed step of this size with this error; `None` if f had no value somewhere in it.
+    /// Size of the next attempt, s, after a failed attempt of `size` s with the norm `error` of its error.
+    /// `None` if f had no value at a point of the step.
     pub(crate) fn after_failure(&mut self, size: f64, error: Option<f64>) -> f64 {
         let failed = std::mem::replace(&mut self.failed, true);
         match (self.rules, error) {
@@ -144,31 +156,35 @@ impl Control {
     }
 }
 
+/// Root of x of the degree `order`, x^(1/order).
 fn root(x: f64, order: u32) -> f64 {
     x.powf(1.0 / f64::from(order))
 }
 
-/// Power xᵃ; for the eighth root, by square roots, which cost less.
+/// Power of `x` with this exponent. The eighth root is computed by three square roots, which cost less.
 fn power(x: f64, exponent: f64) -> f64 {
     if crate::stepper::same(exponent, 0.125) { x.sqrt().sqrt().sqrt() } else { x.powf(exponent) }
 }
 
-/// First step of `ode45`: so small that y' alone would change y by about rtol^(1/order).
+/// Size of the first step of `ode45`, s. It is so small that y' alone would change y by about
+/// rtol^(1/order), but not above `longest`, s. `slope_norm` is the weighted norm of y' at the start.
 pub(crate) fn initial(test: &ErrorTest, order: u32, longest: f64, t: f64, slope_norm: f64) -> f64 {
     let rate = slope_norm / (0.8 * root(test.tolerance, order));
     let size = if longest * rate > 1.0 { 1.0 / rate } else { longest };
     size.max(smallest_step(t))
 }
 
-/// Hairer's first guess of the first step: a step of Euler's method that changes y by a hundredth of its size. `y` and
-/// `slope` are norms over the allowed errors.
+/// Hairer's first guess of the first step, s: a step of Euler's method that changes y by a hundredth of
+/// its size. `y` and `slope` are the weighted norms of state and derivative at the start; `longest` is
+/// the largest size, s.
 pub(crate) fn first_guess(y: f64, slope: f64, longest: f64) -> f64 {
     let tiny = 1e-5; // their squares are compared with 1e-10
     let guess = if y <= tiny || slope <= tiny { 1e-6 } else { 0.01 * (y / slope) };
     guess.min(longest)
 }
 
-/// Hairer's first step, from the larger of the norms of y' and y'': sizeᵒʳᵈᵉʳ times that norm is 0.01.
+/// Hairer's size of the first step, s, such that size^order times the larger norm of y' and y'' is
+/// 0.01. `guess` is the first guess, s; `slope` and `curvature` are the weighted norms of y' and y''.
 pub(crate) fn second_guess(guess: f64, slope: f64, curvature: f64, order: u32, longest: f64) -> f64 {
     let larger = slope.max(curvature);
     let size = if larger <= 1e-15 { (1e-3 * guess).max(1e-6) } else { root(0.01 / larger, order) };

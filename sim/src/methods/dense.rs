@@ -1,17 +1,21 @@
-//! Polynomial of DOP853 inside a step, by the published coefficients of one component.
+//! Dense output of the method DOP853: the polynomial inside a step, from the published coefficients of
+//! a component.
 
 use tripos_traits::Real;
 
-/// Value of one component at the fraction `theta` of a step of DOP853, from its coefficients of the dense output.
+/// Value of a component of the state at the fraction `theta` of a step of DOP853. The argument has the
+/// eight coefficients of its dense output.
 pub(crate) fn value_of<S: Real>([r0, r1, r2, r3, r4, r5, r6, r7]: [S; 8], theta: S) -> S {
     let rest = S::int(1) - theta;
     let inner = r4 + theta * (r5 + rest * (r6 + theta * r7));
     r0 + theta * (r1 + rest * (r2 + theta * (r3 + rest * inner)))
 }
 
-/// Coefficients of the powers of `theta` in the dense output of one component of DOP853.
+/// Coefficients of the powers 0 to 7 of the fraction `theta` of a step, in the dense output of a
+/// component of DOP853.
 pub(crate) fn powers_of<S: Real>(r: [S; 8]) -> [S; 8] {
-    // From the innermost bracket outwards: times θ or 1 − θ in turn, plus the next coefficient of r.
+    // From the innermost bracket outwards, the polynomial is multiplied by θ or 1 − θ in turn, and the
+    // next coefficient of r is added.
     let mut p = [S::from_f64(0.0); 8];
     p[0] = r[7];
     for (at, add) in r[..7].iter().enumerate().rev() {

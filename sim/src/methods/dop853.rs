@@ -1,10 +1,11 @@
-//! Steps of DOP853: Dormand–Prince 8(5,3) with a dense output of order 7.
+//! Steps of the method DOP853: Dormand–Prince 8(5,3) with a dense output of order 7.
 //!
-//! Invariant: `k[b][0]` is block b of the derivative at (t, y). After a trial step that passed its error test,
-//! `k[b][12]` is the derivative at its end. If the state is moved there before the next step, the derivative is
-//! computed only once the inside of the step is needed. A step allocates nothing. The formulae are those of E. Hairer,
-//! S. P. Nørsett & G. Wanner, *Solving Ordinary Differential Equations I* (1993), §II.5 (error) and §II.6 (dense
-//! output).
+//! Invariant: `k[b][0]` is block b of the derivative at (t, y). After a trial step that passed its
+//! error test, `k[b][12]` is the derivative at its end. If the driver moves the state there before the
+//! next step, that derivative is computed only once the dense output is needed.
+//!
+//! A step allocates nothing. The formulae are those of E. Hairer, S. P. Nørsett & G. Wanner, *Solving
+//! Ordinary Differential Equations I* (1993), §II.5 (error) and §II.6 (dense output).
 
 use std::array::from_fn;
 
@@ -17,12 +18,14 @@ use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite};
 use crate::tolerance::ErrorTest;
 
-/// Number of stages: of the step, at its end, and three inside it.
+/// Number of stages of DOP853: 12 of the step, one at its end, and three that only the dense output
+/// needs.
 pub(crate) const STAGES: usize = 16;
-/// Row of the coefficients of the new point, and index of the stage that is evaluated there.
+/// Row of the coefficients that give the new state, and index of the stage that is evaluated there.
 pub(crate) const END: usize = 12;
 
-/// Stages that each row of coefficients uses, known at compile time, so that unused stages cost nothing.
+/// True for each stage j that row i of the coefficients uses. It is known at compile time, so that
+/// unused stages cost nothing.
 pub(crate) const USED: [[bool; STAGES]; STAGES] = {
     let mut used = [[false; STAGES]; STAGES];
     let mut i = 0;
@@ -32,8 +35,10 @@ pub(crate) const USED: [[bool; STAGES]; STAGES] = {
     }
     used
 };
+/// True for each stage of DOP853 that its error estimate of order 5 uses.
 pub(crate) const USED_BY_ERROR: [bool; STAGES] = used_by(PUBLISHED.error5);
 
+/// Marks the stages that a row of coefficients uses.
 const fn used_by(row: Row) -> [bool; STAGES] {
     let mut used = [false; STAGES];
     let mut entry = 0;
@@ -44,18 +49,23 @@ const fn used_by(row: Row) -> [bool; STAGES] {
     used
 }
 
-/// A number twice, as a register of two numbers needs it: no instruction has to spread it.
+/// The same number twice, as a vector register of two numbers needs it; no instruction has to copy it.
 type Twice<S> = [S; 2];
 
 /// Published coefficients of DOP853 in the scalar of the run.
 struct Coefficients<S> {
+    /// Coefficients aᵢⱼ of the stages, each written twice for vector registers.
     a: [[Twice<S>; STAGES]; STAGES],
+    /// Weights of the stages in the error of DOP853 against a solution of order 5.
     error5: [Twice<S>; STAGES],
+    /// Weights of the stages in the solution of order 3, which the error estimate of DOP853 uses.
     error3: [Twice<S>; STAGES],
+    /// Weights of the stages in the last four coefficients of the dense output.
     dense: [[Twice<S>; STAGES]; 4],
 }
 
 impl<S: Real> Coefficients<S> {
+    /// Rounds the published coefficients to the scalar `S`.
     fn new() -> Self {
         Self {
             a: PUBLISHED.a.map(row),
@@ -66,6 +76,7 @@ impl<S: Real> Coefficients<S> {
     }
 }
 
+/// Row of coefficients with an entry for each stage, from the published entries that are not 0.
 fn row<S: Real>(entries: Row) -> [Twice<S>; STAGES] {
     let mut values = [[S::from_f64(0.0); 2]; STAGES];
     for (stage, decimal) in entries {
@@ -74,32 +85,39 @@ fn row<S: Real>(entries: Row) -> [Twice<S>; STAGES] {
     values
 }
 
-/// State of DOP853 between and inside steps.
+/// Method DOP853 of a run: the current step with its stages, error and dense output.
 pub(crate) struct Dop853<S> {
+    /// Coefficients of the method DOP853 in the scalar of the run.
     coefficients: Coefficients<S>,
+    /// Time at the start of the step, s.
     t: f64,
+    /// Time at the end of the step, s.
     t_new: f64,
+    /// State at the start of the step.
     y: Blocks<S>,
-    /// Point at which a stage is evaluated; after the last stage, the new point.
+    /// State at which a stage is evaluated; after the last stage, the state at the end of the step.
     y_new: Blocks<S>,
     /// Derivative that the right-hand side gave last.
     f: Blocks<S>,
+    /// Derivatives of all stages: for each block of components a list of the stages.
     k: Vec<[Block<S>; STAGES]>,
-    /// Coefficients of the dense output; `inner` is the point at which a stage inside the step is evaluated.
+    /// Eight coefficients of the dense output, for each block of components.
     dense: Vec<[Block<S>; 8]>,
+    /// State at which a stage of the dense output is evaluated.
     inner: Blocks<S>,
-    /// Error estimates of order 5 and 3 over the weights of the error test. They pass through memory, since the
-    /// compiler makes vector instructions of loops that end in stores.
+    /// Error estimates of order 5 and 3, divided by the weights of the error test. They are stored, since
+    /// the compiler makes vector instructions of loops that end in stores.
     quotients: Vec<[Block<f64>; 2]>,
-    /// True if the state may be moved after each step: then only the moved state needs a derivative.
+    /// True if the driver may move the state after each step: then only the moved state needs a derivative.
     moves: bool,
     /// True if the derivative at the end of the last tried step is known.
     has_end: bool,
+    /// Number of calls of the right-hand side so far.
     evaluations: u64,
 }
 
 impl<S: Real> Dop853<S> {
-    /// Creates the method for `n` equations.
+    /// Creates the method for a state of `n` components.
     pub(crate) fn new(n: usize) -> Self {
         let zero = S::from_f64(0.0);
         let count = n.div_ceil(LANES);
@@ -120,7 +138,8 @@ impl<S: Real> Dop853<S> {
         }
     }
 
-    /// Evaluates stage i, k_i = f(t + c_i h, y + h Σ_j a_ij k_j), and leaves it in `f` until the next stage takes it.
+    /// Evaluates stage I at time `t`, s: f(t + c_I h, y + h Σ_j a_Ij k_j), with the step `h`, s. The result
+    /// stays in `self.f` until the next stage takes it. Error if a number is not finite or f has no value.
     #[inline]
     fn stage<const I: usize, R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S, t: f64) -> Result<(), Trouble> {
         let row = &self.coefficients.a[I];
@@ -132,7 +151,8 @@ impl<S: Real> Dop853<S> {
         rhs.rhs(t, self.y_new.components(), self.f.components_mut()).map_err(Trouble::Failed)
     }
 
-    /// Evaluates stage I, which only the dense output needs.
+    /// Evaluates stage I, which only the dense output needs, for the step `h`, s. Error if a number is not
+    /// finite or f has no value.
     fn inner_stage<const I: usize, R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S) -> Result<(), Trouble> {
         let row = &self.coefficients.a[I];
         let finite = advance::<S, I>(row, h, &self.y, &mut self.k, &self.f, &mut self.inner);
@@ -144,14 +164,15 @@ impl<S: Real> Dop853<S> {
         rhs.rhs(t, self.inner.components(), self.f.components_mut()).map_err(Trouble::Failed)
     }
 
-    /// Evaluates f at `y_new` as a stage that must be finite by itself.
+    /// Evaluates f at time `t`, s, and state `y_new`, and stores it as this stage. Error if f has no finite
+    /// value there.
     fn evaluate<R: RightHandSide<S>>(&mut self, rhs: &mut R, stage: usize, t: f64) -> Result<(), Trouble> {
         self.evaluations += 1;
         rhs.rhs(t, self.y_new.components(), self.f.components_mut()).map_err(Trouble::Failed)?;
         self.keep(stage)
     }
 
-    /// Stores the last derivative of the right-hand side as a stage; an error if it is not finite.
+    /// Stores the last value of the right-hand side as this stage. Error if it is not finite.
     fn keep(&mut self, stage: usize) -> Result<(), Trouble> {
         let mut finite = Finite::new();
         for (k, f) in self.k.iter_mut().zip(&self.f.blocks) {
@@ -161,15 +182,19 @@ impl<S: Real> Dop853<S> {
         if finite.all() { Ok(()) } else { Err(self.not_finite(&self.y_new)) }
     }
 
-    /// Error for a number that is not finite: in the last derivative, or else in the point computed from it.
+    /// Error that names the first component that is not finite, in the last derivative, or else in the
+    /// state `point`.
     #[cold]
     fn not_finite(&self, point: &Blocks<S>) -> Trouble {
         let checks = check_finite(self.f.components()).and_then(|()| check_finite(point.components()));
         checks.err().unwrap_or(Trouble::NotFinite { component: 0 })
     }
 
-    /// Computes the new point and its error, |h| e₅² / √(e₅² + 0.01 e₃²), with e₅ and e₃ the norms of the differences
-    /// from solutions of order 5 and 3. The error shrinks like h⁸, as that of the method does.
+    /// Computes the state at the end of the step `h`, s, and its error |h| e₅² / √(e₅² + 0.01 e₃²). e₅ and
+    /// e₃ are the norms of the differences from solutions of order 5 and 3.
+    ///
+    /// The error shrinks like h⁸, as that of the method does. The first result tells if all numbers are
+    /// finite.
     fn finish(&mut self, h: S, test: &ErrorTest) -> (Finite, f64) {
         let (b, e5, e3) = (&self.coefficients.a[END], &self.coefficients.error5, &self.coefficients.error3);
         let (mut finite, mut sum5, mut sum3) = (Finite::new(), [0.0; LANES], [0.0; LANES]);
@@ -197,8 +222,8 @@ impl<S: Real> Dop853<S> {
     }
 }
 
-/// Error of a step `h` of `n` components from the sums of the squares of their weighted differences: |h| e₅² / √(n (e₅²
-/// + 0.01 e₃²)).
+/// Error of a step of size `h`, s, of `n` components: |h| e₅² / √(n (e₅² + 0.01 e₃²)). `sum5` and
+/// `sum3` are e₅² and e₃², the sums of squares of weighted differences; infinite if they overflow.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "also inside code for wider registers, lane by lane")]
 pub(crate) fn error_of(h: f64, sum5: f64, sum3: f64, n: usize) -> f64 {
@@ -209,7 +234,7 @@ pub(crate) fn error_of(h: f64, sum5: f64, sum3: f64, n: usize) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Sum Σⱼ aⱼ kⱼ over stage 0 and the used stages before `end`.
+/// Sum Σⱼ aⱼ kⱼ for a block of components, over stage 0 and the used stages before `end`.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "with the stages known, the loops below become straight vector code")]
 fn combination<S: Real>(a: &[Twice<S>], used: &[bool; STAGES], k: &[Block<S>; STAGES], end: usize) -> Block<S> {
@@ -222,10 +247,11 @@ fn combination<S: Real>(a: &[Twice<S>], used: &[bool; STAGES], k: &[Block<S>; ST
     sum
 }
 
-/// Writes the point y + h Σⱼ aᵢⱼ kⱼ of row I. Stage I − 1 is still in `f`, and is copied to `k`; stage 0 is there
-/// already. Every row uses the stage before it, so that a stage that is not finite shows in the point.
+/// Writes the state y + h Σⱼ aᵢⱼ kⱼ of row I to `out`, and tells if it is finite. Stage I − 1 is still
+/// in `f`, and is copied to `k`.
 ///
-/// Stage I − 1 is added last and by itself: it is known late, and two operations after it the point is complete.
+/// Every row uses the stage before it, so that a stage that is not finite shows in the state. Stage I −
+/// 1 is added last: it is known late, and two operations after it the state is complete.
 #[inline]
 fn advance<S: Real, const I: usize>(
     a: &[Twice<S>; STAGES],
@@ -333,7 +359,8 @@ impl<S: Real> Stepper for Dop853<S> {
     fn prepare_inside<R: RightHandSide<S>>(&mut self, rhs: &mut R) -> bool {
         let h = S::from_f64(self.t_new) - S::from_f64(self.t);
         self.has_end = self.has_end || self.evaluate(rhs, END, self.t_new).is_ok();
-        // Without the derivative at the end, the last stage of the step replaces it: it is evaluated next to the end.
+        // If the derivative at the end does not exist, the last stage of the step replaces it: it is evaluated
+        // near the end.
         let end = if self.has_end { END } else { END - 1 };
         let mut stages = || {
             self.inner_stage::<13, R>(rhs, h)?;

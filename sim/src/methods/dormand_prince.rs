@@ -2,11 +2,11 @@
 
 use super::tableau::Tableau;
 
-/// Coefficients of Dormand–Prince 5(4), with the continuous extension of degree 4 that `ode45` uses.
+/// Coefficients of Dormand–Prince 5(4), with the dense output of degree 4 that `ode45` uses.
 ///
-/// J. R. Dormand & P. J. Prince, "A family of embedded Runge–Kutta formulae", J. Comput. Appl.
-/// Math. 6 (1980) 19–26, method RK5(4)7M; the continuous extension as in L. F. Shampine & M. W.
-/// Reichelt, "The MATLAB ODE Suite", SIAM J. Sci. Comput. 18 (1997) 1–22.
+/// J. R. Dormand & P. J. Prince, "A family of embedded Runge–Kutta formulae", J. Comput. Appl. Math. 6
+/// (1980) 19–26, method RK5(4)7M; the dense output as in L. F. Shampine & M. W. Reichelt, "The MATLAB
+/// ODE Suite", SIAM J. Sci. Comput. 18 (1997) 1–22.
 #[rustfmt::skip]
 pub const DORMAND_PRINCE_54: Tableau<7> = Tableau {
     order: 5,

@@ -1,19 +1,21 @@
-//! Coefficients of DOP853, as published.
+//! Coefficients of the method DOP853, Dormand–Prince 8(5,3), with all published digits.
 //!
-//! E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary Differential Equations I. Nonstiff Problems*, 2nd edition
-//! (1993), §II.5 and §II.6; the digits are those of the authors' program `dop853.f`, subroutine `dp86co`.
+//! E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary Differential Equations I. Nonstiff
+//! Problems*, 2nd edition (1993), §II.5 and §II.6; the digits are those of the authors' program
+//! `dop853.f`, subroutine `dp86co`.
 
 #![expect(clippy::excessive_precision, reason = "the digits are kept for scalars wider than f64")]
 #![expect(clippy::unreadable_literal, reason = "the text of a coefficient is read as it stands")]
 
 use tripos_traits::Real;
 
-/// A published coefficient of a method: its text, with more digits than an `f64` holds, and the nearest `f64`.
+/// Published coefficient of a method: its decimal text, with more digits than an `f64` holds, and the
+/// nearest `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Decimal {
-    /// Coefficient in decimal notation.
+    /// Coefficient as published, in decimal notation with all digits.
     pub text: &'static str,
-    /// Coefficient rounded by the compiler, so that the text need not be read at run time.
+    /// Coefficient rounded to `f64` by the compiler, so that the text need not be read at run time.
     pub value: f64,
 }
 
@@ -25,7 +27,7 @@ impl Decimal {
     }
 }
 
-/// Entries of a row of coefficients that are not 0: the stage, from 0, and its coefficient.
+/// Coefficients of a row that are not 0, each with the index of its stage, from 0.
 pub type Row = &'static [(usize, Decimal)];
 
 macro_rules! row {
@@ -34,26 +36,29 @@ macro_rules! row {
     };
 }
 
-/// Coefficients of Dormand & Prince's method of order 8 as Hairer and Wanner complete it, with all digits. Stages 0 to
-/// 11 make the step; stage 12 is f at the new point; stages 13 to 15 serve the dense output.
+/// Coefficients of Dormand & Prince's method of order 8 as Hairer and Wanner complete it, with all
+/// digits.
+///
+/// Stages 0 to 11 make the step; stage 12 is f at the new state; stages 13 to 15 serve the dense
+/// output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Published853 {
-    /// Instants cᵢ of the stages as fractions of the step; times are `f64`.
+    /// Times cᵢ of the Runge–Kutta stages, as fractions of the step.
     pub c: [f64; 16],
-    /// Coefficients aᵢⱼ of the stages; row 12 holds the weights bⱼ of the new point.
+    /// Runge–Kutta coefficients aᵢⱼ of the stages; row 12 has the weights bⱼ of the new state.
     pub a: [Row; 16],
     /// Weights of the stages in the error against a solution of order 5.
     pub error5: Row,
-    /// Weights of the stages in a solution of order 3, with which the new point is compared.
+    /// Weights of the stages in a solution of order 3, with which the new state is compared.
     pub error3: Row,
     /// Weights of the stages in the last four coefficients of the dense output.
     pub dense: [Row; 4],
 }
 
-/// Coefficients of Dormand–Prince 8(5,3).
+/// Coefficients of Dormand–Prince 8(5,3), the method DOP853.
 ///
-/// P. J. Prince & J. R. Dormand, "High order embedded Runge–Kutta formulae", J. Comput. Appl. Math. 7 (1981) 67–75;
-/// the error estimates and the dense output of order 7 are Hairer's and Wanner's, see the head of this file.
+/// P. J. Prince & J. R. Dormand, "High order embedded Runge–Kutta formulae", J. Comput. Appl. Math. 7
+/// (1981) 67–75; the error estimates and the dense output of order 7 are those of Hairer and Wanner.
 pub const DORMAND_PRINCE_853: Published853 = Published853 {
     // c₁ = 2/3 c₂, c₂ = 2/3 c₃, c₃ = (6 − √6)/30, c₄ = (6 + √6)/30; the other instants are fractions.
     c: [

@@ -1,7 +1,8 @@
-//! Steps of an explicit Runge–Kutta pair.
+//! Steps of an explicit embedded Runge–Kutta pair, such as Dormand–Prince 5(4).
 //!
-//! Invariant: `k[0]` is the derivative at (t, y); after a trial step `k[S-1]` is the derivative at its end. Buffers are
-//! made once; a step allocates nothing. Absent on purpose: the choice of the step size.
+//! Invariant: `k[0]` is the derivative at (t, y); after a trial step `k[S-1]` is the derivative at its
+//! end. Buffers are made once; a step allocates nothing. Absent on purpose: the choice of the step
+//! size.
 
 use tripos_traits::Real;
 
@@ -10,31 +11,40 @@ use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
 use crate::tolerance::ErrorTest;
 
-/// Kind of the step length that multiplies the derivatives.
+/// Kind of the step length h by which a method multiplies derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Length {
     /// Step length as it was chosen, before t + h was rounded, as in `ode45`. A scalar wider than `f64` takes
     /// [`Length::Exact`] instead, since the difference would be its largest error.
     Chosen,
-    /// Difference of the time at the end of the step and the time at its start.
+    /// Difference of the times at the end and at the start of the step.
     Exact,
 }
 
-/// State of an explicit Runge–Kutta method between and inside steps.
+/// Explicit Runge–Kutta method with S stages in a run: the current step with its stages and error.
 pub(crate) struct ExplicitRungeKutta<T, const S: usize> {
+    /// Coefficients of the Runge–Kutta method in the scalar of the run.
     coefficients: Coefficients<T, S>,
+    /// Kind of the step length by which derivatives are multiplied.
     length: Length,
+    /// Time at the start of the step, s.
     t: f64,
+    /// Time at the end of the step, s.
     t_new: f64,
+    /// State at the start of the step.
     y: Vec<T>,
+    /// State at which a stage is evaluated; after the last stage, the state at the end of the step.
     y_new: Vec<T>,
+    /// Derivatives kᵢ of the S stages of the step.
     k: [Vec<T>; S],
+    /// Working space for weighted sums of the stages; after an attempt, the error estimate over h.
     sum: Vec<T>,
+    /// Number of calls of the right-hand side so far.
     evaluations: u64,
 }
 
 impl<T: Real, const S: usize> ExplicitRungeKutta<T, S> {
-    /// Creates the method for `n` equations; [`Stepper::start`] must come first.
+    /// Creates the method for a state of `n` components; [`Stepper::start`] must be called first.
     pub(crate) fn new(tableau: &Tableau<S>, length: Length, n: usize) -> Self {
         let zeros = || vec![T::from_f64(0.0); n];
         Self {
@@ -50,12 +60,15 @@ impl<T: Real, const S: usize> ExplicitRungeKutta<T, S> {
         }
     }
 
+    /// Evaluates f at time `t`, s, and state `y_new`, and stores it as this stage. Error if a number is not
+    /// finite or f has no value.
     fn evaluate<R: RightHandSide<T>>(&mut self, rhs: &mut R, stage: usize, t: f64) -> Result<(), Trouble> {
         check_finite(&self.y_new)?;
         self.evaluations += 1;
         evaluate(rhs, t, &self.y_new, &mut self.k[stage])
     }
 
+    /// Signed length of a trial step, s, by which derivatives are multiplied.
     fn length(&self, trial: Trial) -> T {
         match self.length {
             Length::Chosen if T::EPSILON >= f64::EPSILON => T::from_f64(trial.h),
@@ -64,7 +77,7 @@ impl<T: Real, const S: usize> ExplicitRungeKutta<T, S> {
     }
 }
 
-/// Writes Σⱼ weight(j) kⱼ to `sum`.
+/// Writes the weighted sum Σⱼ weight(j) kⱼ of the stages to `sum`.
 fn combine<T: Real>(sum: &mut [T], k: &[Vec<T>], weight: impl Fn(usize) -> T) {
     let zero = T::from_f64(0.0);
     sum.fill(zero);

@@ -1,14 +1,16 @@
-//! Gauss–Legendre collocation with three stages: order 6, implicit, symplectic.
+//! Gauss–Legendre collocation with three stages, the method `gauss6`: order 6, implicit, symplectic.
 //!
-//! The polynomial u of degree 3 with u(t) = y satisfies the equations at three points inside the step, the zeros of
-//! Legendre's polynomial; the new point is u(t + h), and u is also the dense output, of order 3 only. Quadratic
-//! invariants are conserved to rounding, and the energy of a mechanical system stays within a band with equal steps. E.
-//! Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), §II.1, §IV.2, §VIII.6.
+//! The polynomial u of degree 3 with u(t) = y satisfies the equations at three points inside the step,
+//! the zeros of Legendre's polynomial. The new state is u(t + h), and u is also the dense output, of
+//! order 3 only. Quadratic invariants are conserved to rounding, and the energy of a mechanical system
+//! stays within a band with equal steps. E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical
+//! Integration*, 2nd edition (2006), §II.1, §IV.2, §VIII.6.
 //!
-//! The unknowns are the derivatives k₁, k₂, k₃ at the three points. They are found by Newton's method with the Jacobian
-//! at the start of the step. It does not stop at a tolerance, but when rounding lets the changes shrink no further: an
-//! error left over would act like a force and let the invariants drift. For the same reason the rounding error of a sum
-//! y + h Σ b k is carried to the next step.
+//! The unknowns are the derivatives k₁, k₂, k₃ at the three points. They are found by Newton's method
+//! with the Jacobian at the start of the step. It does not stop at a tolerance, but when rounding lets
+//! the changes shrink no further: an error left over would act like a force and let the invariants
+//! drift. For the same reason the rounding error of a sum y + h Σ b k is added in the next step
+//! (compensated summation).
 
 use tripos_traits::{Real, largest};
 
@@ -18,18 +20,23 @@ use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
 use crate::tolerance::ErrorTest;
 
-/// Number of iterations after which a step is given up. Newton's method gains several digits in each, or the step is
-/// too long.
+/// Number of iterations of Newton's method after which a step is given up. Each gains several digits,
+/// or the step is too long.
 const ITERATIONS: u32 = 30;
 
-/// Nodes cᵢ = ½ − s, ½, ½ + s with s = √15 / 10, and the matrix A of the method.
+/// Coefficients of Gauss's method with three stages: the nodes ½ − s, ½, ½ + s with s = √15 / 10, and
+/// the matrix A.
 struct Nodes<S> {
+    /// Distance s = √15 / 10 of the outer nodes from the middle of the step, as a fraction of the step.
     s: S,
+    /// Nodes of Gauss's method: times of the three stages, as fractions of the step.
     c: [S; 3],
+    /// Matrix A of the method: aᵢⱼ is the weight of stage j at node i.
     a: [[S; 3]; 3],
 }
 
 impl<S: Real> Nodes<S> {
+    /// Computes the coefficients of Gauss's method in the scalar `S`.
     fn new() -> Self {
         let root = S::int(15).sqrt();
         let (half, s) = (S::ratio(1, 2), root / S::int(10));
@@ -47,75 +54,100 @@ impl<S: Real> Nodes<S> {
     }
 }
 
-/// Derivative u' of one component inside a step, from its values at the nodes: k₂ + 2 `first` τ + 3 `second` τ², with τ
-/// the fraction of the step beyond its middle.
+/// Derivative u' of a component inside a step, as a polynomial: `middle` + 2 `first` τ + 3 `second` τ².
+/// τ is the fraction of the step, counted from its middle.
 struct Slope<S> {
+    /// Value of the derivative u' at the middle of the step.
     middle: S,
+    /// Half of the coefficient of τ in the derivative polynomial u', with τ counted from the middle of the
+    /// step.
     first: S,
+    /// Third of the coefficient of τ² in the derivative polynomial u', with τ counted from the middle of
+    /// the step.
     second: S,
 }
 
 impl<S: Real> Slope<S> {
-    /// Derivative through these values at the nodes.
+    /// Derivative polynomial through the values k₁, k₂, k₃ at the nodes, whose outer distance from the
+    /// middle is `s`.
     fn through(s: S, [k1, k2, k3]: [S; 3]) -> Self {
         let first = (k3 - k1) / (S::int(4) * s);
         let second = ((k1 - k2) + (k3 - k2)) / (S::int(6) * s * s);
         Self { middle: k2, first, second }
     }
 
-    /// Value of u' at the fraction `theta` of the step.
+    /// Value of the derivative u' at the fraction `theta` of the step.
     fn at(&self, theta: S) -> S {
         let tau = theta - S::ratio(1, 2);
         self.middle + tau * (S::int(2) * self.first + S::int(3) * self.second * tau)
     }
 
-    /// Increment (u − y) / h at the fraction `theta` of the step: the integral of u' from the start.
+    /// Increment (u − y) / h of a component at the fraction `theta` of the step: the integral of u' from
+    /// the start.
     fn integral(&self, theta: S) -> S {
         let tau = theta - S::ratio(1, 2);
         let square = tau * tau;
         theta * self.middle + (square - S::ratio(1, 4)) * self.first + (square * tau + S::ratio(1, 8)) * self.second
     }
 
-    /// Coefficients of θ, θ² and θ³ in the increment (u − y) / h.
+    /// Coefficients of θ, θ² and θ³ in the increment (u − y) / h of a component, with the fraction θ of the
+    /// step.
     fn powers(&self) -> [S; 3] {
         let half = S::ratio(3, 2) * self.second;
         [self.middle - self.first + S::ratio(3, 4) * self.second, self.first - half, self.second]
     }
 }
 
-/// State of Gauss's method between and inside steps.
+/// Gauss's method in a run: the current step with its stages, error and dense output.
 pub(crate) struct Gauss6<S> {
+    /// Coefficients of Gauss's method with three stages.
     nodes: Nodes<S>,
+    /// Time at the start of the step, s.
     t: f64,
+    /// Time at the end of the step, s.
     t_new: f64,
+    /// State at the start of the step.
     y: Vec<S>,
+    /// State at the end of the step.
     y_new: Vec<S>,
-    /// Parts that rounding cut off `y`; `carry_new` has those of `y_new`.
+    /// Rounding errors of the sums that gave `y`, which are added in the next sum (compensated summation).
     carry: Vec<S>,
+    /// Rounding errors of the sums that gave `y_new`, for the sums of the next step (compensated
+    /// summation).
     carry_new: Vec<S>,
-    /// Derivatives at the nodes, all components of the first node first.
+    /// Derivatives at the three nodes, 3n entries: all components of the first node, then of the second and
+    /// third.
     k: Vec<S>,
-    /// Derivatives at the nodes of the step before; `h_before` is its length, s, or `None` in the first step.
+    /// Derivatives at the three nodes of the previous step, 3n entries.
     k_before: Vec<S>,
+    /// Signed length of the previous step, s; `None` in the first step.
     h_before: Option<S>,
-    /// Derivative f at the start of the step; `slope_new` is f at its end, computed only with an error test.
+    /// Derivative f at the start of the step.
     slope: Vec<S>,
+    /// Derivative f at the end of the step, which is computed only if there is an error test.
     slope_new: Vec<S>,
-    /// Jacobian ∂f/∂y at (t, y), row by row, if `has_jacobian` is true.
+    /// Jacobian ∂f/∂y at (t, y), n² entries row by row; valid if `has_jacobian` is true.
     jacobian: Vec<S>,
+    /// True if `jacobian` was evaluated at the start of the current step.
     has_jacobian: bool,
+    /// Factors of Newton's matrix I − h A ⊗ ∂f/∂y, of order 3n.
     newton: Lu<S>,
+    /// Residuals f − k of the three stages, 3n entries; after the solution, the changes of k.
     residual: Vec<S>,
+    /// State at which a stage is evaluated; after an attempt, the error estimate of order 5.
     point: Vec<S>,
-    /// Largest size of each component so far, by which rounding is measured.
+    /// Largest absolute value of each component so far, by which rounding is measured.
     magnitudes: Vec<f64>,
+    /// Scale of each component, with which Newton's changes are compared.
     scales: Vec<f64>,
+    /// Number of calls of the right-hand side so far.
     evaluations: u64,
+    /// Number of evaluations of the Jacobian so far.
     jacobians: u64,
 }
 
 impl<S: Real> Gauss6<S> {
-    /// Creates the method for `n` equations.
+    /// Creates the method for a state of `n` components.
     pub(crate) fn new(n: usize) -> Self {
         let zeros = |n: usize| vec![S::from_f64(0.0); n];
         Self {
@@ -143,13 +175,16 @@ impl<S: Real> Gauss6<S> {
         }
     }
 
+    /// Derivative polynomial of component `i` inside a step, from the derivatives `k` at the nodes.
     fn slope_of(&self, k: &[S], i: usize) -> Slope<S> {
         let n = self.y.len();
         Slope::through(self.nodes.s, [k[i], k[n + i], k[2 * n + i]])
     }
 
-    /// Sets the first values of k: the polynomial of the step before, continued. They are f at the start if there is no
-    /// step before, or if the step is much longer than that one.
+    /// Sets the first values of the derivatives k for Newton's method, for a step of `h` s, by continuing
+    /// the polynomial of the previous step.
+    ///
+    /// They are f at the start if there is no previous step, or if the step is more than twice as long.
     fn predict(&mut self, h: S) {
         let n = self.y.len();
         let ratio = self.h_before.map(|before| h / before).filter(|r| r.to_f64() <= 2.0);
@@ -161,7 +196,8 @@ impl<S: Real> Gauss6<S> {
         }
     }
 
-    /// Factors the matrix I − h A ⊗ ∂f/∂y of Newton's method.
+    /// Evaluates the Jacobian, if needed, and factors Newton's matrix I − h A ⊗ ∂f/∂y for a step of `h` s.
+    /// Error if the Jacobian has no finite value or the matrix is singular.
     fn prepare_newton<R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S) -> Result<(), Trouble> {
         let n = self.y.len();
         if !self.has_jacobian {
@@ -187,7 +223,8 @@ impl<S: Real> Gauss6<S> {
         if self.newton.factor() { Ok(()) } else { Err(Trouble::NotConverged { iterations: 0 }) }
     }
 
-    /// Solves k_i = f(t + c_i h, y + h Σ_j a_ij k_j) for the derivatives k at the nodes.
+    /// Solves k_i = f(t + c_i h, y + h Σ_j a_ij k_j) for the derivatives k at the nodes by Newton's method.
+    /// Error if it does not converge or f has no value.
     fn iterate<R: RightHandSide<S>>(&mut self, rhs: &mut R, trial: Trial, h: S) -> Result<(), Trouble> {
         self.set_scales(h);
         let mut last = f64::INFINITY;
@@ -215,7 +252,8 @@ impl<S: Real> Gauss6<S> {
         if last <= S::EPSILON.sqrt() { Ok(()) } else { Err(Trouble::NotConverged { iterations: ITERATIONS }) }
     }
 
-    /// Computes the residual f − k of a stage.
+    /// Computes the residual f − k of a stage of the step. Error if a number is not finite or f has no
+    /// value.
     fn stage<R: RightHandSide<S>>(&mut self, rhs: &mut R, stage: usize, trial: Trial, h: S) -> Result<(), Trouble> {
         let n = self.y.len();
         let [a1, a2, a3] = self.nodes.a[stage];
@@ -234,8 +272,10 @@ impl<S: Real> Gauss6<S> {
         Ok(())
     }
 
-    /// Sets the scale of each component, with which its changes are compared. The scale is the largest size so far, or
-    /// the change in the step if larger. A component that never moved has the largest scale of all.
+    /// Sets the scale of each component, with which Newton's changes are compared. It is the component's
+    /// largest size so far, or its change in the step of `h` s if that is larger.
+    ///
+    /// A component that has always been zero has the largest scale of all.
     fn set_scales(&mut self, h: S) {
         let middle = &self.k[self.y.len()..];
         for ((scale, magnitude), k) in self.scales.iter_mut().zip(&self.magnitudes).zip(middle) {
@@ -248,7 +288,8 @@ impl<S: Real> Gauss6<S> {
         }
     }
 
-    /// Writes the new state y + h (5 k₁ + 8 k₂ + 5 k₃) / 18, and the rounding error of this sum.
+    /// Writes the state y + h (5 k₁ + 8 k₂ + 5 k₃) / 18 at the end of the step to `y_new`, and the rounding
+    /// errors of this sum to `carry_new`.
     fn finish(&mut self, h: S) {
         let n = self.y.len();
         for i in 0..n {
@@ -261,13 +302,15 @@ impl<S: Real> Gauss6<S> {
         }
     }
 
-    /// Estimates the error from the defects f − u' at the ends of the step, where collocation does not ask for f.
+    /// Estimates the error of the step of `h` s, in the norm of the error test, from the defects f − u' at
+    /// its ends. Collocation does not satisfy the equations there.
     ///
-    /// A defect d is of order h³, so that e₄ = h d₀ / 20 is of order h⁴ (¹⁄₂₀ is c₁ c₂ c₃, the weight of the third
-    /// divided difference in it). Two vectors are of order h⁵: h (d₀ + d₁) / 20, whose leading terms cancel, and h² J
-    /// d₀ / 20. The first misses linear equations, since the defect is then a multiple of Legendre's polynomial and the
-    /// sum is 0; the second misses terms of time alone. Their absolute values are added, e₅, and combined with e₄ as in
-    /// DOP853: e₅² / √(e₅² + 0.01 e₄²), of order h⁶, while the method's own error is of order h⁷.
+    /// A defect d is of order h³, so that e₄ = h d₀ / 20 is of order h⁴ (¹⁄₂₀ is c₁ c₂ c₃, the
+    /// weight of the third divided difference in it). Two vectors are of order h⁵: h (d₀ + d₁) / 20, whose
+    /// leading terms cancel, and h² J d₀ / 20. The first misses linear equations, since the defect is then a
+    /// multiple of Legendre's polynomial and the sum is 0; the second misses terms of time alone. Their absolute
+    /// values are added, e₅, and combined with e₄ as in DOP853: e₅² / √(e₅² + 0.01 e₄²), of order
+    /// h⁶, while the method's own error is of order h⁷.
     fn error(&mut self, h: S, test: &ErrorTest) -> f64 {
         let n = self.y.len();
         let (zero, one, factor) = (S::int(0), S::int(1), h * S::ratio(1, 20));
@@ -291,6 +334,7 @@ impl<S: Real> Gauss6<S> {
     }
 }
 
+/// Error of a step whose right-hand side provides no Jacobian.
 fn no_jacobian() -> Trouble {
     let message = "the right-hand side has no Jacobian here".to_owned();
     Trouble::Failed(Failure { code: "no-jacobian", message })

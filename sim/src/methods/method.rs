@@ -1,10 +1,11 @@
-//! Step size rules and error norm of each method.
+//! Step size rules and error norm of each integration method.
 
 use super::control::{Earlier, Rules};
 use crate::tolerance::Norm;
 use tripos_traits::Method;
 
-/// Step size rules of a method; `None` if the method estimates no error.
+/// Rules by which a method chooses its step sizes; `None` if it estimates no error and needs equal
+/// steps.
 pub(crate) fn rules(method: Method) -> Option<Rules> {
     match method {
         Method::Rk4 => None,
@@ -33,7 +34,7 @@ pub(crate) fn rules(method: Method) -> Option<Rules> {
     }
 }
 
-/// Norm by which a method joins the errors of components into one number.
+/// Norm by which the error test of a method joins the errors of all components into a single number.
 pub(crate) fn norm(method: Method) -> Norm {
     match method {
         Method::Ode45 | Method::Taylor => Norm::Largest,

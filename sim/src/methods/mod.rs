@@ -1,4 +1,5 @@
-//! Integration methods: a step of each, its error, and the solution inside it.
+//! Integration methods: a trial step of each method, its error and its dense output, with the options
+//! of a run.
 
 pub(crate) mod control;
 pub(crate) mod dense;

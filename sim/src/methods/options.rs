@@ -1,4 +1,4 @@
-//! Options of a run, and the checks that refuse senseless options.
+//! Options of a run, and the checks that refuse invalid options.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -9,43 +9,48 @@ use tripos_traits::{AbsoluteTolerance, Method, RTOL, Real};
 use crate::error::SimError;
 use crate::events::corners::Corner;
 
-/// Lowest and highest order of a method whose order can be chosen.
+/// Lowest and highest order that can be chosen for Taylor's method.
 pub(crate) const ORDERS: (usize, usize) = (2, 60);
 
-/// Options of a run. The default is that of scene files: `ode45` to [`RTOL`] and [`AbsoluteTolerance::default`], with a
-/// limit of a million steps.
+/// Options of a run: method, tolerances, step sizes, corners and output. The default is that of scene
+/// files: `ode45` to [`RTOL`] and [`AbsoluteTolerance::default`], with a limit of a million steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// Method of integration.
+    /// Method of integration of the run.
     pub method: Method,
-    /// Relative tolerance, 0 or more; a positive one below 100 ε is raised to 100 ε, with a warning.
+    /// Relative tolerance of the error of a step, 0 or more. A positive value below 100 ε is raised to 100
+    /// ε, with a warning.
     pub rtol: f64,
-    /// Absolute tolerance, 0 or more, in the units of the state. It must not be 0 if `rtol` is 0.
+    /// Absolute tolerance of the error of a step, 0 or more, in the units of the state. It must not be 0 if
+    /// `rtol` is 0.
     pub atol: AbsoluteTolerance,
-    /// Longest step, s. `None` allows a tenth of the span for `ode45` and `taylor`, and the span for other methods.
-    /// Never below 16 ulp of t.
+    /// Largest size of a step, s. `None` allows a tenth of the span for `ode45` and `taylor`, and the span
+    /// for other methods. Steps are never limited to less than 16 ulp of t.
     pub max_step: Option<f64>,
-    /// First step to try, s; `None` chooses it from the derivative at the start. A method that proposes its steps may
-    /// take a shorter one.
+    /// Size of the first step to try, s; `None` chooses it from the derivative at the start. Taylor's
+    /// method, which proposes its steps, may take a shorter step.
     pub initial_step: Option<f64>,
-    /// Fixed step, s: the span is divided into the smallest number of equal steps that are no longer than this. Errors
-    /// are not estimated then, and tolerances, `max_step` and `initial_step` are ignored; a step that fails ends the
-    /// run.
+    /// Size of equal steps, s; `None` lets error estimates choose the steps. The span is divided into the
+    /// smallest number of equal steps that are no longer than this size.
+    ///
+    /// With equal steps errors are not estimated, and tolerances, `max_step` and `initial_step` are
+    /// ignored. A step that fails ends the run.
     pub step: Option<f64>,
-    /// Order of [`Method::Taylor`], from 2 to 60. `None` derives it from the relative tolerance, or from the smallest
-    /// absolute one if the relative one is 0. No other method has a choice.
+    /// Order of [`Method::Taylor`], from 2 to 60; other methods ignore it. `None` derives it from the
+    /// relative tolerance, or from the smallest absolute tolerance if the relative one is 0.
     pub order: Option<usize>,
     /// Largest number of attempted steps, accepted and rejected together.
     pub step_limit: u64,
-    /// Instants at which the right-hand side is not smooth in time, in any order. A step ends at each of them inside
-    /// the span, so that no step goes across. Equal steps ignore corners.
+    /// Times at which the right-hand side has a kink or a jump, in any order. A step ends at each of them
+    /// inside the span, so that no step goes across. Equal steps ignore corners.
     pub corners: Vec<Corner>,
-    /// Index of the state's component that is the time itself, if one is. Next to a jump it is kept on its side as
-    /// well.
+    /// Index of the state's component that is the time itself; `None` if there is none. Near a jump this
+    /// component is kept on the step's side of the jump, like the time.
     pub clock: Option<usize>,
-    /// Points of the solution to keep.
+    /// Choice of the points of the solution that are kept.
     pub output: Output,
-    /// Follower that is asked after every accepted step whether to go on; it has no influence on the steps themselves.
+    /// Function that is called after each accepted step and may end the run; `None` if there is none. It
+    /// has no influence on the steps.
     pub poll: Option<Poll>,
 }
 
@@ -69,8 +74,8 @@ impl Default for Options {
 }
 
 impl Options {
-    /// Default options with other tolerances: relative, and absolute as one number or a list with one for each
-    /// component.
+    /// Default options with these tolerances. The absolute tolerance is a single number, or a list with a
+    /// number for each component of the state.
     ///
     /// ```
     /// use tripos_sim::{Method, Options};
@@ -85,35 +90,37 @@ impl Options {
 /// Choice of the points of a solution that are kept.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Output {
-    /// The start, then `refine` points for each step: its end and `refine` − 1 inside, evenly spaced in time, from the
-    /// dense output. `ode45` uses 4. If there would be more than 200 000 points, every second one is dropped, as often
-    /// as needed: memory does not grow with the number of steps.
+    /// The start, then `refine` points for each step, evenly spaced in time: the end of the step, and
+    /// points inside it from the dense output. `ode45` uses 4.
+    ///
+    /// If there would be more than 200 000 points, every second point is dropped, as often as needed:
+    /// memory does not grow with the number of steps.
     Steps {
-        /// Number of points for each step, at least 1.
+        /// Number of points for each step, at least 1; with 1 only the end of each step is kept.
         refine: usize,
     },
-    /// Points at these times, s, from the dense output: in the direction of the run, within its span. They have no
-    /// influence on the steps (in `ode45` the first one bounds the initial step). Times beyond an early end are left
-    /// out.
+    /// Points at these times, s, from the dense output. They must be in the direction of the run and within
+    /// its span. They have no influence on the steps. Times beyond an early end of the run are left out.
     At(Vec<f64>),
-    /// Start and end of the run only: memory does not grow with the number of steps.
+    /// Only the start and the end of the run are kept.
     Ends,
 }
 
-/// Follower of a run. It is told the time, s, that each accepted step has reached, and answers whether to go on.
+/// Function that follows a run and can interrupt it. It is called with the time, s, that each accepted
+/// step has reached, and answers if the run goes on.
 ///
-/// The steps are the same for any answers. A run that a follower ends has
+/// The steps are the same for any answers. A run that is interrupted ends with
 /// [`Stop::Interrupted`](crate::Stop::Interrupted), and the solution up to that time.
 #[derive(Clone)]
 pub struct Poll(Arc<dyn Fn(f64) -> ControlFlow<()> + Send + Sync>);
 
 impl Poll {
-    /// Makes a follower that asks this function: it is told the time, s, and breaks to end the run.
+    /// Creates a poll from a function of the time, s. The function returns `Break` to end the run.
     pub fn new(function: impl Fn(f64) -> ControlFlow<()> + Send + Sync + 'static) -> Self {
         Self(Arc::new(function))
     }
 
-    /// True if the follower ends the run, which has reached the time `t`, s.
+    /// True if the poll ends the run, which has reached time `t`, s; false if there is no poll.
     pub(crate) fn ends(poll: Option<&Self>, t: f64) -> bool {
         poll.is_some_and(|poll| (poll.0)(t).is_break())
     }
@@ -125,14 +132,14 @@ impl fmt::Debug for Poll {
     }
 }
 
-/// Polls are equal if both call one and the same function.
+/// Polls are equal if both call the same function object.
 impl PartialEq for Poll {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
 }
 
-/// Refuses questions that cannot be run; tolerances are checked elsewhere.
+/// Refuses a span, a start or options with which no run is possible. Tolerances are checked elsewhere.
 pub(crate) fn check<S: Real>(span: (f64, f64), y0: &[S], options: &Options) -> Result<(), SimError> {
     check_span(span, y0)?;
     check_steps(span, options)?;
@@ -145,7 +152,7 @@ pub(crate) fn check<S: Real>(span: (f64, f64), y0: &[S], options: &Options) -> R
     check_output(span, &options.output)
 }
 
-/// Refuses a span that is empty or not finite, and a start that is not finite.
+/// Refuses a span that is empty or not finite, and a start `y0` that is not finite.
 pub(crate) fn check_span<S: Real>(span: (f64, f64), y0: &[S]) -> Result<(), SimError> {
     let (t0, t1) = span;
     if !(t0.is_finite() && t1.is_finite() && (t1 - t0).is_finite()) {
@@ -160,7 +167,8 @@ pub(crate) fn check_span<S: Real>(span: (f64, f64), y0: &[S]) -> Result<(), SimE
     Ok(())
 }
 
-/// Refuses output that a run over this span cannot have.
+/// Refuses output that a run over `span`, s, cannot have: no points for a step, or times outside the
+/// span or out of order.
 pub(crate) fn check_output(span: (f64, f64), output: &Output) -> Result<(), SimError> {
     match output {
         Output::Steps { refine: 0 } => Err(SimError::Option { name: "refine", must: "at least 1" }),
@@ -169,6 +177,8 @@ pub(crate) fn check_output(span: (f64, f64), output: &Output) -> Result<(), SimE
     }
 }
 
+/// Refuses step sizes that are not positive and finite, corners that are not finite, and a method
+/// without the fixed step that it needs.
 fn check_steps(span: (f64, f64), options: &Options) -> Result<(), SimError> {
     let (t0, t1) = span;
     if let Some(corner) = options.corners.iter().find(|corner| !corner.at.is_finite()) {
@@ -191,6 +201,8 @@ fn check_steps(span: (f64, f64), options: &Options) -> Result<(), SimError> {
     }
 }
 
+/// Refuses output times that lie outside the span from `t0` to `t1`, s, or are not in the direction of
+/// the run.
 fn check_times(times: &[f64], t0: f64, t1: f64) -> Result<(), SimError> {
     let mut previous = t0;
     for (index, &t) in times.iter().enumerate() {

@@ -1,8 +1,9 @@
-//! Classical Runge–Kutta method, with the cubic through the ends of a step as its dense output.
+//! Classical Runge–Kutta method of order 4, with the cubic through the ends of a step as its dense
+//! output.
 //!
-//! W. Kutta, "Beitrag zur näherungsweisen Integration totaler Differentialgleichungen", Z. Math. Phys. 46 (1901)
-//! 435–453: k₁ = f(t, y), k₂ = f(t + h/2, y + h/2 k₁), k₃ = f(t + h/2, y + h/2 k₂), k₄ = f(t + h, y + h k₃), and
-//! the new point is y + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄).
+//! W. Kutta, "Beitrag zur näherungsweisen Integration totaler Differentialgleichungen", Z. Math. Phys.
+//! 46 (1901) 435–453. The stages are k₁ = f(t, y), k₂ = f(t + h/2, y + h/2 k₁), k₃ = f(t + h/2, y + h/2
+//! k₂) and k₄ = f(t + h, y + h k₃). The new state is y + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄).
 
 use tripos_traits::Real;
 
@@ -10,30 +11,38 @@ use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
 use crate::tolerance::ErrorTest;
 
-/// State of the classical Runge–Kutta method. `k[0]` is the derivative at the start of the step, `k[4]` at its end.
+/// Classical Runge–Kutta method in a run: the current step with its stages.
 pub(crate) struct Rk4<S> {
+    /// Time at the start of the step, s.
     t: f64,
+    /// Time at the end of the step, s.
     t_new: f64,
+    /// State at the start of the step.
     y: Vec<S>,
+    /// State at which a stage is evaluated; after the last stage, the state at the end of the step.
     y_new: Vec<S>,
+    /// Derivatives of the four stages, then the derivative at the end of the step.
     k: [Vec<S>; 5],
+    /// Number of calls of the right-hand side so far.
     evaluations: u64,
 }
 
 impl<S: Real> Rk4<S> {
-    /// Creates the method for `n` equations.
+    /// Creates the method for a state of `n` components.
     pub(crate) fn new(n: usize) -> Self {
         let zeros = || vec![S::from_f64(0.0); n];
         Self { t: 0.0, t_new: 0.0, y: zeros(), y_new: zeros(), k: [(); 5].map(|()| zeros()), evaluations: 0 }
     }
 
+    /// Evaluates f at time `t`, s, and state `y_new`, and stores it as this stage. Error if a number is not
+    /// finite or f has no value.
     fn evaluate<R: RightHandSide<S>>(&mut self, rhs: &mut R, stage: usize, t: f64) -> Result<(), Trouble> {
         check_finite(&self.y_new)?;
         self.evaluations += 1;
         evaluate(rhs, t, &self.y_new, &mut self.k[stage])
     }
 
-    /// Writes the next point to evaluate, y + h k of the stage, to `y_new`.
+    /// Writes the next state to evaluate, y + h k with the derivative k of the stage, to `y_new`.
     fn follow(&mut self, stage: usize, h: S) {
         for ((y_new, y), k) in self.y_new.iter_mut().zip(&self.y).zip(&self.k[stage]) {
             *y_new = *y + h * *k;

@@ -1,13 +1,14 @@
 //! Taylor's method: the solution inside a step is the Taylor polynomial at its start.
 //!
-//! Invariant: `x` has the coefficients at (t, y) row by row, row k of order k; after a trial step that passed its error
-//! test `next` has those at its end. The coefficients come from the right-hand side, by recurrence. The order is fixed
-//! for a run and follows from its tolerance. The length of a step follows from the last two coefficients before the
-//! step is taken, so that steps are hardly ever rejected. The same polynomial is the dense output. A. Jorba & M. Zou,
-//! "A software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental
-//! Mathematics 14 (2005) 99–117, §3.
+//! Invariant: `x` has the coefficients at (t, y) row by row, row k of order k; after a trial step that
+//! passed its error test `next` has those at its end. The coefficients come from the right-hand side,
+//! by recurrence. The order is fixed for a run and follows from its tolerance. The length of a step
+//! follows from the last two coefficients before the step is taken, so that steps are hardly ever
+//! rejected. The same polynomial is the dense output. A. Jorba & M. Zou, "A software package for the
+//! numerical integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 14
+//! (2005) 99–117, §3.
 //!
-//! The rounding error of a step's sum of terms is carried to the next step.
+//! The rounding error of a step's sum of terms is added in the next step (compensated summation).
 
 use tripos_traits::Real;
 
@@ -16,17 +17,21 @@ use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite};
 use crate::tolerance::ErrorTest;
 
-/// Orders per unit of the natural logarithm of the tolerance. Jorba and Zou have ½, from a cost of order p²; here the
-/// part of the cost that grows so is small.
+/// Increase of the order of Taylor's method per unit of −ln(tolerance). Jorba and Zou have ½, from a
+/// cost of order p²; here the part of the cost that grows so is small.
 const ORDERS_PER_DIGIT: f64 = 0.7;
 
-/// Largest jump of the derivative from step to step, as an error over the allowed error. The jump holds the first term
-/// that was cut off, which a good step leaves below the allowed error, and all terms after it.
+/// Largest allowed jump of the derivative between the Taylor polynomials of two steps, as an error over
+/// the allowed error.
+///
+/// The jump contains the first term that was cut off, which a good step leaves below the allowed error,
+/// and all later terms.
 pub(crate) const ALLOWED_JUMP: f64 = 10.0;
 
-/// Order of Taylor's method that reaches a tolerance at the least cost, unless the options state an order.
+/// Order of Taylor's method for a run: that of the options, or else the order that reaches the
+/// tolerance at the least cost.
 ///
-/// The relative tolerance decides, or the smallest absolute one if the relative one is 0.
+/// The relative tolerance decides, or the smallest absolute tolerance if the relative one is 0.
 pub(crate) fn order_for(options: &Options) -> usize {
     let tolerance = if options.rtol > 0.0 { options.rtol } else { options.atol.smallest() };
     let wanted = 2.0 - ORDERS_PER_DIGIT * tolerance.clamp(f64::MIN_POSITIVE, 0.1).ln();
@@ -36,32 +41,43 @@ pub(crate) fn order_for(options: &Options) -> usize {
     options.order.unwrap_or(order).clamp(ORDERS.0, ORDERS.1)
 }
 
-/// State of Taylor's method between and inside steps.
+/// Taylor's method in a run: the current step with its coefficients.
 pub(crate) struct Taylor<S> {
+    /// Number of components of the state.
     n: usize,
+    /// Order of the Taylor polynomials.
     order: usize,
+    /// Time at the start of the step, s.
     t: f64,
+    /// Time at the end of the step, s.
     t_new: f64,
-    /// Coefficients at the start of the step, row by row; `usable` is the highest order up to which all are finite.
+    /// Taylor coefficients at the start of the step, (order + 1) × n entries: row k has those of order k.
     x: Vec<S>,
+    /// Highest order up to which all coefficients in `x` are finite.
     usable: usize,
-    /// Coefficients at the end of the last tried step.
+    /// Taylor coefficients at the end of the last tried step, (order + 1) × n entries.
     next: Vec<S>,
+    /// Highest order up to which all coefficients in `next` are finite.
     next_usable: usize,
-    /// Parts that rounding cut off the state at the start of the step; `carry_new` has those at its end.
+    /// Rounding errors of the state at the start of the step, which are added in the next sum (compensated
+    /// summation).
     carry: Vec<S>,
+    /// Rounding errors of the state at the end of the step, for the sum of the next step (compensated
+    /// summation).
     carry_new: Vec<S>,
-    /// Norms of the coefficients of the last two orders, over the weights of the error test.
+    /// Norms of the coefficients of the last two usable orders, over the weights of the error test.
     norms: [f64; 2],
-    /// Jump of the derivative at the end of the last tried step, as an error of the state.
+    /// Jump of the derivative at the end of the last tried step, expressed as an error of the state.
     jump: Vec<S>,
+    /// Number of calls for Taylor coefficients so far.
     evaluations: u64,
-    /// True if the state may be moved after each step: a trial step then computes only the derivative at its end.
+    /// True if the driver may move the state after each step. A trial step then computes only the
+    /// derivative at its end.
     moved: bool,
 }
 
 impl<S: Real> Taylor<S> {
-    /// Creates the method for `n` equations with this order.
+    /// Creates Taylor's method of this order for a state of `n` components.
     pub(crate) fn new(n: usize, order: usize) -> Self {
         let zeros = |n: usize| vec![S::from_f64(0.0); n];
         Self {
@@ -82,7 +98,8 @@ impl<S: Real> Taylor<S> {
         }
     }
 
-    /// Computes the coefficients up to this order at the end of the step, from the state in `next`.
+    /// Computes the Taylor coefficients up to `order` at time `t`, s, from the state in the first row of
+    /// `next`. Error if they are not known, or if the derivative is not finite.
     fn expand<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, order: usize) -> Result<(), Trouble> {
         // The derivative alone costs little, as it needs no sums.
         self.evaluations += u64::from(order > 1);
@@ -101,7 +118,8 @@ impl<S: Real> Taylor<S> {
         check_finite(row(1))
     }
 
-    /// Writes the state y + Σ x_k hᵏ at the end of the step to `next`, and its rounding error to `carry_new`.
+    /// Writes the state y + Σ x_k hᵏ at the end of a step of `h` s to `next`, and its rounding errors to
+    /// `carry_new`.
     fn advance(&mut self, h: S) {
         let (n, x) = (self.n, &self.x);
         polynomial(x, n, self.usable, h, &mut self.next[..n]);
@@ -115,16 +133,19 @@ impl<S: Real> Taylor<S> {
         }
     }
 
-    /// Larger of the last two terms of the polynomial after `h` seconds, over the allowed error.
+    /// Larger of the last two terms of the Taylor polynomial after `h` seconds, over the weights of the
+    /// error test.
     fn last_terms(&self, h: f64) -> f64 {
         let [before, last] = self.norms;
         let power = powi(h, self.usable - 1);
         (before * power).max(last * (power * h))
     }
 
-    /// Norm of the jump of the derivative at the end of the step, from the polynomial to the solution that starts
-    /// there. It is measured as the error of the state that a term of the next order would make. It matters if the last
-    /// terms happen to vanish: of x'' = -x^3 through x = 0 only every fourth term is not zero.
+    /// Norm of the jump of the derivative at the end of a step of `h` s, between its polynomial and the
+    /// next. It is expressed as the error of the state that a term of the next order would make.
+    ///
+    /// It matters if the last terms happen to vanish: of x'' = −x³ through x = 0 only every fourth term is
+    /// not zero.
     fn jump(&mut self, test: &ErrorTest, h: S) -> f64 {
         let n = self.n;
         self.jump.fill(S::from_f64(0.0));
@@ -142,12 +163,14 @@ impl<S: Real> Taylor<S> {
     }
 }
 
+/// Power hⁿ with a whole exponent.
 pub(crate) fn powi(h: f64, n: usize) -> f64 {
     h.powi(i32::try_from(n).unwrap_or(i32::MAX))
 }
 
-/// Size of a step, s, after which the terms of the last two orders are as large as the allowed errors. It follows from
-/// the norms of their coefficients; `order` is the higher of both.
+/// Size of a step, s, after which the terms of the last two orders are as large as the tolerance
+/// allows. `norms` are the weighted norms of their coefficients; `order` is the higher of the two
+/// orders.
 pub(crate) fn proposed_size(norms: [f64; 2], order: usize, tolerance: f64) -> f64 {
     let [before, last] = norms.map(|norm| norm / tolerance);
     // The term of order k is as large as the allowed error after norm^(−1/k) seconds.
@@ -157,7 +180,8 @@ pub(crate) fn proposed_size(norms: [f64; 2], order: usize, tolerance: f64) -> f6
     size * (1.0 - 1e-9)
 }
 
-/// Writes Σ x_k h^(k−1) over 1 ≤ k ≤ `order` for each of `n` polynomials.
+/// Writes Σ x_k h^(k−1) over 1 ≤ k ≤ `order` to `out`, for each of `n` polynomials. Row k of `x` has
+/// the coefficients of order k.
 fn polynomial<S: Real>(x: &[S], n: usize, order: usize, h: S, out: &mut [S]) {
     let mut at = 0;
     while at < n {
@@ -170,8 +194,8 @@ fn polynomial<S: Real>(x: &[S], n: usize, order: usize, h: S, out: &mut [S]) {
     }
 }
 
-/// Evaluates `N` of the polynomials, from `at` on; even and odd orders apart, so that they need not wait for each
-/// other.
+/// Evaluates Σ x_k h^(k−1) for `N` of the `n` polynomials, from index `at` on, and returns N. Even and
+/// odd orders are summed separately, so that neither waits for the other.
 #[inline]
 fn block<S: Real, const N: usize>(x: &[S], n: usize, at: usize, order: usize, h: S, out: &mut [S]) -> usize {
     let zero = [S::from_f64(0.0); N];

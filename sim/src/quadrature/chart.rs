@@ -1,36 +1,40 @@
-//! Variables by which stretches of a motion by quadrature are measured, and the kinetic energy along them.
+//! Variables w in which parts (stretches) of a motion of one degree of freedom are integrated, and the
+//! kinetic energy along them.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
 use super::energy::Energy;
 use tripos_traits::Scalar;
 
-/// Map from the variable w ≥ 0 of a stretch of the motion to the coordinate q.
+/// Map from the variable w ≥ 0, by which a stretch of the motion is integrated, to the coordinate q.
+/// `end` is q at w = 0, and `side` is 1 or −1, the sign of dq/dw.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Chart {
-    /// From a turning point halfway to the other one: q = end + side · length · sin²(w/2).
+    /// From a turning point halfway to the other turning point, `length` away: q = end + side · length ·
+    /// sin²(w/2).
     Arc { end: f64, side: f64, length: f64 },
-    /// From the only turning point of the motion on: q = end + side · w²/2.
+    /// From the only turning point of the motion: q = end + side · w²/2.
     Root { end: f64, side: f64 },
-    /// From a place that is not a turning point: q = end + side · w.
+    /// From a coordinate that is not a turning point: q = end + side · w.
     Line { end: f64, side: f64 },
-    /// From the place where the kinetic energy is least, `kinetic` there: q = end + side · width · sinh w. So dt/dw
-    /// stays regular, however little kinetic energy is left at that place.
+    /// From the coordinate of the least kinetic energy, `kinetic`, J: q = end + side · width · sinh w.
+    /// dt/dw stays regular, however little kinetic energy is left there.
     Crest { end: f64, side: f64, width: f64, kinetic: f64 },
 }
 
-/// A place on a stretch of the motion, or a place in each lane.
+/// Point on a stretch of the motion, or a point in each lane of a vector type `S`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place<S = f64> {
+    /// Coordinate q of the point.
     pub(super) q: S,
-    /// Distance |q − end| from the start of the stretch.
+    /// Distance |q − end| of the point from the start of the stretch, in the unit of q.
     pub(super) offset: S,
-    /// Slope dq/dw of the coordinate, up to its sign.
+    /// Absolute slope |dq/dw| of the coordinate by the variable of the stretch.
     pub(super) reach: S,
 }
 
 impl Chart {
-    /// Place of the stretch at the variable `w`.
+    /// Computes the point of the stretch (the integrated part of the motion) at its variable `w`.
     #[inline(always)]
     pub(super) fn at<S: Scalar>(&self, w: S) -> Place<S> {
         let (half, (end, side)) = (S::from_f64(0.5), self.start());
@@ -49,7 +53,7 @@ impl Chart {
         Place { q: S::from_f64(end) + S::from_f64(side) * offset, offset, reach }
     }
 
-    /// Coordinate q where w is 0, and the sign of dq/dw.
+    /// Coordinate q at w = 0, and the sign of dq/dw, 1 or −1.
     pub(super) fn start(&self) -> (f64, f64) {
         let (Self::Arc { end, side, .. }
         | Self::Root { end, side }
@@ -58,9 +62,11 @@ impl Chart {
         (end, side)
     }
 
-    /// Kinetic energy over the square of the reach, T/(dq/dw)². From a turning point it is −V\[end, q\] over the
-    /// distance from the other turning point (2 if there is none). `slope` gives V\[a, b\]. From a crest both parts of
-    /// T are positive.
+    /// Kinetic energy over the square of the slope, T/(dq/dw)², at a point of the stretch. `slope(a, b)` is
+    /// the divided difference V\[a, b\] of the potential energy.
+    ///
+    /// From a turning point it is −V\[end, q\] over the distance from the other turning point (2 if there
+    /// is none). From a crest both parts of T are positive.
     #[inline(always)]
     pub(super) fn level<S: Scalar>(&self, energy: &Energy<'_>, slope: impl Fn(S, S) -> S, at: &Place<S>) -> S {
         let (end, side) = self.start();
@@ -76,7 +82,8 @@ impl Chart {
         }
     }
 
-    /// Kinetic energy T at a place, computed from the anchor, or from the turning point if there is no anchor.
+    /// Kinetic energy T, J, at a point of the stretch, computed from the anchor; `None` computes it from
+    /// the start of the stretch. `slope(a, b)` is the divided difference V\[a, b\] of the potential energy.
     #[inline(always)]
     pub(super) fn kinetic<S: Scalar>(
         &self,
@@ -96,21 +103,26 @@ impl Chart {
     }
 }
 
-/// Place from which the kinetic energy is computed, with its value there.
+/// Point of a stretch with known kinetic energy, from which the kinetic energy at later points is
+/// computed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Anchor {
+    /// Coordinate q of the point with known kinetic energy.
     pub(super) q: f64,
+    /// Distance of the anchor from the start of the stretch, in the unit of q.
     pub(super) offset: f64,
+    /// Kinetic energy at the coordinate `q`, J.
     pub(super) kinetic: f64,
-    /// Sum of the energies that were added up to this place, each with its rounding error.
+    /// Sum of the energies that were added up to the anchor, J, each with its rounding error.
     added: f64,
 }
 
 impl Anchor {
-    /// Makes the anchor at the end of a panel, where the energy `kinetic` follows from the anchor before.
+    /// Creates the anchor at the end of a panel, a subinterval of the stretch. `kinetic` is the energy
+    /// there, J, computed from the anchor `before`.
     ///
-    /// Energies that are larger than the remaining sum leave their rounding errors in it. Then the energy is counted
-    /// from the start of the motion, if the kinetic energy there is smaller.
+    /// Energies that are larger than the remaining sum leave their rounding errors in it. Then the energy
+    /// is counted from the start of the motion, if the kinetic energy there is smaller.
     pub(super) fn next(before: Option<Self>, energy: &Energy<'_>, end: &Place, kinetic: f64) -> Self {
         let added = before.map_or(0.0, |before| before.added + before.kinetic) + kinetic;
         let Place { q, offset, .. } = *end;

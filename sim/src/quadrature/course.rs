@@ -1,60 +1,72 @@
-//! Whole motion of one degree of freedom as stretches, gone through to and fro.
+//! Whole motion of one degree of freedom by quadrature, composed of stretches that the motion passes in
+//! both directions.
 
 use super::chart::{Chart, Place};
 use super::energy::{Crest, Energy};
 use super::error::{NoQuadrature, Obstacle};
 use super::track::{Goal, PanelPlace, Scratch, Track};
 
-/// Largest number of panels of a stretch between turning points, rejected attempts included.
+/// Largest number of panels (subintervals) of a stretch between two turning points, with rejected
+/// attempts.
 const PANELS_OF_SWING: u32 = 2000;
-/// Largest number of panels of a stretch without an end.
+/// Largest number of panels (subintervals) of a stretch that has no second end.
 const PANELS: u32 = 20_000;
-/// Number of panels in which a motion without a known turning point is examined for one.
+/// Number of panels in which a motion without a known turning point is searched for one.
 const EXPLORED: usize = 100;
-/// Largest number of times that the motion may meet a turning point that the search missed.
+/// Largest number of turning points that the search may miss and the motion may meet.
 const MISSED_LIMIT: u32 = 16;
 
-/// Shape of a motion of one degree of freedom. Times τ, s, are counted from a turning point, if there is one, or else
-/// from the start.
+/// Kind of a motion of one degree of freedom, with its integrated stretches. Times τ, s, are counted
+/// from a turning point if there is one.
 #[derive(Clone, Debug)]
 pub(super) enum Course {
-    /// The motion rests for ever.
+    /// The motion rests at its start for ever.
     Rest,
-    /// The motion goes to and fro between two turning points. One half of it starts from the lower (τ = 0), the other
-    /// from the upper turning point.
+    /// The motion oscillates between two turning points. The first half starts from the lower turning point
+    /// (τ = 0), the second from the upper.
     Swing { halves: Box<[Track; 2]> },
-    /// The coordinate goes round; everything repeats after `length` of it. One half goes from the place of least
-    /// kinetic energy (τ = 0) half way on, the other from the next such place half way back.
+    /// The coordinate rotates in one direction, and the motion repeats after the signed `length` of it.
+    ///
+    /// The first half goes from the coordinate of least kinetic energy (τ = 0) half way on. The second goes
+    /// from the next such coordinate half way back.
     Rotation { halves: Box<[Track; 2]>, length: f64, rising: bool },
-    /// The motion goes to a turning point (τ = 0) and back.
+    /// The motion comes to a single turning point (τ = 0) and goes back.
     Return { track: Box<Track> },
-    /// The motion goes past the start (τ = 0), forward and backward, without a turn.
+    /// The motion passes its start (τ = 0) without a turning point. The stretches lead forward and backward
+    /// in time.
     Pass { tracks: Box<[Track; 2]>, rising: bool },
 }
 
-/// Place of the motion at an instant: a stretch, a place on it, and the data that turn the stretch's quadratures into
-/// those of the motion.
+/// Point of a motion by quadrature at an instant: the stretch, the point on it, and data that turn
+/// integrals along the stretch into integrals along the motion.
 pub(super) struct Spot<'c> {
+    /// Stretch (integrated part of the motion) on which the point lies.
     pub(super) track: &'c Track,
+    /// Point on the stretch: its panel and its variable w.
     pub(super) found: PanelPlace,
     /// True if the coordinate q rises at this instant.
     pub(super) rising: bool,
-    /// Number of whole periods before this instant.
+    /// Number of whole periods from τ = 0 to this instant.
     turns: f64,
-    /// Coordinate of the motion minus the coordinate of the place on the stretch.
+    /// Coordinate of the motion minus the coordinate of the point on the stretch.
     pub(super) shift: f64,
-    /// True if a period goes both ways.
+    /// True if q both rises and falls in a period.
     returns: bool,
-    /// Both stretches of a period. If `whole` is true, the place is counted back from the end of the second; sums of
-    /// quadratures count with `sign`.
+    /// Both stretches of a period; `None` for a motion without a period.
     halves: Option<&'c [Track; 2]>,
+    /// True if the first half is passed completely; the point is then counted back from the end of the
+    /// second.
     whole: bool,
+    /// Sign, 1 or −1, with which integrals along the stretch count.
     sign: f64,
 }
 
 impl Course {
-    /// Finds the course from the start of `energy`. `turns` are the turning points below and above, if they are known;
-    /// turning points that the motion meets are added. `q` holds the coordinates of the start.
+    /// Finds the kind of the motion from the start of `energy`, where the coordinates are `q` and the speed
+    /// is `v`.
+    ///
+    /// `turns` are the turning points below and above the start, if known; turning points that the motion
+    /// meets are added. Error if the integrals are not resolved.
     pub(super) fn new(
         energy: &Energy<'_>,
         q: &[f64],
@@ -100,6 +112,8 @@ impl Course {
         Err(NoQuadrature::Unresolved { at: energy.start, panels: PANELS_OF_SWING })
     }
 
+    /// Creates the oscillation between two turning points, with integrated stretches for `n` coordinates.
+    /// Error if a stretch is not resolved or meets a barrier.
     fn swing(
         energy: &Energy<'_>,
         n: usize,
@@ -120,8 +134,8 @@ impl Course {
         Ok(Self::Swing { halves })
     }
 
-    /// Course of a motion that goes round with the motion variable `v` at the start: everything repeats after `length`
-    /// of the coordinate. An inner error is a barrier that stops it.
+    /// Creates the motion that rotates with the speed `v` at the start, and repeats after `length` of the
+    /// coordinate. The inner error is a barrier, or a stretch that is not resolved.
     fn rotation(
         energy: &Energy<'_>,
         n: usize,
@@ -148,7 +162,8 @@ impl Course {
         Ok(Ok(Self::Rotation { halves, length: side * length, rising }))
     }
 
-    /// Time τ of the start of the motion, s.
+    /// Time τ of the start of the motion, s. `v` is the speed at the start. Error if the stretch to it is
+    /// not resolved.
     pub(super) fn lead(&mut self, energy: &Energy<'_>, v: f64, scratch: &mut Scratch<'_>) -> Result<f64, Obstacle> {
         let rising = energy.rises(v);
         match self {
@@ -174,7 +189,8 @@ impl Course {
         }
     }
 
-    /// Follows a motion that seems not to turn for some panels: a narrow barrier that the search missed may show there.
+    /// Follows a motion without a known turning point for some panels, to find a narrow barrier that the
+    /// search missed. The barrier is the error.
     pub(super) fn explore(&mut self, energy: &Energy<'_>, scratch: &mut Scratch<'_>) -> Result<(), Obstacle> {
         let track = match self {
             Self::Rest | Self::Swing { .. } | Self::Rotation { .. } => return Ok(()),
@@ -182,13 +198,14 @@ impl Course {
             Self::Pass { tracks, .. } => &mut tracks[0],
         };
         match track.extend(energy, scratch, Goal::Panels(EXPLORED), PANELS) {
-            // Panels that were not needed for an answer may stay unresolved.
+            // This follows the motion farther than was asked for, so that unresolved panels are no error.
             Err(Obstacle::Unresolved(_)) | Ok(()) => Ok(()),
             barrier => barrier,
         }
     }
 
-    /// Integrates the stretches as far as the time τ, s, needs.
+    /// Integrates the stretches as far as the time τ, s, needs. Error if they are not resolved or meet a
+    /// barrier.
     pub(super) fn cover(&mut self, energy: &Energy<'_>, tau: f64, scratch: &mut Scratch<'_>) -> Result<(), Obstacle> {
         match self {
             Self::Rest | Self::Swing { .. } | Self::Rotation { .. } => Ok(()),
@@ -200,7 +217,7 @@ impl Course {
         }
     }
 
-    /// Period of the motion, s; `None` if it does not repeat.
+    /// Period of the motion, s; `None` if the motion does not repeat.
     pub(super) fn period(&self) -> Option<f64> {
         match self {
             Self::Swing { halves } => Some(2.0 * (halves[0].duration() + halves[1].duration())),
@@ -209,7 +226,7 @@ impl Course {
         }
     }
 
-    /// Place of the motion at the time τ, s; `None` at rest, and at times that were not covered yet.
+    /// Point of the motion at the time τ, s; `None` at rest, and at times that are not covered yet.
     pub(super) fn spot(&self, tau: f64) -> Option<Spot<'_>> {
         match self {
             Self::Rest => None,
@@ -242,6 +259,8 @@ impl Course {
         }
     }
 
+    /// Point at the time τ, s, of a motion without a period, on this stretch. `None` if the stretch is not
+    /// integrated so far.
     fn alone(track: &Track, tau: f64, rising: bool) -> Option<Spot<'_>> {
         if track.times.len() < 2 || tau.abs() > track.duration() {
             // A stretch without panels is used only at τ = 0.
@@ -261,7 +280,8 @@ impl Course {
         })
     }
 
-    /// Times τ at which panels meet, s, in order; those of one period if the motion has a period.
+    /// Times τ at which panels (subintervals) meet, s, in ascending order. They are those of a single
+    /// period if there is a period.
     pub(super) fn nodes(&self) -> Vec<f64> {
         let mut nodes: Vec<f64> = match self {
             Self::Rest => Vec::new(),
@@ -283,6 +303,7 @@ impl Course {
         nodes
     }
 
+    /// Stretches (integrated parts) of the motion; none for a motion at rest.
     pub(super) fn tracks(&self) -> &[Track] {
         match self {
             Self::Rest => &[],
@@ -293,7 +314,8 @@ impl Course {
     }
 }
 
-/// Adds the turning point between the start and a barrier that the motion met. An unresolved stretch is an error.
+/// Adds to `turns` the turning point between the start and a barrier that the motion met. Error for a
+/// stretch that is not resolved by `panels` panels.
 pub(super) fn note(
     energy: &Energy<'_>,
     turns: &mut [Option<f64>; 2],
@@ -309,7 +331,8 @@ pub(super) fn note(
     }
 }
 
-/// Adds a turning point like [`note`], for a motion that was followed without an end.
+/// Adds to `turns` the turning point before a barrier that a motion without a known end met. Error for
+/// a stretch that is not resolved.
 pub(super) fn note_far(
     energy: &Energy<'_>,
     turns: &mut [Option<f64>; 2],
@@ -319,7 +342,8 @@ pub(super) fn note_far(
 }
 
 impl Spot<'_> {
-    /// Quadrature of coordinate i = 1, 2 … from τ = 0 to this instant.
+    /// Integral of the rate of coordinate `i` ≥ 1 from τ = 0 to this instant. `count` is the number of
+    /// coordinates other than coordinate 0.
     pub(super) fn quadrature(&self, i: usize, count: usize) -> f64 {
         let along = |rising: bool| if rising { i } else { i + count };
         let own = self.track.value(&self.found, along(self.rising));
@@ -332,20 +356,22 @@ impl Spot<'_> {
 }
 
 impl Track {
-    /// Time at the variable w, s, from the start of the stretch.
+    /// Time from the start of the stretch (the integrated part of the motion) to its point at the variable
+    /// `w`, s.
     fn time_at(&self, w: f64) -> f64 {
         self.value(&self.at_variable(w), 0)
     }
 
-    /// True if q rises along the stretch.
+    /// True if the coordinate q rises with the variable w of the stretch.
     fn opens_upwards(&self) -> bool {
         self.chart.start().1 > 0.0
     }
 
-    /// Variable w of the motion's start; `None` if the start lies in the other half of a swing or a turn.
+    /// Variable w of the motion's start on this stretch; `None` if the start lies on the other half of the
+    /// motion.
     ///
-    /// Next to the turning point w follows from T₀ = (reach)² G: the difference of coordinates would keep only half of
-    /// its digits.
+    /// Near the turning point w follows from T₀ = (dq/dw)² G. The difference of coordinates would keep only
+    /// half of its digits.
     fn phase(&self, energy: &Energy<'_>) -> Option<f64> {
         let (end, side) = self.chart.start();
         let offset = (side * (energy.start - end)).max(0.0);
@@ -366,7 +392,7 @@ impl Track {
             Chart::Root { .. } => Some(reach.unwrap_or_else(|| (2.0 * offset).sqrt())),
             Chart::Line { .. } => Some(0.0),
             Chart::Crest { width, .. } => {
-                // The middle of a turn lies in at least one half, however it is rounded.
+                // A start in the middle of a period belongs to at least one of its halves, in spite of rounding.
                 let half = self.chart.at(self.end()).offset;
                 (offset <= half * (1.0 + 1e-9)).then(|| (offset / width).asinh().min(self.end()))
             }

@@ -1,44 +1,52 @@
-//! Energy of one degree of freedom, and the turning points of the motion.
+//! Energy integral of a system with one degree of freedom, and the turning points of its motion.
 
 use tripos_traits::System;
 
 use super::error::{NoQuadrature, Obstacle};
 
-/// Largest number of iterations for a turning point, each of which at least halves a bracket or the last step.
+/// Largest number of iterations in the search for a turning point; each at least halves a bracket or
+/// the last step.
 const ITERATIONS: u32 = 2000;
-/// Largest number of steps of the search for a turning point; the first is a millionth of the size of the coordinate.
+/// Largest number of steps in the search for a turning point. The first step is a millionth of the size
+/// of the coordinate.
 const SEARCH: u32 = 100;
-/// Largest number of steps of the search for a turning point along a coordinate that goes round.
+/// Largest number of steps in the search for a turning point along a coordinate after whose period
+/// everything repeats.
 const SEARCH_OF_TURN: u32 = 1000;
-/// Number of places of a turn among which the least kinetic energy is first sought.
+/// Number of samples in a period of the coordinate among which the least kinetic energy is first
+/// sought.
 const SAMPLES: u32 = 64;
 
-/// A system with one degree of freedom, with the energy of its start.
+/// System with one degree of freedom, with the energy of the start of its motion.
 #[derive(Clone, Debug)]
 pub(super) struct Energy<'a> {
+    /// Equations of motion of the system with one degree of freedom.
     pub(super) system: Equations<'a>,
+    /// Values of the parameters of the equations.
     pub(super) p: Vec<f64>,
-    /// Coordinate q₀ at the start.
+    /// Coordinate q₀, the degree of freedom, at the start.
     pub(super) start: f64,
-    /// Kinetic energy T₀ at the start, J.
+    /// Kinetic energy T₀ at the start of the motion, J.
     pub(super) kinetic: f64,
-    /// Sign of k in q′ = k v.
+    /// Sign of k in q′ = k v, 1 or −1, for the coordinate q and the generalized speed v.
     pub(super) orientation: f64,
-    /// Length of the coordinate after which everything repeats; `None` if there is none.
+    /// Length of the coordinate after which the system repeats, such as 2π of an angle; `None` if it does
+    /// not.
     pub(super) repeats: Option<f64>,
 }
 
-/// Place where the kinetic energy of a motion that goes round is least.
+/// Point where the kinetic energy of a rotating motion is least: the crest of the potential energy.
 pub(super) struct Crest {
-    /// Coordinate of the crest.
+    /// Coordinate at which the kinetic energy of the rotating motion is least.
     pub(super) at: f64,
-    /// Kinetic energy at the crest, J.
+    /// Least kinetic energy of the rotating motion, J.
     pub(super) kinetic: f64,
-    /// Distance from the crest at which the kinetic energy is about twice as large.
+    /// Distance from the crest at which the kinetic energy is about twice as large, in the unit of the
+    /// coordinate.
     pub(super) width: f64,
 }
 
-/// Equations of motion in a type that implements `Debug`.
+/// Wrapper of equations of motion that implements `Debug`.
 #[derive(Clone, Copy)]
 pub(super) struct Equations<'a>(pub(super) &'a dyn System<f64>);
 
@@ -49,13 +57,13 @@ impl std::fmt::Debug for Equations<'_> {
 }
 
 impl<'a> Energy<'a> {
-    /// True if the coordinate rises at this value of the motion variable.
+    /// True if the coordinate rises at this value `v` of the generalized speed.
     pub(super) fn rises(&self, v: f64) -> bool {
         self.orientation * v > 0.0
     }
 
-    /// Creates the energy integral of the motion from (q, v). An error if the kinetic energy or the rate is not
-    /// regular.
+    /// Creates the energy integral of the motion from coordinates `q` and speed `v`, with parameters `p`.
+    /// Error if the kinetic energy or the rate of the coordinate is not regular.
     pub(super) fn new(system: &'a dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<Self, NoQuadrature> {
         let mut rates = vec![0.0; q.len()];
         system.coordinate_rates(p, q, &[1.0], &mut rates);
@@ -75,33 +83,36 @@ impl<'a> Energy<'a> {
         Ok(energy)
     }
 
-    /// Inertia m of the coordinate q, as in T = ½ m v².
+    /// Inertia m at the coordinates `q`, as in T = ½ m v².
     pub(super) fn inertia(&self, q: &[f64]) -> f64 {
         2.0 * self.system.0.kinetic_energy(&self.p, q, &[1.0])
     }
 
-    /// Writes the rates q′ at (q, v).
+    /// Writes the rates q′ of all coordinates at (q, v).
     pub(super) fn rates(&self, q: &[f64], v: f64, out: &mut [f64]) {
         self.system.0.coordinate_rates(&self.p, q, &[v], out);
     }
 
-    /// Divided difference V\[a, b\] = (V(b) − V(a))/(b − a) of the potential energy.
+    /// Divided difference V\[a, b\] = (V(b) − V(a))/(b − a) of the potential energy V between coordinates a
+    /// and b.
     pub(super) fn slope(&self, a: f64, b: f64) -> f64 {
         self.system.0.potential_slope(&self.p, a, b)
     }
 
-    /// Kinetic energy T at the coordinate `q`: T₀ − (q − q₀) V\[q₀, q\]. It is −∞ where that is not a number: such a
-    /// place lies beyond a barrier.
+    /// Kinetic energy T at the coordinate `q`, J: T₀ − (q − q₀) V\[q₀, q\]. It is −∞ if that is not a
+    /// number, so that the coordinate counts as beyond a barrier.
     pub(super) fn left(&self, q: f64) -> f64 {
         let left = self.kinetic - (q - self.start) * self.slope(self.start, q);
         if left.is_finite() { left } else { f64::NEG_INFINITY }
     }
 
-    /// Turning point on one side, 1 above the start or −1 below; `None` if the search meets no turning point.
+    /// Coordinate of the turning point above the start (`side` 1) or below it (−1). `None` if the search
+    /// meets no turning point. Error if the motion may creep to an equilibrium.
     ///
-    /// Each step of the search goes no farther than to the zero of the parabola (or line) that T looks like, and no
-    /// more than twice as far as the step before. So it does not leap over a narrow barrier unless T shows nothing of
-    /// it. If the motion repeats after a length of the coordinate, the search covers one such length, in small steps.
+    /// Each step of the search goes no farther than to the zero of the parabola (or line) that T looks
+    /// like, and no more than twice as far as the step before. So it does not leap over a narrow barrier
+    /// unless T shows nothing of it. If the motion repeats after a length of the coordinate, the search
+    /// covers one such length, in small steps.
     pub(super) fn turning(&self, side: f64) -> Result<Option<f64>, NoQuadrature> {
         let mut step = self.start.abs().clamp(1e-6, 1.0) / 1_048_576.0;
         let mut good = self.start;
@@ -146,8 +157,8 @@ impl<'a> Energy<'a> {
         Ok(None)
     }
 
-    /// True if the motion rests at its start. The start is an equilibrium, or so near to a stable one, and so slow,
-    /// that only rounding would move it.
+    /// True if the motion rests at its start. The start is an equilibrium, or so near to a stable
+    /// equilibrium, and so slow, that only rounding would move it.
     pub(super) fn rests(&self) -> bool {
         let (q, blur) = (self.start, 8.0 * f64::EPSILON * self.start.abs());
         if self.kinetic <= 0.0 && self.slope(q, q).abs() <= 0.0 {
@@ -157,11 +168,11 @@ impl<'a> Energy<'a> {
         below <= 0.0 && above >= 0.0 && self.kinetic <= 0.25 * (above - below) * blur
     }
 
-    /// Finds the place of least kinetic energy within one `length` of the coordinate, after which everything repeats,
-    /// on one side of the start or at it.
+    /// Finds the point of least kinetic energy within a `length` of the coordinate, after which the system
+    /// repeats. `side` is the direction of the motion, 1 or −1.
     ///
-    /// A minimum that the samples miss costs more panels, but no accuracy. The inner error is a barrier, if no kinetic
-    /// energy is left there: the motion turns before it.
+    /// A minimum that the samples miss costs more panels, but no accuracy. The inner error is a barrier, if
+    /// no kinetic energy is left at the minimum: the motion turns before it.
     pub(super) fn crest(&self, length: f64, side: f64) -> Result<Result<Crest, Obstacle>, NoQuadrature> {
         let place = |part: u32| self.start - side * length * f64::from(part) / f64::from(SAMPLES);
         let lowest =
@@ -194,7 +205,8 @@ impl<'a> Energy<'a> {
         Ok(Ok(Crest { at, kinetic, width: if width > 0.0 { width.min(length) } else { length } }))
     }
 
-    /// Turning point between the start and a place without kinetic energy.
+    /// Coordinate of the turning point between the start and a coordinate `bad` without kinetic energy.
+    /// Error if the motion may creep to an equilibrium.
     pub(super) fn turning_before(&self, bad: f64) -> Result<f64, NoQuadrature> {
         let side = (bad - self.start).signum();
         let mut good = self.start;
@@ -207,7 +219,8 @@ impl<'a> Energy<'a> {
         self.checked(self.between(good, bad), side)
     }
 
-    /// Zero of T between a place with kinetic energy and a place without, by Newton's method in the bracket.
+    /// Zero of the kinetic energy between a coordinate `good`, where it is positive, and a coordinate
+    /// `bad`, where it is not. Newton's method in the bracket finds it.
     fn between(&self, mut good: f64, mut bad: f64) -> f64 {
         let mut x = middle(good, bad);
         let mut before = (bad - good).abs();
@@ -238,8 +251,8 @@ impl<'a> Energy<'a> {
         good
     }
 
-    /// Accepts a turning point if the motion surely turns there: within the rounding error of the point, the force
-    /// pushes back.
+    /// Accepts a turning point `at` if the motion certainly turns there: within the rounding error of the
+    /// point, the force pushes back. Otherwise it is an error.
     fn checked(&self, at: f64, side: f64) -> Result<f64, NoQuadrature> {
         let force = self.slope(at, at);
         let blur = 4.0 * f64::EPSILON * (at.abs() + self.kinetic / force.abs());
@@ -252,8 +265,8 @@ impl<'a> Energy<'a> {
     }
 }
 
-/// Middle of two numbers: the geometric mean if they have one sign and differ by a factor of 4, else the arithmetic
-/// mean.
+/// Middle of two numbers: the geometric mean if they have the same sign and differ by a factor of 4,
+/// else the arithmetic mean.
 fn middle(a: f64, b: f64) -> f64 {
     let ratio = a / b;
     if ratio > 4.0 || (ratio > 0.0 && ratio < 0.25) {
@@ -263,6 +276,7 @@ fn middle(a: f64, b: f64) -> f64 {
     }
 }
 
+/// True if two numbers are exactly equal.
 #[expect(clippy::float_cmp, reason = "asks whether a distance is lost to rounding")]
 fn same_as(a: f64, b: f64) -> bool {
     a == b

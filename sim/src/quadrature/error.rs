@@ -1,54 +1,54 @@
-//! Reasons why a motion is not given by quadrature.
+//! Reasons why quadrature does not give a motion of one degree of freedom.
 
 use std::fmt;
 
 use crate::error::SimError;
 
-/// Reason why a stretch of the motion is not integrated.
+/// Reason why a stretch of the motion is not integrated to its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Obstacle {
-    /// Coordinate at which there is no kinetic energy.
+    /// The motion meets a coordinate, which is given, at which there is no kinetic energy.
     Barrier(f64),
-    /// Coordinate near which too many panels are needed.
+    /// The quadrature needs too many panels (subintervals) near this coordinate.
     Unresolved(f64),
 }
 
 /// Reason why quadrature does not give a motion. The equations can still be integrated step by step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoQuadrature {
-    /// The question makes no sense; the error says why.
+    /// The arguments of the run are invalid; the error inside says why.
     Question(SimError),
-    /// The equations do not have exactly one speed.
+    /// The equations have no single generalized speed, so that they do not describe one degree of freedom.
     NotOneDegree {
-        /// Number of speeds of the equations.
+        /// Number of generalized speeds of the equations.
         speeds: usize,
     },
-    /// The equations have no divided difference of their potential energy.
+    /// The equations do not provide the divided difference of their potential energy.
     NoPotentialSlope,
-    /// A rate depends on a coordinate other than the degree of freedom, so the rate cannot be integrated along its
-    /// motion.
+    /// A rate depends on a coordinate other than coordinate 0, so that it is no integrand along the motion
+    /// of coordinate 0.
     NotQuadrature {
         /// Index of the coordinate on which a rate depends, from 0.
         coordinate: usize,
     },
-    /// The start is not regular: the coefficient of the kinetic energy is not positive, or the rate of the coordinate
-    /// is 0, or one of both is not finite.
+    /// The start is not regular. The inertia in the kinetic energy is not positive, or the rate of
+    /// coordinate 0 is 0, or a value is not finite.
     Irregular,
-    /// The energy is, to rounding, that of an equilibrium that the motion approaches for ever.
+    /// The energy is, up to rounding, that of an equilibrium that the motion approaches for ever.
     Asymptotic {
-        /// Coordinate of the equilibrium.
+        /// Value of coordinate 0 at the equilibrium that the motion approaches.
         at: f64,
     },
-    /// The integrands vary too fast for the limit on panels, or have no value.
+    /// The integrands vary too fast for the limit on panels (subintervals), or have no value.
     Unresolved {
-        /// Coordinate near which the integrands are not resolved.
+        /// Value of coordinate 0 near which the integrands are not resolved.
         at: f64,
-        /// Largest number of panels that was allowed.
+        /// Largest number of panels (subintervals of the quadrature) that was allowed.
         panels: u32,
     },
-    /// The motion is unbounded, and was not followed to this instant.
+    /// The motion is unbounded, and was not followed up to the wanted time.
     Uncovered {
-        /// Time of the instant from the start, s.
+        /// Wanted time from the start, s.
         t: f64,
     },
 }

@@ -1,16 +1,18 @@
 //! Motion of one degree of freedom by quadrature instead of stepping.
 //!
-//! With the energy h = ½ m(q) v² + V(q) and q′ = k(q) v, time is an integral over the coordinate, dt = dq/(k √(2 (h −
-//! V)/m)). So is every other coordinate whose rate depends on q and v alone. The integrals are taken once, as series of
-//! Legendre polynomials on panels that are halved until all series are resolved to rounding. The state at any instant
-//! follows by one inversion. Whole periods are added exactly: errors grow only by the rounding error of the period.
+//! With the energy h = ½ m(q) v² + V(q) and q′ = k(q) v, time is an integral over the coordinate, dt =
+//! dq/(k √(2 (h − V)/m)). So is every other coordinate whose rate depends on q and v alone. The
+//! integrals are taken once, as series of Legendre polynomials on panels that are halved until all
+//! series are resolved to rounding. The state at any instant follows by one inversion. Whole periods
+//! are added exactly: errors grow only by the rounding error of the period.
 //!
-//! Invariants: the integrands are smooth where the motion turns, since each stretch is half a swing in a variable that
-//! makes them smooth. The difference h − V is never computed from nearly equal energies: it is the divided difference
-//! of V times the distance from a turning point ([`System::potential_slope`]).
+//! Invariants: the integrands are smooth where the motion turns, since each stretch is half a swing in
+//! a variable that makes them smooth. The difference h − V is never computed from nearly equal
+//! energies: it is the divided difference of V times the distance from a turning point
+//! ([`System::potential_slope`]).
 //!
-//! Absent on purpose: friction, forces that depend on time, and unlimited work. A motion that a stated number of panels
-//! does not resolve is refused with its reason.
+//! Absent on purpose: friction, forces that depend on time, and unlimited work. A motion that a stated
+//! number of panels does not resolve is refused with its reason.
 
 mod chart;
 mod course;
@@ -65,27 +67,33 @@ use track::Scratch;
 /// ```
 #[derive(Clone, Debug)]
 pub struct OneDegree<'a> {
+    /// Equations of motion with the energy of the start.
     energy: Energy<'a>,
-    /// State [q; v] at the start; `rates` are the rates of the coordinates there.
+    /// State (q, v) at the start, n + 1 entries.
     start: Vec<f64>,
+    /// Rates q′ at the start, n entries.
     rates: Vec<f64>,
+    /// Turning points below and above the start; `None` if none is known.
     turns: [Option<f64>; 2],
+    /// Kind of the motion, with its integrated stretches.
     course: Course,
-    /// Time τ at the start, s; `sums` are the quadratures from τ = 0 to the start.
+    /// Time τ of the start, s, counted from the turning point at which the first stretch begins.
     lead: f64,
+    /// Integrals of the rates of all coordinates from τ = 0 to the start.
     sums: Vec<f64>,
 }
 
 impl<'a> OneDegree<'a> {
-    /// Computes the motion from (q, v), with the parameters `p` of the equations.
+    /// Computes the motion of a system with one degree of freedom from coordinates `q` and speed `v`, with
+    /// parameters `p`.
     ///
-    /// The equations must have one speed v and [`System::potential_slope`]. Coordinate 0 is the degree of freedom: q₀′
-    /// = k(q₀) v, T = ½ m(q₀) v² and V(q₀). The rates of all other coordinates must depend on q₀ and v only, which is
-    /// tested at the start.
+    /// The equations must have a single speed v and [`System::potential_slope`]. Coordinate 0 is the degree
+    /// of freedom: q₀′ = k(q₀) v, T = ½ m(q₀) v² and V(q₀). The rates of all other coordinates must depend
+    /// on q₀ and v only, which is tested at the start.
     ///
     /// # Errors
-    /// [`NoQuadrature`] if the equations are not of this kind, if the motion approaches an equilibrium for ever, or if
-    /// its integrals are not resolved.
+    /// [`NoQuadrature`] if the equations are not of this kind, if the motion approaches an equilibrium for
+    /// ever, or if its integrals are not resolved.
     pub fn new(system: &'a dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<Self, NoQuadrature> {
         check(system, p, q, v)?;
         let energy = Energy::new(system, p, q, v)?;
@@ -105,7 +113,8 @@ impl<'a> OneDegree<'a> {
         Ok(motion)
     }
 
-    /// Finds the course of the motion, and follows it to these times from the start, s.
+    /// Finds the kind of the motion and integrates it up to these times from the start, s. Error if the
+    /// integrals are not resolved.
     fn plan(&mut self, times: &[f64]) -> Result<(), NoQuadrature> {
         let n = self.start.len() - 1;
         let (q, v) = (&self.start[..n], self.start[n]);
@@ -141,8 +150,9 @@ impl<'a> OneDegree<'a> {
         Ok(())
     }
 
-    /// Follows an unbounded motion from the earliest to the latest of these times, s from the start. A motion between
-    /// two turning points, or one that goes round ([`System::coordinate_period`]), is known at all times.
+    /// Integrates an unbounded motion from the earliest to the latest of these times, s from the start. A
+    /// motion between two turning points, or a rotation ([`System::coordinate_period`]), is known at all
+    /// times.
     ///
     /// # Errors
     /// [`NoQuadrature`] if the integrals are not resolved up to these times.
@@ -153,34 +163,37 @@ impl<'a> OneDegree<'a> {
         }
     }
 
-    /// Coordinates of the turning points below and above the start; `None` if there is none. Those of an unbounded
-    /// motion are known only as far as it was followed.
+    /// Values of coordinate 0 at the turning points below and above the start; `None` if there is none.
+    /// Those of an unbounded motion are known only as far as it was followed.
     #[must_use]
     pub fn turning_points(&self) -> (Option<f64>, Option<f64>) {
         let [low, high] = self.turns;
         (low, high)
     }
 
-    /// Period, s, of a motion between two turning points or of one that goes round; `None` for other motions.
+    /// Period of an oscillation between two turning points or of a rotation, s; `None` for other motions.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         self.course.period()
     }
 
-    /// State [q; v] of the motion `t` seconds after the start, or before it if `t` is negative.
+    /// State (q, v) of the motion `t` seconds after the start, or before it if `t` is negative.
     ///
     /// # Errors
-    /// [`NoQuadrature::Uncovered`] for an unbounded motion at a time to which [`Self::cover`] has not followed it.
+    /// [`NoQuadrature::Uncovered`] for an unbounded motion at a time to which [`Self::cover`] has not
+    /// followed it.
     pub fn state(&self, t: f64) -> Result<Vec<f64>, NoQuadrature> {
         let mut y = vec![0.0; self.start.len()];
         self.state_into(t, &mut y)?;
         Ok(y)
     }
 
-    /// Writes [q; v] at `t` seconds after the start to `y`, as [`Self::state`] returns it.
+    /// Writes the state (q, v) of the motion `t` seconds after the start to `y`, one entry more than there
+    /// are coordinates.
     ///
     /// # Errors
-    /// [`NoQuadrature::Uncovered`], as for [`Self::state`].
+    /// [`NoQuadrature::Uncovered`] for an unbounded motion at a time to which [`Self::cover`] has not
+    /// followed it.
     pub fn state_into(&self, t: f64, y: &mut [f64]) -> Result<(), NoQuadrature> {
         y.copy_from_slice(&self.start);
         if t == 0.0 {
@@ -209,7 +222,7 @@ impl<'a> OneDegree<'a> {
         Ok(())
     }
 
-    /// Number of points at which the integrands were evaluated.
+    /// Number of points at which the integrands of the quadrature were evaluated.
     #[must_use]
     pub fn evaluations(&self) -> u64 {
         let attempts: u64 = self.course.tracks().iter().map(|track| u64::from(track.attempts)).sum();
@@ -217,7 +230,7 @@ impl<'a> OneDegree<'a> {
     }
 }
 
-/// Refuses equations and starts that quadrature cannot serve.
+/// Refuses equations and starts to which quadrature does not apply, and lists of the wrong length.
 fn check(system: &dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<(), NoQuadrature> {
     let Lengths { parameters, coordinates, variables: speeds, .. } = system.lengths();
     if speeds != 1 || q.is_empty() {

@@ -1,6 +1,8 @@
-//! Integrands at the points of a panel: one by one, or as many at once as fill a register of the processor.
+//! Integrands at the points of a panel: one by one, or as many at once as fill a register of the
+//! processor.
 //!
-//! Invariant: all widths compute the same formulas; only products that lanes fuse differ by their rounding.
+//! Invariant: all widths compute the same formulas; only products that lanes fuse differ by their
+//! rounding.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
@@ -10,45 +12,54 @@ use super::error::Obstacle;
 use super::rule::{POINTS, Rule, Series};
 use tripos_traits::{AtPoints, Integrands, Lanes, Scalar, lane_width};
 
-/// Values of the integrands at the points of a panel.
+/// Values of the integrands at the points of a panel, a subinterval of a stretch of the motion.
 pub(super) struct Samples {
-    /// Coordinates q at the points; `speeds` are |v| there.
+    /// Coordinate q at each point of the panel.
     places: Series,
+    /// Absolute value of the generalized speed v at each point of the panel.
     speeds: Series,
-    /// Values of dt/dw, then the integrands while q rises, then those while q falls.
+    /// Values of dt/dw at the points, then the integrands of the other coordinates while q rises, then
+    /// those while q falls.
     pub(super) values: Vec<Series>,
 }
 
 impl Samples {
+    /// Creates space for the samples of a system with this number of coordinates.
     pub(super) fn new(coordinates: usize) -> Self {
         let values = vec![[0.0; POINTS]; 2 * coordinates - 1];
         Self { places: [0.0; POINTS], speeds: [0.0; POINTS], values }
     }
 }
 
-/// A panel that is to be sampled: a part of a stretch.
+/// Panel that is to be sampled: a subinterval of a stretch of the motion.
 #[derive(Clone, Copy)]
 pub(super) struct Panel<'a> {
+    /// Equations with the energy of the motion.
     pub(super) energy: &'a Energy<'a>,
+    /// Map from the variable w of the stretch to the coordinate q.
     pub(super) chart: Chart,
+    /// Point from which the kinetic energy is computed; `None` for the start of the stretch.
     pub(super) anchor: Option<Anchor>,
-    /// Variable w at which the panel begins; `half` is half its width.
+    /// Variable w at which the panel begins.
     pub(super) from: f64,
+    /// Half of the width of the panel, in w.
     pub(super) half: f64,
 }
 
-/// Equations with space for their values at several points.
+/// Evaluator of the integrands at the points of a panel, with its working space.
 pub(super) trait Sampler {
-    /// Writes dt/dw and the integrands while q rises.
+    /// Evaluates dt/dw and the integrands while the coordinate q rises, at all points of a panel.
     ///
     /// # Errors
     /// [`Obstacle`] with the first point at which there is no kinetic energy, or no finite rate.
     fn rising(&mut self, panel: &Panel<'_>, samples: &mut Samples) -> Result<(), Obstacle>;
-    /// Writes the integrands while q falls, at the places of [`Sampler::rising`].
+    /// Evaluates the integrands while the coordinate q falls, at the points at which [`Sampler::rising`]
+    /// was called last.
     fn falling(&mut self, energy: &Energy<'_>, samples: &mut Samples);
 }
 
-/// Makes the sampler with the widest lanes that the equations have and this processor computes best in.
+/// Creates the evaluator with the widest vector lanes that the equations provide and this processor
+/// handles best. `q` are the coordinates at the start.
 pub(super) fn sampler<'a>(energy: &'a Energy<'_>, q: &[f64]) -> Box<dyn Sampler + 'a> {
     match energy.system.0.at_points() {
         Some(AtPoints { eight, .. }) if lane_width() == 8 => Box::new(Wide::<Lanes<8>>::new(eight, energy, q)),
@@ -57,11 +68,13 @@ pub(super) fn sampler<'a>(energy: &'a Energy<'_>, q: &[f64]) -> Box<dyn Sampler 
     }
 }
 
-/// A fixed number of doubles, as one number or in lanes.
+/// Fixed number of doubles, as a plain number or in vector lanes.
 trait Packed: Scalar {
-    /// Number of doubles in a value.
+    /// Number of doubles in a value of this type.
     const WIDTH: usize;
+    /// Reads the first `WIDTH` entries of `values`.
     fn pack(values: &[f64]) -> Self;
+    /// Writes the `WIDTH` doubles of this value to `to`.
     fn unpack(self, to: &mut [f64]);
 }
 
@@ -89,7 +102,7 @@ impl<const N: usize> Packed for Lanes<N> {
     }
 }
 
-/// Integrands at one point after another.
+/// Evaluates the integrands at a single point at a time.
 impl Integrands<f64> for Equations<'_> {
     fn coordinate_rates(&self, p: &[f64], q: &[f64], v: f64, out: &mut [f64]) {
         self.0.coordinate_rates(p, q, &[v], out);
@@ -102,21 +115,26 @@ impl Integrands<f64> for Equations<'_> {
     }
 }
 
-/// Sampler of equations at as many points at once as `S` holds.
+/// Evaluator of the integrands at as many points at once as the type `S` holds.
 struct Wide<'a, S> {
+    /// Integrands of the equations, evaluated in the number or vector type `S`.
     equations: &'a dyn Integrands<S>,
+    /// Parameters of the equations, the same in all lanes.
     p: Vec<S>,
+    /// Coordinates of the system at the points, a vector for each coordinate.
     q: Vec<S>,
+    /// Rates q′ of the coordinates at the points, a vector for each coordinate.
     rates: Vec<S>,
 }
 
 impl<'a, S: Packed> Wide<'a, S> {
+    /// Creates the evaluator from equations and the coordinates `q` at the start.
     fn new(equations: &'a dyn Integrands<S>, energy: &Energy<'_>, q: &[f64]) -> Self {
         let all = |values: &[f64]| values.iter().map(|x| S::from_f64(*x)).collect::<Vec<_>>();
         Self { equations, p: all(&energy.p), q: all(q), rates: all(q) }
     }
 
-    /// Samples the points from number `at` on, while q rises.
+    /// Evaluates the integrands at the points of the panel from index `at` on, while q rises.
     #[inline(always)]
     fn rise(&mut self, panel: &Panel<'_>, samples: &mut Samples, at: usize) {
         let Panel { energy, chart, anchor, from, half } = *panel;
@@ -140,7 +158,7 @@ impl<'a, S: Packed> Wide<'a, S> {
         }
     }
 
-    /// Samples the points from number `at` on, while q falls.
+    /// Evaluates the integrands at the points from index `at` on, while q falls.
     #[inline(always)]
     fn fall(&mut self, energy: &Energy<'_>, samples: &mut Samples, at: usize) {
         let here = at..at + S::WIDTH;

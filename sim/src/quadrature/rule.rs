@@ -1,38 +1,44 @@
-//! Gauss–Legendre points on a panel, and series of Legendre polynomials.
+//! Gauss–Legendre rule with 24 points on a panel, and series of Legendre polynomials.
 
 use std::sync::OnceLock;
 
 use tripos_traits::{DoubleDouble, Lanes, Real, Scalar};
 
-/// Number of points of the rule, and of terms of a series.
+/// Number of points of the Gauss–Legendre rule, and of terms of a series.
 pub(super) const POINTS: usize = 24;
 
+/// Half of the number of points of the Gauss–Legendre rule.
 const HALF: usize = POINTS / 2;
 
-/// A function on a panel: a number for each point, or for each polynomial.
+/// Function on a panel: its values at the points of the rule, or its coefficients of Legendre
+/// polynomials.
 pub(super) type Series = [f64; POINTS];
 
-/// Values P₀(x) … P_n(x) of Legendre polynomials, n = [`POINTS`].
+/// Values P₀(x) … P_n(x) of Legendre polynomials at a point x, with n = [`POINTS`].
 pub(super) type LegendreValues = [f64; POINTS + 1];
 
-/// Gauss–Legendre rule on [−1, 1] for the coefficients of a series.
+/// Gauss–Legendre rule on the interval from −1 to 1, prepared to compute the coefficients of Legendre
+/// series.
 pub(super) struct Rule {
     /// Points of the rule, the zeros of P_n, in increasing order.
     pub(super) points: Series,
-    /// Shares (k + ½) wᵢ P_k(xᵢ), in row i, of the values at point i and at the opposite point in the coefficients. The
-    /// sum of both values counts for even k, their difference for odd k.
+    /// Shares (k + ½) wᵢ P_k(xᵢ) of point i in the coefficients of a series, in row i: first for even k,
+    /// then for odd k. They multiply the sum (even k) or difference (odd k) of the values at point i and at
+    /// the opposite point.
     shares: [[[f64; HALF]; 2]; HALF],
     /// Factors (2 k + 1)/(k + 1) and k/(k + 1) of the recurrence of Legendre polynomials, for each k.
     recurrence: [[f64; 2]; POINTS],
 }
 
 impl Rule {
-    /// Returns the rule of this program; its points and weights are computed once, in 32 digits.
+    /// Returns the rule that the whole program uses. Its points and weights are computed at the first call,
+    /// in 32 digits.
     pub(super) fn shared() -> &'static Self {
         static RULE: OnceLock<Rule> = OnceLock::new();
         RULE.get_or_init(Self::new)
     }
 
+    /// Computes the points, shares and recurrence factors of the rule.
     fn new() -> Self {
         let mut rule = Self { points: [0.0; POINTS], shares: [[[0.0; HALF]; 2]; HALF], recurrence: [[0.0; 2]; POINTS] };
         for (k, factors) in rule.recurrence.iter_mut().enumerate() {
@@ -58,7 +64,7 @@ impl Rule {
         rule
     }
 
-    /// Coefficients c_k of the series Σ c_k P_k through these values at the points.
+    /// Coefficients c_k of the Legendre series Σ c_k P_k through these values at the points.
     pub(super) fn coefficients(&self, values: &Series) -> Series {
         let (even, odd) = Lanes::<4>::dispatch(
             #[inline(always)]
@@ -67,7 +73,7 @@ impl Rule {
         std::array::from_fn(|k| if k % 2 == 0 { even[k / 2] } else { odd[k / 2] })
     }
 
-    /// Coefficients of the even and of the odd polynomials through these values at the points.
+    /// Coefficients of the even and of the odd Legendre polynomials through these values at the points.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
     fn halves(&self, values: &Series) -> ([f64; HALF], [f64; HALF]) {
@@ -83,7 +89,8 @@ impl Rule {
         (even, odd)
     }
 
-    /// Values of the Legendre polynomials at `x`, by (k + 1) P_{k+1} = (2 k + 1) x P_k − k P_{k−1}.
+    /// Values of the Legendre polynomials P₀ … P_n at `x`, by (k + 1) P_{k+1} = (2 k + 1) x P_k − k
+    /// P_{k−1}.
     pub(super) fn values(&self, x: f64) -> LegendreValues {
         let mut p = [1.0; POINTS + 1];
         p[1] = x;
@@ -95,7 +102,8 @@ impl Rule {
     }
 }
 
-/// Coefficients of the integral ∫₋₁ˣ Σ c_k P_k, by (2 k + 1) P_k = P′_{k+1} − P′_{k−1}.
+/// Coefficients of the Legendre series of the integral ∫₋₁ˣ Σ c_k P_k, by (2 k + 1) P_k = P′_{k+1} −
+/// P′_{k−1}.
 pub(super) fn integrated(c: &Series) -> LegendreValues {
     let mut d = [0.0; POINTS + 1];
     d[0] = c[0];
@@ -109,7 +117,7 @@ pub(super) fn integrated(c: &Series) -> LegendreValues {
     d
 }
 
-/// Sum of products Σ cᵢ xᵢ, as four sums side by side.
+/// Dot product Σ cᵢ xᵢ, computed as four partial sums for vector instructions.
 pub(super) fn dot(c: &[f64], x: &[f64]) -> f64 {
     let (c, c_rest) = c.as_chunks::<4>();
     let (x, x_rest) = x.as_chunks::<4>();
@@ -123,6 +131,7 @@ pub(super) fn dot(c: &[f64], x: &[f64]) -> f64 {
     (sum[0] + sum[2]) + (sum[1] + sum[3]) + rest
 }
 
+/// Values of the Legendre polynomials P₀ … P_n at `x` in double-double numbers.
 fn legendre(x: DoubleDouble) -> [DoubleDouble; POINTS + 1] {
     let mut p = [DoubleDouble::int(1); POINTS + 1];
     p[1] = x;
@@ -133,7 +142,8 @@ fn legendre(x: DoubleDouble) -> [DoubleDouble; POINTS + 1] {
     p
 }
 
-/// Slope P_n′(x) from the values of the polynomials, by (x² − 1) P_n′ = n (x P_n − P_{n−1}).
+/// Slope P_n′(x) of the last Legendre polynomial, from the values `p` of all of them, by (x² − 1) P_n′
+/// = n (x P_n − P_{n−1}).
 fn slope(x: DoubleDouble, p: &[DoubleDouble; POINTS + 1]) -> DoubleDouble {
     DoubleDouble::from_f64(POINTS as f64) * (x * p[POINTS] - p[POINTS - 1]) / (x * x - DoubleDouble::int(1))
 }

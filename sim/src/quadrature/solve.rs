@@ -1,4 +1,5 @@
-//! Run by quadrature, with the output and the events of any other run.
+//! Run of a system with one degree of freedom by quadrature, with the same output and events as a run
+//! by steps.
 
 use tripos_traits::System;
 
@@ -11,14 +12,17 @@ use crate::methods::options::{self, Options, Output, Poll};
 use crate::solution::{Solution, Stop};
 use crate::stepper::{DenseStep, Interpolant, same};
 
-/// Computes the motion from y0 = \[q; v\] over `span`, with the result of [`crate::integrate`].
+/// Computes the motion from y0 = (q, v) over `span`, s, by quadrature, with a result like that of
+/// [`crate::integrate`]. `p` are the parameters.
 ///
-/// Of the options, only `output`, `step_limit` and `poll` are used. Steps are those of the panels: they count in the
-/// result, and [`Output::Steps`] refines them. Events are located on them as on steps of a method, and may end the run.
-/// The quadratures, like all coordinates, are in the state; see [`OneDegree::new`] for the demands on the equations.
+/// Of the options, only `output`, `step_limit` and `poll` are used. Steps are those of the panels
+/// (subintervals of the quadrature): they count in the result, and [`Output::Steps`] refines them.
+/// Events are located on them as on steps of a method, and may end the run. The state contains all
+/// coordinates; see [`OneDegree::new`] for the demands on the equations.
 ///
 /// # Errors
-/// [`NoQuadrature`] if the question makes no sense ([`NoQuadrature::Question`]), or if quadrature gives no motion.
+/// [`NoQuadrature`] if the arguments are invalid ([`NoQuadrature::Question`]), or if quadrature gives
+/// no motion.
 pub fn solve(
     system: &dyn System<f64>,
     p: &[f64],
@@ -65,16 +69,22 @@ pub fn solve(
     })
 }
 
-/// A run by quadrature in progress.
+/// Run by quadrature in progress: its motion, its last state and its count of steps.
 struct Run<'m> {
+    /// Motion of one degree of freedom that quadrature gives.
     motion: &'m OneDegree<'m>,
+    /// Start time of the run, s.
     t0: f64,
+    /// State at the last time of the run so far.
     y_end: Vec<f64>,
+    /// Last time of the run so far, s.
     t_end: f64,
+    /// Number of steps so far.
     steps: u64,
 }
 
 impl Run<'_> {
+    /// Takes steps until there is a reason to stop, and returns this reason.
     fn walk(
         &mut self,
         span: (f64, f64),
@@ -83,7 +93,7 @@ impl Run<'_> {
         recorder: &mut Recorder<'_, f64>,
     ) -> Stop {
         let forward = span.1 > span.0;
-        // The steps matter only if there are events, or if the output asks for each step.
+        // Steps are needed only if there are events, or if the output asks for each step.
         let all = !watch.is_empty() || matches!(options.output, Output::Steps { .. });
         let mut nodes = Nodes::new(self.motion, if all { span.1 - span.0 } else { 0.0 });
         let mut step = Step { motion: self.motion, t0: self.t0, span: (span.0, span.0), ends: Default::default() };
@@ -94,7 +104,7 @@ impl Run<'_> {
             }
             let from = step.span.1;
             let next = if all { nodes.next_beyond(from - self.t0).map(|t| self.t0 + t) } else { None };
-            // A rest of the span that is only rounding, after a node next to its end, is no step.
+            // If a node differs from the end of the span only by rounding, the rest of the span is no step.
             let inside = |t: &f64| if forward { *t > from && *t < span.1 } else { *t < from && *t > span.1 };
             let to = next.filter(inside).unwrap_or(span.1);
             step.advance(to);
@@ -121,19 +131,24 @@ impl Run<'_> {
     }
 }
 
-/// Times from the start at which panels meet, s, in the order of the run.
+/// Times at which panels (subintervals of the quadrature) meet, in the order of the run.
 struct Nodes {
-    /// Times τ of the nodes of one period, s, or of all nodes if there is no period.
+    /// Times τ of the nodes of a single period, s, or of all nodes if there is no period.
     times: Vec<f64>,
+    /// Period of the motion, s; `None` if it does not repeat.
     period: Option<f64>,
+    /// Time τ of the start of the motion, s.
     lead: f64,
+    /// True if the run goes forward in time.
     forward: bool,
+    /// Index in `times` of the next node.
     at: usize,
+    /// Number of whole periods that are added to the times.
     turns: f64,
 }
 
 impl Nodes {
-    /// Creates the nodes of a motion, in the direction of `span`, s.
+    /// Creates the nodes of a motion in the direction of the signed length `span`, s; none if that is 0.
     fn new(motion: &OneDegree<'_>, span: f64) -> Self {
         let forward = span >= 0.0;
         let mut times = if same(span, 0.0) { Vec::new() } else { motion.course.nodes() };
@@ -147,7 +162,8 @@ impl Nodes {
         Self { times, period, lead: motion.lead, forward, at: 0, turns }
     }
 
-    /// Next node beyond the time `t` from the start, s; `None` if there is none.
+    /// Time from the start, s, of the next node beyond the time `t` from the start; `None` if there is
+    /// none.
     fn next_beyond(&mut self, t: f64) -> Option<f64> {
         loop {
             if self.at >= self.times.len() {
@@ -166,13 +182,18 @@ impl Nodes {
 
 /// Part of the motion between two times, in the form of a step of a method.
 struct Step<'m> {
+    /// Motion of one degree of freedom that quadrature gives.
     motion: &'m OneDegree<'m>,
+    /// Start time of the run, s.
     t0: f64,
+    /// Start and end time of the step, s.
     span: (f64, f64),
+    /// States at the start and at the end of the step.
     ends: (Vec<f64>, Vec<f64>),
 }
 
 impl Step<'_> {
+    /// Replaces the step by the next, from its end to the time `to`, s.
     fn advance(&mut self, to: f64) {
         let mut old = std::mem::take(&mut self.ends.0);
         old.clone_from(&self.ends.1);
@@ -183,6 +204,7 @@ impl Step<'_> {
         self.ends.1 = new;
     }
 
+    /// Writes the state at time `t`, s, to `y`; not a number if the motion is not known there.
     fn at(&self, t: f64, y: &mut [f64]) {
         if self.motion.state_into(t - self.t0, y).is_err() {
             y.fill(f64::NAN);
@@ -209,14 +231,14 @@ impl Interpolant for Step<'_> {
         }
     }
 
-    /// Returns `None`: time is a series in the coordinate, not the coordinate a series in time.
+    /// Returns `None`: time is a series in the coordinate, and the coordinate is no polynomial in time.
     fn order_inside(&self) -> Option<usize> {
         None
     }
 
     fn coefficients(&self, _put: impl FnMut(usize, usize, f64)) {}
 
-    /// State at the time `t`: the fraction `theta` of a long step would be less exact.
+    /// State at time `t`, s. The fraction `theta` is not used: in a long step it would be less exact.
     fn sample(&self, _theta: f64, t: f64) -> Vec<f64> {
         let mut y = vec![0.0; self.ends.0.len()];
         self.at(t, &mut y);

@@ -1,8 +1,9 @@
-//! Stretch of the motion, integrated once: time and quadratures as series on panels.
+//! Stretch of a motion by quadrature, integrated once: time and the other coordinates as Legendre
+//! series on panels.
 //!
-//! Each stretch is measured by a variable w in which the motion is smooth where it turns. With T = ½ (reach)² · 2 G and
-//! the reach dq/dw, the speed is reach √(2 G/m) and dt/dw = 1/(|k| √(2 G/m)). G never vanishes, and is computed as a
-//! divided difference of V, so that it keeps its digits next to a turning point.
+//! Each stretch is measured by a variable w in which the motion is smooth at turning points. With T =
+//! (dq/dw)² G the speed is |dq/dw| √(2 G/m), and dt/dw = 1/(|k| √(2 G/m)). G never vanishes, and is
+//! computed as a divided difference of V, so that it keeps its digits near a turning point.
 
 use super::chart::{Anchor, Chart};
 use super::energy::Energy;
@@ -11,70 +12,82 @@ use super::points::{Panel, Sampler, Samples, sampler};
 use super::rule::{LegendreValues, POINTS, Rule, Series, dot, integrated};
 use tripos_traits::largest;
 
-/// Largest last term of a resolved series, relative to its largest term: rounding errors of the integrand.
+/// Size of the last terms with which a Legendre series counts as resolved, over its largest term:
+/// rounding errors of the integrand.
 const RESOLVED: f64 = 16.0 * f64::EPSILON;
-/// Relative rounding errors of an integrand for which no panel is made narrower. They have both signs, and hardly add
-/// up.
+/// Relative rounding errors of an integrand for which no panel is made narrower. They have both signs,
+/// and hardly add up.
 const HARMLESS: f64 = 1e-14;
-/// Distance of a singularity from the middle of a panel, in half-widths, at which a series of [`POINTS`] terms is
-/// resolved: the terms fall like ρ^−k, with ρ = z + √(z² − 1).
+/// Distance of a singularity from the middle of a panel, in half-widths, at which a series of
+/// [`POINTS`] terms is resolved. The terms fall like ρ^−k, with ρ = z + √(z² − 1) at the distance z.
 const FAR_ENOUGH: f64 = 2.7;
 
-/// Number of panels for which memory is reserved.
+/// Number of panels for which a stretch reserves memory.
 const ROOM: usize = 12;
 
-/// Goal of the integration of a stretch.
+/// Goal of the integration of a stretch: how far it must go.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Goal {
-    /// Up to this value of w, where the stretch ends.
+    /// Integrate exactly to this value of the variable w, at which the stretch ends.
     End(f64),
-    /// At least up to this value of w.
+    /// Integrate the stretch at least to this value of its variable w.
     Variable(f64),
-    /// At least this many panels.
+    /// Integrate the stretch by at least this many panels (subintervals).
     Panels(usize),
-    /// At least up to this time from the start of the stretch, s.
+    /// Integrate at least to this time from the start of the stretch, s.
     Time(f64),
 }
 
-/// Stretch of the motion with its panels.
+/// Stretch of a motion by quadrature with its panels, the subintervals of the variable w.
 ///
-/// Functions have numbers: 0 is the time; then come the quadratures while q rises, then those while q falls.
+/// Functions of w have numbers: 0 is the time; then come the integrals of the other coordinates' rates
+/// while q rises, then those while q falls.
 #[derive(Clone, Debug)]
 pub(super) struct Track {
+    /// Map from the variable w of the stretch to the coordinate q.
     pub(super) chart: Chart,
+    /// Number of functions that are integrated along the stretch.
     functions: usize,
-    /// Relative error of the integrands that comes with the rounding of the turning points.
+    /// Relative error of the integrands that the rounding of the turning points causes.
     noise: f64,
-    /// Values of w at which panels meet, the start and the end included; `times` are the times there, s.
+    /// Values of w at which panels begin or end, with the start and the end of the stretch.
     ends: Vec<f64>,
+    /// Times from the start of the stretch at the values in `ends`, s.
     pub(super) times: Vec<f64>,
-    /// Values of all functions at these ends of panels, one end after the other.
+    /// Values of all functions at the values in `ends`, one end after the other.
     sums: Vec<f64>,
-    /// Series of dt/dξ for each panel, and for each function the series of its integral.
+    /// Legendre series of each panel: that of dt/dξ, with ξ from −1 to 1 in the panel, then those of all
+    /// functions.
     series: Vec<f64>,
-    /// Anchor of the kinetic energy: the end of the last panel; `None` at the start, and for lines and crests.
+    /// Anchor of the kinetic energy: the end of the last panel. `None` at the start, and for lines and
+    /// crests.
     ///
-    /// Far from a turning point that is next to a pole, V\[end, q\] is a difference of large terms. From panel to panel
-    /// it is not.
+    /// Far from a turning point that is near a pole, V\[end, q\] is a difference of large terms. From panel
+    /// to panel it is not.
     anchor: Option<Anchor>,
-    /// Width of the next panel, in w.
+    /// Width of the next panel to try, in the variable w of the stretch.
     width: f64,
-    /// Relative rounding errors of each function that no narrower panel has made smaller; and the level at which a
-    /// panel was last rejected because of them.
+    /// Two numbers for each function: relative rounding errors that narrower panels did not reduce, and the
+    /// level of error at which a panel was last rejected.
     floors: Vec<[f64; 2]>,
+    /// Number of panels (subintervals of the stretch) that were tried.
     pub(super) attempts: u32,
+    /// Number of panels (subintervals of the stretch) that were rejected as too wide.
     pub(super) rejected: u32,
 }
 
-/// Sampler of panels, with its buffers.
+/// Working space for panels: the evaluator of the integrands, its values and their series.
 pub(super) struct Scratch<'a> {
+    /// Evaluator of the integrands.
     sampler: Box<dyn Sampler + 'a>,
+    /// Values of the integrands at the points of the panel.
     samples: Samples,
-    /// Series of each function on the panel.
+    /// Legendre series of each integrand on the panel.
     series: Vec<Series>,
 }
 
 impl<'a> Scratch<'a> {
+    /// Creates the working space for a motion whose coordinates are `q` at the start.
     pub(super) fn new(energy: &'a Energy<'_>, q: &[f64]) -> Self {
         let samples = Samples::new(q.len());
         let series = samples.values.clone();
@@ -83,7 +96,8 @@ impl<'a> Scratch<'a> {
 }
 
 impl Track {
-    /// Creates a stretch without panels; `width` is the first width to try.
+    /// Creates a stretch without panels for this number of coordinates. `width` is the width in w of the
+    /// first panel to try, and `noise` the relative error of the integrands.
     pub(super) fn new(chart: Chart, coordinates: usize, noise: f64, width: f64) -> Self {
         let functions = 2 * coordinates - 1;
         Self {
@@ -102,22 +116,23 @@ impl Track {
         }
     }
 
-    /// Values of all functions at the end of the stretch.
+    /// Values of all functions at the end of the integrated part of the stretch.
     pub(super) fn totals(&self) -> &[f64] {
         &self.sums[self.sums.len() - self.functions..]
     }
 
-    /// Value of w up to which the stretch is integrated.
+    /// Value of the variable w up to which the stretch is integrated.
     pub(super) fn end(&self) -> f64 {
         self.ends[self.ends.len() - 1]
     }
 
-    /// Time from the start to the end of the stretch, s.
+    /// Time from the start of the stretch to the end of its integrated part, s.
     pub(super) fn duration(&self) -> f64 {
         self.times[self.times.len() - 1]
     }
 
-    /// Adds panels until the goal is reached; an error after `limit` attempts in all.
+    /// Adds panels to the stretch until the goal is reached. Error if `limit` attempts in all do not
+    /// resolve the integrands, or if there is no kinetic energy.
     pub(super) fn extend(
         &mut self,
         energy: &Energy<'_>,
@@ -136,7 +151,7 @@ impl Track {
             if reached && self.times.len() > 1 {
                 return Ok(());
             }
-            // A narrow rest at the end would cost as much as a panel.
+            // A narrow last panel would cost as much as a wide panel, so that it is joined to this panel.
             let width = if left < 1.25 * self.width { left } else { self.width };
             let to = if left < 1.25 * self.width { from + left } else { from + width };
             self.attempts += 1;
@@ -147,7 +162,8 @@ impl Track {
         }
     }
 
-    /// Tries a panel from `from` to `to`, and keeps it if all functions are resolved.
+    /// Tries a panel of the variable w from `from` to `to`, and adds it if all functions are resolved.
+    /// Error if a point has no kinetic energy or no finite rate.
     fn panel(&mut self, energy: &Energy<'_>, scratch: &mut Scratch<'_>, from: f64, to: f64) -> Result<(), Obstacle> {
         let rule = Rule::shared();
         let half = 0.5 * (to - from);
@@ -189,8 +205,8 @@ impl Track {
         Ok(())
     }
 
-    /// Computes the series of a function on the panel. Returns the ratio of the next width to this one; below 1 the
-    /// panel is too wide.
+    /// Computes the Legendre series of a function on a panel of half-width `half`. Returns the ratio of the
+    /// next width to this width; below 1 the panel is too wide and must be rejected.
     fn judge(&mut self, rule: &Rule, scratch: &mut Scratch<'_>, function: usize, half: f64) -> f64 {
         let c = rule.coefficients(&scratch.samples.values[function]);
         scratch.series[function] = c;
@@ -211,15 +227,19 @@ impl Track {
         let decay = -(last / size).max(1e-18).ln() / (POINTS as f64 - 1.5);
         let z = decay.cosh();
         if resolved {
-            // The singularity is assumed to lie behind: one width further on, it is one width farther away.
+            // The singularity is assumed to lie before this panel. For the next panel, a width further on, it is a
+            // width farther away.
             (0.95 * (z + 1.0) / (FAR_ENOUGH - 1.0)).max(1.0)
         } else {
             (0.9 * (z - 1.0) / (FAR_ENOUGH - 1.0)).min(0.7)
         }
     }
 
-    /// Judges a series whose terms no longer fall. They are rounding errors of the equations, unless a narrower panel
-    /// has far smaller ones, as where energies cancel. Returns the ratio of the next width to this one.
+    /// Judges a series whose terms no longer fall, with last terms of the relative size `level`. Returns
+    /// the ratio of the next width to this width; below 1 the panel must be rejected.
+    ///
+    /// The terms are rounding errors of the equations, unless a narrower panel has far smaller ones, as
+    /// where energies cancel.
     fn judge_noise(&mut self, function: usize, level: f64) -> f64 {
         let [floor, before] = &mut self.floors[function];
         if level <= HARMLESS.max(2.0 * *floor) {
@@ -233,7 +253,7 @@ impl Track {
         0.25
     }
 
-    /// Place of the stretch at `time`, s: its panel, ξ in it and the polynomials there.
+    /// Point of the stretch at `time`, s, from its start.
     pub(super) fn find(&self, time: f64) -> PanelPlace {
         let panel = self.times.partition_point(|t| *t <= time).min(self.times.len() - 1).max(1) - 1;
         let wanted = time - self.times[panel];
@@ -265,7 +285,7 @@ impl Track {
         self.found(panel, x, p)
     }
 
-    /// Place of the stretch at the variable `w`.
+    /// Point of the stretch at the variable `w`.
     pub(super) fn at_variable(&self, w: f64) -> PanelPlace {
         let panel = self.ends.partition_point(|end| *end <= w).min(self.ends.len() - 1).max(1) - 1;
         let (from, to) = (self.ends[panel], self.ends[panel + 1]);
@@ -273,39 +293,47 @@ impl Track {
         self.found(panel, x, Rule::shared().values(x))
     }
 
+    /// Point at ξ = `x`, from −1 to 1, in this panel, with the Legendre polynomials there.
     fn found(&self, panel: usize, x: f64, polynomials: LegendreValues) -> PanelPlace {
         let (from, to) = (self.ends[panel], self.ends[panel + 1]);
         PanelPlace { panel, w: from + 0.5 * (1.0 + x) * (to - from), polynomials }
     }
 
-    /// Rate |dw/dt| at a place of the stretch.
+    /// Rate |dw/dt| at a point of the stretch, 1/s.
     pub(super) fn pace(&self, at: &PanelPlace) -> f64 {
         let half = 0.5 * (self.ends[at.panel + 1] - self.ends[at.panel]);
         half / dot(self.rate(at.panel), &at.polynomials[..POINTS])
     }
 
-    /// Value of a function at a place of the stretch, from 0 at its start.
+    /// Value of a function at a point of the stretch; it is 0 at the start of the stretch.
     pub(super) fn value(&self, at: &PanelPlace, function: usize) -> f64 {
         self.sums[at.panel * self.functions + function] + dot(self.integral(at.panel, function), &at.polynomials)
     }
 
+    /// Coefficients of all Legendre series of this panel: dt/dξ, then the integrated functions.
     fn block(&self, panel: usize) -> &[f64] {
         let length = POINTS + self.functions * (POINTS + 1);
         &self.series[panel * length..(panel + 1) * length]
     }
 
+    /// Coefficients of the Legendre series of dt/dξ in this panel.
     fn rate(&self, panel: usize) -> &[f64] {
         &self.block(panel)[..POINTS]
     }
 
+    /// Coefficients of the Legendre series of a function in this panel, one more than those of its
+    /// integrand.
     fn integral(&self, panel: usize, function: usize) -> &[f64] {
         &self.block(panel)[POINTS + function * (POINTS + 1)..][..=POINTS]
     }
 }
 
-/// Place of a stretch: its panel, w, and the values of the polynomials there.
+/// Point of a stretch: its panel, its variable w, and the Legendre polynomials there.
 pub(super) struct PanelPlace {
+    /// Index of the panel of the stretch in which the point lies, from 0.
     panel: usize,
+    /// Variable w of the stretch at the point.
     pub(super) w: f64,
+    /// Values of the Legendre polynomials at the point, in the variable ξ of its panel.
     polynomials: LegendreValues,
 }

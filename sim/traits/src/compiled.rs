@@ -1,64 +1,70 @@
-//! Equations that are compiled into a program: in doubles, in twice their precision, in lanes, and with slopes.
+//! Compiled equations of models: in f64, in twice that precision, in lanes (several states at
+//! once), and with derivatives.
 //!
-//! Invariant: each trait of this module is a part of [`System`], so that a program compiles no more of the equations
-//! for a kind of number than it needs.
+//! Invariant: each trait of this module is a part of [`System`], so that a program compiles no more
+//! of the equations for a kind of number than it needs.
 
 use crate::{DoubleDouble, Integrands, Lanes, Lengths, Scalar, System, Tangent, lane_width};
 
-/// A model whose equations are compiled in, with the hashes by which a program finds and trusts them.
+/// Model whose equations are compiled into the program, with the hashes by which they are found and
+/// checked.
 pub struct CompiledModel {
-    /// Name of the model's folder under `models/`.
+    /// Name of the model, which is that of its folder under `models/`.
     pub name: &'static str,
-    /// Hash of the model text that the equations were derived from, as the deriving crate computes it.
+    /// Hash of the model text from which the equations were derived, as the deriving crate computes it.
     pub text_hash: &'static str,
-    /// Hash of the text of the publication whose printed equations are compiled in; empty if there is none.
+    /// Hash of the text of the publication whose printed equations are compiled; empty if there is
+    /// none.
     pub publication_hash: &'static str,
-    /// Equations of the model: each supported formulation (`kane`, `lagrange`, `newton-euler`), then those of the
-    /// publication (`printed:ID`). A formulation may come again in variables that measure the distance from a
-    /// singularity.
+    /// Equations of the model: each supported formulation (`kane`, `lagrange`, `newton-euler`), then
+    /// those of the publication (`printed:ID`). A formulation may occur again with a distance from a
+    /// singularity as a coordinate.
     pub systems: &'static [CompiledSystem],
-    /// Reduced equations of the model's scenes.
+    /// Reduced equations of the model's scenes, one for each scene that has them.
     pub scenes: &'static [CompiledScene],
 }
 
-/// The reduced equations of one scene, compiled in.
+/// Reduced equations of a single scene, compiled into the program.
 pub struct CompiledScene {
-    /// Name of the scene's file without its ending.
+    /// Name of the scene: its file's name without the extension.
     pub name: &'static str,
-    /// A hash of everything that the equations depend on, as the deriving crate computes it: the model, the outputs
-    /// that the scene asks for, and the parameters that it fixes.
+    /// Hash of everything on which the equations depend, as the deriving crate computes it: the model,
+    /// the outputs of the scene, and the parameters that it fixes.
     pub key: &'static str,
-    /// Reduced equations of the scene.
+    /// Reduced equations of the scene, in each kind of number.
     pub system: CompiledSystem,
 }
 
-/// Compiled equations of one formulation, ready for each kind of number in which runs are made.
+/// Compiled equations of a single formulation, in each kind of number in which runs are made.
 pub struct CompiledSystem {
-    /// Name of the equations, as `kane`; behind an `@` the distance that replaces a coordinate, as in `kane@q2-90deg`.
+    /// Name of the equations, such as `kane`. After an `@` follows the distance that replaces a
+    /// coordinate, as in `kane@q2-90deg`.
     pub name: &'static str,
-    /// Equations in doubles.
+    /// Equations in f64, for ordinary runs.
     pub double: &'static (dyn System<f64> + Sync),
-    /// Equations in [`DoubleDouble`], twice the precision of doubles, for reference runs.
+    /// Equations in [`DoubleDouble`], with twice the precision of f64, for reference runs.
     pub extended: &'static (dyn System<DoubleDouble> + Sync),
-    /// Rates of several states at once; `None` for equations whose accelerations were not solved for.
+    /// Rates q̇ and v̇ of several states at once; `None` for equations whose accelerations were not
+    /// solved for.
     pub lanes: Option<InLanes<'static>>,
 }
 
 /// Rates q̇ and v̇ of a state, without the other functions of a [`System`]; see [`Derivative`].
 ///
-/// Batches are integrated with it. A program that runs a model in lanes need not compile all of [`System`] for them,
-/// which takes an optimizing compiler far longer than for single numbers.
+/// Batches of runs need only these. A program that runs a model in lanes need not compile all of
+/// [`System`] for them, which would take an optimizing compiler far longer than for single numbers.
 pub trait Rates<S: Scalar> {
-    /// Lengths of parameters, coordinates and variables.
+    /// Numbers of parameters, coordinates, variables and all other quantities.
     fn lengths(&self) -> Lengths;
-    /// Writes q̇ and v̇, as [`System::derivative`] does.
+    /// Writes q̇ and v̇ at the state (q, v) with the parameters p, like [`System::derivative`].
     fn rates(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]);
 }
 
-/// Adapter that makes [`Rates`], [`Flow`] and [`Series`] of a [`System`] with [`System::has_accelerations`].
+/// Adapter that implements [`Rates`], [`Flow`] and [`Series`] for a [`System`];
+/// [`System::has_accelerations`] must be true.
 #[derive(Clone, Copy, Debug)]
 pub struct Derivative<E>(
-    /// Equations whose accelerations were solved for.
+    /// Equations of motion whose accelerations were solved for.
     pub E,
 );
 
@@ -71,10 +77,11 @@ impl<S: Scalar, E: System<S>> Rates<S> for Derivative<E> {
     }
 }
 
-/// Rates of a state, and constraints, for runs in other numbers than doubles. These are the parts of a [`System`] that
-/// runs with sensitivities need.
+/// Rates and constraints of a state, in numbers other than f64. These are the parts of a [`System`]
+/// that runs with sensitivities need.
 pub trait Flow<S: Scalar>: Rates<S> {
-    /// Writes the constraint functions, as [`System::constraints`] does: they are zero where the constraints hold.
+    /// Writes the residuals of the constraints, like [`System::constraints`]; they are zero where the
+    /// constraints hold.
     fn constraints(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
 }
 
@@ -84,13 +91,14 @@ impl<S: Scalar, E: System<S>> Flow<S> for Derivative<E> {
     }
 }
 
-/// Taylor coefficients of a motion, without the other functions of a [`System`]; see [`Derivative`].
+/// Taylor coefficients of a motion, without the other functions of a [`System`]; see
+/// [`Derivative`].
 pub trait Series<S: Scalar> {
-    /// True if [`Series::taylor`] has values, as [`System::has_taylor`] says.
+    /// True if [`Series::taylor`] has values, like [`System::has_taylor`].
     fn has_taylor(&self) -> bool;
-    /// Length of the workspace of [`Series::taylor`] for this order, as [`System::taylor_work`] gives it.
+    /// Length of the workspace of [`Series::taylor`] for this order, like [`System::taylor_work`].
     fn taylor_work(&self, order: usize) -> usize;
-    /// Writes the Taylor coefficients of the motion, as [`System::taylor`] does.
+    /// Writes the Taylor coefficients of the motion, like [`System::taylor`].
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]);
 }
 
@@ -118,31 +126,35 @@ impl<S: Scalar, E: System<S>> Integrands<S> for Derivative<E> {
     }
 }
 
-/// Equations with slopes along one and along four directions. Absent on purpose: Taylor coefficients with slopes, which
-/// would double the time of compilation.
+/// Equations with derivatives along one direction, and along four directions at once. Taylor
+/// coefficients with derivatives are left out, because they would double the compile time.
 #[derive(Clone, Copy)]
 pub struct InTangents<'a> {
-    /// Equations with slopes along one direction.
+    /// Equations with derivatives along a single direction.
     pub one: &'a (dyn Flow<Tangent<1>> + Sync),
-    /// Equations with slopes along four directions at once.
+    /// Equations with derivatives along four directions at once.
     pub four: &'a (dyn Flow<Tangent<4>> + Sync),
 }
 
-/// Equations in four lanes; where they are worth it, also in eight lanes, as Taylor coefficients, and with slopes.
+/// Equations for several states at once: in four lanes and, if worthwhile, in eight lanes, as
+/// Taylor coefficients, and with derivatives.
 #[derive(Clone, Copy)]
 pub struct InLanes<'a> {
-    /// Rates of four states at once.
+    /// Rates q̇ and v̇ of four states at once.
     pub four: &'a (dyn Rates<Lanes<4>> + Sync),
-    /// Rates of eight states at once; `None` for long equations, which leave no register for eight lanes.
+    /// Rates of eight states at once; `None` for long equations, for which eight lanes leave no free
+    /// register.
     pub eight: Option<&'a (dyn Rates<Lanes<8>> + Sync)>,
-    /// Taylor coefficients of four motions at once; `None` if the equations have none, or very many.
+    /// Taylor coefficients of four motions at once; `None` if the equations have none, or too many
+    /// operations.
     pub series: Option<&'a (dyn Series<Lanes<4>> + Sync)>,
-    /// Equations at one state with slopes; `None` for long equations.
+    /// Equations of a single state with derivatives; `None` for long equations.
     pub tangents: Option<InTangents<'a>>,
 }
 
 impl<'a> InLanes<'a> {
-    /// Equations that are written for every scalar: four and eight lanes and slopes, without Taylor coefficients.
+    /// Wraps equations that are generic over the scalar: four lanes, eight lanes and derivatives,
+    /// without Taylor coefficients.
     #[must_use]
     pub const fn of<E>(equations: &'a Derivative<E>) -> Self
     where
@@ -152,27 +164,28 @@ impl<'a> InLanes<'a> {
         Self { four: equations, eight: Some(equations), series: None, tangents: Some(tangents) }
     }
 
-    /// Long equations, in four lanes alone. Eight lanes would take compilers several times as long and run no faster.
-    /// The same holds for slopes; with them long equations are interpreted.
+    /// Wraps long equations, in four lanes only. Eight lanes and derivatives would take compilers
+    /// several times as long and run no faster. Derivatives of long equations are interpreted.
     #[must_use]
     pub const fn of_four<E: Rates<Lanes<4>> + Sync>(equations: &'a E) -> Self {
         Self { four: equations, eight: None, series: None, tangents: None }
     }
 
-    /// Rates alone, in four and in eight lanes.
+    /// Wraps rates only, in four and in eight lanes, without derivatives and Taylor coefficients.
     #[must_use]
     pub const fn of_rates<E: Rates<Lanes<4>> + Rates<Lanes<8>> + Sync>(equations: &'a E) -> Self {
         Self { four: equations, eight: Some(equations), series: None, tangents: None }
     }
 
-    /// Adds Taylor coefficients, in four lanes alone. The recurrences keep more values than any processor has
-    /// registers, and take compilers longest of all.
+    /// Adds Taylor coefficients, in four lanes only. Their recurrences keep more values than any
+    /// processor has registers, and take compilers longest of all.
     #[must_use]
     pub const fn with_series(self, series: &'a (dyn Series<Lanes<4>> + Sync)) -> Self {
         Self { series: Some(series), ..self }
     }
 
-    /// Rates in eight lanes, if this processor computes best in them.
+    /// Rates in eight lanes if this processor is fastest with eight; `None` if it is not, or if there
+    /// are none.
     #[must_use]
     pub fn widest(self) -> Option<&'a (dyn Rates<Lanes<8>> + Sync)> {
         self.eight.filter(|_| lane_width() == 8)

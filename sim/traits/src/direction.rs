@@ -1,12 +1,12 @@
-//! Direction in which a function goes through zero.
+//! Direction in which the function of an event crosses zero.
 
-/// Direction of the crossings that an event counts.
+/// Direction of the zero crossings that an event counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Direction {
-    /// Crossings from negative to positive.
+    /// Crossings of zero from negative to positive only.
     Rising,
-    /// Crossings from positive to negative.
+    /// Crossings of zero from positive to negative only.
     Falling,
-    /// Crossings in both directions.
+    /// Crossings of zero in both directions.
     Either,
 }

@@ -1,34 +1,34 @@
-//! Vector instructions of the processor, and code that is compiled for them.
+//! Detection of the processor's vector instructions, and calls of code that is compiled for them.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
-/// Number of lanes of [`crate::Lanes`] in which this processor computes best: 8 if it has registers of 512 bits, else
-/// 4. Results do not depend on it.
+/// Number of lanes of [`crate::Lanes`] with which this processor is fastest: 8 if it has registers
+/// of 512 bits, else 4. Results do not depend on it.
 #[must_use]
 pub fn lane_width() -> usize {
     if matches!(level(), Level::Avx512) { 8 } else { 4 }
 }
 
-/// Vector instructions that a second copy of the code is compiled for.
+/// Level of vector instructions for which code is compiled a second time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(not(all(feature = "std", target_arch = "x86_64")), allow(dead_code, reason = "nothing is looked for there"))]
 pub(crate) enum Level {
-    /// Only the instructions that the whole program is compiled for.
+    /// Only the instructions for which the whole program is compiled.
     Baseline,
-    /// AVX2 and FMA: registers of 256 bits, fused products.
+    /// AVX2 and FMA: registers of 256 bits, and fused multiply–add.
     Avx2,
-    /// AVX-512: registers of 512 bits.
+    /// AVX-512 instructions: registers of 512 bits.
     Avx512,
 }
 
-/// Runs `work`, compiled for the instructions whose registers hold `N` lanes, if this processor has them. If not,
-/// `work` runs with the instructions of the rest of the program. Eight lanes in registers of four are slower than four
-/// lanes, and take compilers three times as long.
+/// Runs `work`, compiled for the vector instructions whose registers hold `N` lanes, if this
+/// processor has them. If not, `work` runs with the instructions of the rest of the program. Eight
+/// lanes in registers for four are slower than four lanes, and take compilers three times as long.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[inline(always)]
 #[allow(unsafe_code, reason = "the calls are safe where the instructions exist, which the level says")]
 pub(crate) fn run<const N: usize, R>(work: impl FnOnce() -> R) -> R {
-    // The whole program has these instructions: there is nothing to ask.
+    // The whole program has these instructions, so no test is needed.
     if N <= 4 && cfg!(all(target_feature = "avx2", target_feature = "fma")) {
         return work();
     }
@@ -41,26 +41,28 @@ pub(crate) fn run<const N: usize, R>(work: impl FnOnce() -> R) -> R {
     }
 }
 
-/// Runs `work` without a change: this target has no second copy of the code.
+/// Runs `work` unchanged: this target has no second copy of the code.
 #[cfg(not(all(feature = "std", target_arch = "x86_64")))]
 #[inline(always)]
 pub(crate) fn run<const N: usize, R>(work: impl FnOnce() -> R) -> R {
     work()
 }
 
+/// Runs `work`, compiled for AVX-512. The caller must make sure that the processor has it.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
 fn avx512<R>(work: impl FnOnce() -> R) -> R {
     work()
 }
 
+/// Runs `work`, compiled for AVX2 and FMA. The caller must make sure that the processor has them.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx2,fma")]
 fn avx2<R>(work: impl FnOnce() -> R) -> R {
     work()
 }
 
-/// Vector instructions of this processor, detected once.
+/// Vector instructions of this processor. They are detected once and then kept.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[inline]
 pub(crate) fn level() -> Level {
@@ -84,7 +86,7 @@ pub(crate) fn level() -> Level {
         KNOWN.store(found as u8, Relaxed);
         found as u8
     }
-    // Threads that ask at the same moment find the same level.
+    // Threads that detect at the same moment find the same level.
     let known = match KNOWN.load(Relaxed) {
         UNKNOWN => ask(),
         known => known,
@@ -96,6 +98,7 @@ pub(crate) fn level() -> Level {
     }
 }
 
+/// Vector instructions that are used on this target: only those of the whole program.
 #[cfg(not(all(feature = "std", target_arch = "x86_64")))]
 pub(crate) fn level() -> Level {
     Level::Baseline

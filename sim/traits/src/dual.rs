@@ -1,12 +1,13 @@
-//! A number with its slope along one direction.
+//! Dual number: a value with its derivative along a single direction.
 
 use crate::scalar::Scalar;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A value and its derivative along one direction, carried through a computation together: forward differentiation,
-/// exact up to rounding.
+/// Dual number: a value and its derivative along a single direction. Both go through a computation
+/// together (forward differentiation), exactly up to rounding.
 ///
-/// Where a function has no derivative the slope is what its formula gives there, as for |x| at 0, whose slope is 0.
+/// Where a function has no derivative, the slope is the value of its derivative formula there. For
+/// example, |x| has the slope 0 at 0.
 ///
 /// ```
 /// use tripos_traits::{Dual, Scalar};
@@ -17,21 +18,22 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual<S> {
-    /// Value of the number.
+    /// Value of the dual number.
     pub value: S,
-    /// Derivative of the value along the direction.
+    /// Derivative of the value along the single direction.
     pub slope: S,
 }
 
 impl<S: Scalar> Dual<S> {
-    /// Number that is constant along the direction: its slope is 0.
+    /// Number that is constant along the direction, with the slope 0.
     #[must_use]
     #[inline]
     pub fn constant(value: S) -> Self {
         Self { value, slope: S::int(0) }
     }
 
-    /// Result f(x) of a function of this number x: `value` is f(x), `derivative` is df/dx.
+    /// Result of a function f of this number x by the chain rule: `value` is f(x), `derivative` is
+    /// df/dx.
     #[inline]
     fn through(self, value: S, derivative: S) -> Self {
         Self { value, slope: derivative * self.slope }

@@ -1,14 +1,17 @@
-//! Enclosure of a function over a range of its argument: the range of its values, and that of its slopes.
+//! Enclosure of a function over a range of its argument: the range of its values, and the range of
+//! its derivative.
 //!
-//! Values and slopes are carried through every operation by the rules of differentiation, in ranges that are rounded
-//! outwards. If x has either sign, the slope of |x| lies between those of its branches, so that the mean value theorem
-//! holds with it. The sign of x jumps there, and its slope may be any number.
+//! Values and derivatives go through every operation by the rules of differentiation, in intervals
+//! that are rounded outwards. If x may have either sign, the slope of |x| lies between those of its
+//! branches, so that the mean value theorem holds. The sign of x jumps at 0, so its slope there may
+//! be any number.
 
 use crate::Scalar;
 use crate::interval::Interval;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The values of a function over a range of its argument, and the slopes that it has there.
+/// Range of the values of a function over a range of its argument, and range of its derivative
+/// there.
 ///
 /// ```
 /// use tripos_traits::{Enclosure, Interval, Scalar};
@@ -21,25 +24,26 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Enclosure {
-    /// Range that holds all values of the function.
+    /// Interval that contains all values of the function.
     pub value: Interval,
-    /// Range that holds all slopes of the function.
+    /// Interval that contains all derivatives of the function.
     pub slope: Interval,
 }
 
 impl Enclosure {
-    /// Enclosure of a constant: its slope is 0.
+    /// Enclosure of a constant, whose derivative is 0.
     #[must_use]
     pub fn constant(value: Interval) -> Self {
         Self { value, slope: Interval::ZERO }
     }
 
-    /// Enclosure of f(x) for this x: `value` holds f(x), `derivative` holds df/dx.
+    /// Enclosure of f(x) for this enclosure x, by the chain rule: `value` contains f(x), `derivative`
+    /// contains df/dx.
     fn chain(self, value: Interval, derivative: Interval) -> Self {
         if value.is_undefined() {
             return Self { value, slope: Interval::UNDEFINED };
         }
-        // A constant has no slope, also where the function is infinitely steep.
+        // A constant has the slope 0, even where the function is infinitely steep.
         let slope = if self.slope == Interval::ZERO { Interval::ZERO } else { derivative * self.slope };
         Self { value, slope }
     }
@@ -160,7 +164,7 @@ impl Scalar for Enclosure {
     }
 }
 
-/// Slope 1/√(1 − x²) of the inverse sine.
+/// Derivative 1/√(1 − x²) of the inverse sine, as an interval.
 fn slope_of_asin(x: Interval) -> Interval {
     let square = Interval::point(1.0) - x.powi(2);
     Interval::new(square.lo().max(0.0), square.hi()).sqrt().powi(-1)

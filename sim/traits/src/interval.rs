@@ -1,45 +1,50 @@
-//! Ranges of a number that is not known exactly: every operation is rounded outwards.
+//! Intervals: ranges of numbers that are not known exactly. Every operation is rounded outwards.
 //!
-//! Invariant: the range of a result holds the results of all numbers from the ranges of the operands. Where a result
-//! may not exist, as √x with x of either sign, both ends are "not a number", and so is all that follows. A division by
-//! a range with 0 in it has an infinite end.
+//! Invariant: the range of a result contains the results for all numbers from the ranges of the
+//! operands. If a result may not exist, such as √x with x of either sign, both ends are "not a
+//! number", and so are all later results. A division by a range that contains 0 has an infinite
+//! end.
 //!
-//! R. E. Moore, R. B. Kearfott & M. J. Cloud, *Introduction to Interval Analysis* (2009), §2 and §5.
+//! R. E. Moore, R. B. Kearfott & M. J. Cloud, *Introduction to Interval Analysis* (2009), §2 and
+//! §5.
 
 use core::f64::consts::PI;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Largest relative error of an elementary function of the library: several times that of the functions of `libm`.
+/// Bound on the relative error of an elementary function of `libm`; several times the true error.
 const LIBRARY: f64 = 4.0 * f64::EPSILON;
-/// Largest angle, rad, whose sine is bounded. Larger angles are known only to a millionth of a turn: their sines may be
-/// any.
+/// Largest angle, rad, whose sine and cosine are bounded. For larger angles the range is −1 to 1.
 const FAR: f64 = 1e9;
 
-/// All numbers from `lo` to `hi`, which may be infinite; both are "not a number" where there may be none.
+/// Range of all numbers from `lo` to `hi`, which may be infinite. Both ends are "not a number" if
+/// there may be no value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     lo: f64,
     hi: f64,
 }
 
-/// Number a little below x; 0 stays 0, since sums that are 0 are exact.
+/// Number slightly below x, as a lower bound for a rounded result x. 0 stays 0, because sums that
+/// are 0 are exact.
 #[inline]
 fn down(x: f64) -> f64 {
     let below = x - x.abs() * f64::EPSILON;
     if below < x { below } else { just_below(x) }
 }
 
-/// Next f64 below x; 0 stays 0, since products with 0 are exact.
+/// Largest f64 below x; 0 stays 0, because products with 0 are exact.
 fn just_below(x: f64) -> f64 {
     if x == 0.0 { x } else { x.next_down() }
 }
 
+/// Number slightly above x, as an upper bound for a rounded result x; 0 stays 0.
 #[inline]
 fn up(x: f64) -> f64 {
     -down(-x)
 }
 
-/// Product of two ends of ranges: 0 times anything is 0, and a product that underflows keeps its sign.
+/// Product of two ends of ranges. 0 times any number, even infinity, is 0. A product that
+/// underflows keeps its sign and is not 0.
 #[inline]
 fn product(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 {
@@ -50,32 +55,32 @@ fn product(a: f64, b: f64) -> f64 {
 }
 
 impl Interval {
-    /// Range of all numbers.
+    /// Range of all real numbers, from −∞ to ∞.
     pub const WHOLE: Self = Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
-    /// Range of an expression that may have no value.
+    /// Range of an expression that may have no value: both ends are "not a number".
     pub const UNDEFINED: Self = Self { lo: f64::NAN, hi: f64::NAN };
-    /// Range that holds only 0.
+    /// Range that contains only 0.
     pub const ZERO: Self = Self { lo: 0.0, hi: 0.0 };
 
-    /// Range from one number to another, given in any order; undefined if one of them is not a number.
+    /// Range between two numbers in any order; undefined if either is "not a number".
     #[must_use]
     pub fn new(a: f64, b: f64) -> Self {
         if a.is_nan() || b.is_nan() { Self::UNDEFINED } else { Self { lo: a.min(b), hi: a.max(b) } }
     }
 
-    /// Range that holds only x.
+    /// Range that contains only x.
     #[must_use]
     pub fn point(x: f64) -> Self {
         Self { lo: x, hi: x }
     }
 
-    /// Range of x and its neighbours: of all numbers that are rounded to x.
+    /// Range of all numbers that may have been rounded to x: x and its neighbouring f64.
     #[must_use]
     pub fn rounded(x: f64) -> Self {
         Self { lo: x.next_down(), hi: x.next_up() }
     }
 
-    /// Range of all numbers within `radius` of `middle`.
+    /// Range of all numbers within `radius` of `middle`, rounded outwards.
     #[must_use]
     pub fn around(middle: f64, radius: f64) -> Self {
         Self::outwards(middle - radius, middle + radius)
@@ -93,50 +98,51 @@ impl Interval {
         self.hi
     }
 
-    /// Distance between the ends of the range.
+    /// Difference between the upper and the lower end of the range.
     #[must_use]
     pub fn width(self) -> f64 {
         self.hi - self.lo
     }
 
-    /// Largest absolute value of a number in the range.
+    /// Largest absolute value of the numbers in the range.
     #[must_use]
     pub fn size(self) -> f64 {
         self.lo.abs().max(self.hi.abs())
     }
 
-    /// True if 0 is outside the range; false if there may be no value.
+    /// True if the range does not contain 0; false if it does, or if the expression may have no value.
     #[must_use]
     pub fn excludes_zero(self) -> bool {
         self.lo > 0.0 || self.hi < 0.0
     }
 
-    /// True if the expression has a value, and all its values are finite.
+    /// True if both ends are finite, so that the expression has a value and all its values are finite.
     #[must_use]
     pub fn is_finite(self) -> bool {
         self.lo.is_finite() && self.hi.is_finite()
     }
 
-    /// True if the expression may have no value.
+    /// True if the expression may have no value; both ends are then "not a number".
     #[must_use]
     pub fn is_undefined(self) -> bool {
         self.lo.is_nan()
     }
 
-    /// Intersection of two ranges of one and the same number. This range if they do not meet or one of them is
-    /// undefined.
+    /// Intersection of two ranges that contain the same number. Returns this range if they do not
+    /// overlap or if either is undefined.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         let both = Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) };
-        // Two ranges of one number that do not meet are both wrong by rounding.
+        // Two ranges of the same number that do not overlap are both wrong by rounding.
         if both.lo <= both.hi && !self.is_undefined() && !other.is_undefined() { both } else { self }
     }
 
+    /// Range from lo to hi, with both ends rounded outwards.
     fn outwards(lo: f64, hi: f64) -> Self {
         Self { lo: down(lo), hi: up(hi) }
     }
 
-    /// Computes k x for a number k.
+    /// Range of the product k x for a number k and this range of x.
     fn times(self, k: f64) -> Self {
         if k - 1.0 == 0.0 {
             return self;
@@ -145,11 +151,13 @@ impl Interval {
         Self::outwards(a.min(b), a.max(b))
     }
 
+    /// True if the range contains 0; false if the expression may have no value.
     fn has_zero(self) -> bool {
         self.lo <= 0.0 && self.hi >= 0.0
     }
 
-    /// Range of f(x) for a function that rises: from its value at the lower end of x to that at the upper end.
+    /// Range of f(x) for an increasing function f: from its value at the lower end of x to that at the
+    /// upper end. Undefined if f has no value at an end.
     fn rising(self, f: impl Fn(f64) -> f64) -> Self {
         let (lo, hi) = (f(self.lo), f(self.hi));
         if lo.is_nan() || hi.is_nan() {
@@ -159,11 +167,12 @@ impl Interval {
         Self::outwards(lo - wide(lo), hi + wide(hi))
     }
 
+    /// Limits both ends to the interval from `low` to `high`; an undefined range stays undefined.
     fn restricted(self, low: f64, high: f64) -> Self {
         if self.is_undefined() { self } else { Self { lo: self.lo.max(low), hi: self.hi.min(high) } }
     }
 
-    /// Range of the reciprocal 1/x.
+    /// Range of the reciprocal 1/x; undefined if x is exactly 0, all numbers if x may have either sign.
     fn reciprocal(self) -> Self {
         if self.is_undefined() || (self.lo == 0.0 && self.hi == 0.0) {
             Self::UNDEFINED
@@ -178,19 +187,19 @@ impl Interval {
         }
     }
 
-    /// Range of cos x: reaches 1 and −1 where x holds even and odd multiples of π, else spans its values at the ends of
-    /// x.
+    /// Range of cos x. It reaches 1 or −1 if x contains an even or odd multiple of π; else it spans the
+    /// values at the ends of x.
     fn cos(self) -> Self {
         self.wave(0.0, libm::cos)
     }
 
-    /// Range of sin x.
+    /// Range of sin x, x in rad.
     fn sin(self) -> Self {
         self.wave(0.5, libm::sin)
     }
 
-    /// Range of a function that is 1 at even multiples of π, −1 at odd ones, and monotone between, all moved by `shift`
-    /// · π.
+    /// Range of `f`, which must be cos(x − `shift` π): 1 at even, −1 at odd multiples of π, all
+    /// moved by `shift` · π.
     fn wave(self, shift: f64, f: impl Fn(f64) -> f64) -> Self {
         const ALL: Interval = Interval { lo: -1.0, hi: 1.0 };
         if self.is_undefined() {
@@ -199,7 +208,7 @@ impl Interval {
         if self.size() > FAR || self.width() >= 2.0 * PI {
             return ALL;
         }
-        // A multiple next to an end counts as inside.
+        // A multiple of π next to an end counts as inside.
         let slack = 4.0 * f64::EPSILON * (1.0 + self.size());
         let first = libm::ceil(self.lo / PI - shift - slack);
         let last = libm::floor(self.hi / PI - shift + slack);
@@ -213,7 +222,7 @@ impl Interval {
         Self { lo, hi }.restricted(-1.0, 1.0)
     }
 
-    /// Ranges (sin x, cos x).
+    /// Ranges of (sin x, cos x), x in rad.
     #[must_use]
     pub fn sin_cos(self) -> (Self, Self) {
         (self.sin(), self.cos())
@@ -225,26 +234,26 @@ impl Interval {
         if self.lo >= 0.0 { self.rising(libm::sqrt).restricted(0.0, f64::INFINITY) } else { Self::UNDEFINED }
     }
 
-    /// Range of the inverse sine of x, in [−π/2, π/2]; undefined if |x| may exceed 1.
+    /// Range of the inverse sine of x, rad, in [−π/2, π/2]; undefined if |x| may exceed 1.
     #[must_use]
     pub fn asin(self) -> Self {
         self.rising(libm::asin)
     }
 
-    /// Range of the inverse cosine of x, in [0, π]; undefined if |x| may exceed 1.
+    /// Range of the inverse cosine of x, rad, in [0, π]; undefined if |x| may exceed 1.
     #[must_use]
     pub fn acos(self) -> Self {
-        // acos falls: −acos rises.
+        // acos decreases, so −acos increases.
         -self.rising(|x| -libm::acos(x))
     }
 
-    /// Range of the inverse tangent of x.
+    /// Range of the inverse tangent of x, rad.
     #[must_use]
     pub fn atan(self) -> Self {
         self.rising(libm::atan)
     }
 
-    /// Range of the exponential eˣ.
+    /// Range of the exponential eˣ; the lower end is at least 0.
     #[must_use]
     pub fn exp(self) -> Self {
         self.rising(libm::exp).restricted(0.0, f64::INFINITY)
@@ -287,14 +296,14 @@ impl Interval {
         }
     }
 
-    /// Range of the sign of x: −1, 0 or 1.
+    /// Range of the sign of x, which is −1, 0 or 1.
     #[must_use]
     pub fn sign(self) -> Self {
         let of = |x: f64| if x == 0.0 { 0.0 } else { x.signum() };
         Self { lo: of(self.lo), hi: of(self.hi) }
     }
 
-    /// Range of xⁿ; n may be negative.
+    /// Range of xⁿ; n may be negative, and then x must not be exactly 0.
     #[must_use]
     pub fn powi(self, n: i32) -> Self {
         match n {
@@ -304,6 +313,7 @@ impl Interval {
         }
     }
 
+    /// Range of xⁿ for n ≥ 0, narrow also if x may have either sign.
     fn raised(self, n: u32) -> Self {
         if n.is_multiple_of(2) {
             let size = self.abs();
@@ -315,7 +325,7 @@ impl Interval {
         }
     }
 
-    /// Range of xⁿ by multiplications, each rounded outwards, for a range whose ends have one sign.
+    /// Range of xⁿ by multiplications, each rounded outwards, for a range whose ends have equal signs.
     fn power(self, mut n: u32) -> Self {
         let (mut base, mut result) = (self, Self::point(1.0));
         while n > 0 {
@@ -358,7 +368,7 @@ impl Mul for Interval {
         if self.is_undefined() || other.is_undefined() {
             return Self::UNDEFINED;
         }
-        // Factors of terms are mostly 1, or one number.
+        // Factors of terms are mostly 1, or exact numbers.
         if self.width() == 0.0 {
             return other.times(self.lo);
         }

@@ -1,11 +1,13 @@
-//! Several doubles side by side, as the vector registers of a processor hold them.
+//! Lanes: several f64 side by side, as the vector registers of a processor hold them.
 //!
-//! Invariant: a lane has the same bits whatever the other lanes hold, however many they are, and on every processor.
-//! So products are fused everywhere or nowhere: [`Scalar::mul_add`] always, `*` followed by `+` never.
+//! Invariant: the bits of a lane depend neither on the contents nor on the number of the other
+//! lanes, nor on the processor. So products are fused everywhere or nowhere: [`Scalar::mul_add`]
+//! always, `*` followed by `+` never.
 //!
-//! Lanes are written as loops over arrays, which the compiler turns into vector instructions inside
-//! [`Scalar::dispatch`]. Outside it they use the instructions of the compilation target, and a fused product is a call
-//! if that has none. Absent on purpose: comparison. Lanes differ, so the caller decides lane by lane.
+//! Operations are written as loops over arrays, which the compiler turns into vector instructions
+//! inside [`Scalar::dispatch`]. Outside it, they use the instructions of the compilation target,
+//! and a fused product is a function call if the target has none. Lanes cannot be compared: they
+//! may differ, so the caller decides lane by lane.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
@@ -16,7 +18,7 @@ use crate::scalar::Scalar;
 use crate::scalar::series::{self, Factors, Pair};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Vector of `N` doubles, on which every operation acts lane by lane; 4 and 8 of them fill a register.
+/// Vector of `N` f64, on which every operation acts lane by lane; 4 or 8 of them fill a register.
 ///
 /// ```
 /// use tripos_traits::{Lanes, Scalar};
@@ -29,11 +31,11 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
 pub struct Lanes<const N: usize>(
-    /// Numbers, one for each lane.
+    /// Numbers of the vector, one for each lane.
     pub [f64; N],
 );
 
-/// Fused multiply–add: x·a + b, rounded once on every processor.
+/// Way to compute x·a + b: fused, so that it is rounded once on every processor.
 struct Fused;
 
 impl MulAdd for Fused {
@@ -46,7 +48,7 @@ impl MulAdd for Fused {
     }
 }
 
-/// Square root √x, correctly rounded.
+/// Square root √x of an f64, correctly rounded.
 #[inline(always)]
 fn sqrt(x: f64) -> f64 {
     #[cfg(feature = "std")]
@@ -55,8 +57,8 @@ fn sqrt(x: f64) -> f64 {
     return libm::sqrt(x);
 }
 
-/// Repeats an expression for each lane. Generated code has thousands of these loops: written out, they compile in half
-/// the time that unrolling takes.
+/// Repeats an expression for each lane index. Generated code has thousands of these loops; written
+/// out, they compile in half the time that loops to be unrolled take.
 macro_rules! each_lane {
     ($l:ident, $n:expr, $do:expr) => {
         if $n == 4 {
@@ -81,7 +83,8 @@ macro_rules! each_lane {
 pub(crate) use each_lane;
 
 impl<const N: usize> Lanes<N> {
-    /// Larger of two numbers in each lane, and the second number where either is not a number, as [`larger_or_second`].
+    /// Larger of two numbers in each lane, and the second number if either is "not a number", like the
+    /// function [`larger_or_second`].
     #[inline(always)]
     #[must_use]
     pub fn larger_or_second(self, other: Self) -> Self {
@@ -90,7 +93,7 @@ impl<const N: usize> Lanes<N> {
         out
     }
 
-    /// Applies a function to each lane.
+    /// Applies a function to the number in each lane.
     #[inline(always)]
     fn each(self, f: impl Fn(f64) -> f64) -> Self {
         let mut out = self;
@@ -99,6 +102,7 @@ impl<const N: usize> Lanes<N> {
     }
 }
 
+/// Implements an operator such as `+` for `Lanes`, lane by lane.
 macro_rules! operator {
     ($trait:ident, $function:ident, $operator:tt) => {
         impl<const N: usize> $trait for Lanes<N> {
@@ -126,7 +130,8 @@ impl<const N: usize> Neg for Lanes<N> {
     }
 }
 
-/// Sines and cosines, corrected in the lanes whose arguments [`circular::near`] cannot take.
+/// Replaces sines and cosines in the lanes whose arguments exceed the range of [`circular::near`]
+/// by those of `libm`.
 #[cold]
 #[inline(never)]
 fn with_far_lanes<const N: usize>(x: [f64; N], sine: Lanes<N>, cosine: Lanes<N>) -> (Lanes<N>, Lanes<N>) {
@@ -139,6 +144,7 @@ fn with_far_lanes<const N: usize>(x: [f64; N], sine: Lanes<N>, cosine: Lanes<N>)
     (sine, cosine)
 }
 
+/// True if the argument is within the range of `circular::near`.
 #[inline(always)]
 fn is_near(x: f64) -> bool {
     x.abs() <= circular::FAST
@@ -205,8 +211,8 @@ impl<const N: usize> Scalar for Lanes<N> {
     fn sign(self) -> Self {
         self.each(Scalar::sign)
     }
-    /// Computes x·a + b, rounded once on every processor. It is a call if the code was compiled for a target without
-    /// it.
+    /// Computes x·a + b, rounded once on every processor. On a target without a fused instruction, it
+    /// is a slow function call.
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {
         let mut out = self;
@@ -218,9 +224,9 @@ impl<const N: usize> Scalar for Lanes<N> {
     fn pair_sums<const W: usize>(history: &[Factors<Self, W>]) -> Pair<Self, W> {
         series::read_twice::<Self, W, { series::LANES / 2 }>(history)
     }
-    /// Runs `work` with AVX-512, or with AVX2 and fused products, where the processor has them. The instructions reach
-    /// only `work` itself and code that is inlined into it: write `#[inline(always)] ||` before its body if that is
-    /// long.
+    /// Runs `work` with AVX-512, or with AVX2 and fused products, if the processor has them. The
+    /// instructions apply only to `work` and to code that is inlined into it. If its body is long,
+    /// write `#[inline(always)] ||` before it.
     #[inline(always)]
     fn dispatch<R>(work: impl FnOnce() -> R) -> R {
         dispatch::run::<N, R>(work)

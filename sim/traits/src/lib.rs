@@ -1,19 +1,20 @@
-//! Traits of generated equations of motion, and the numbers that the simulator runs them in.
+//! Traits of generated equations of motion, and the numeric types in which the simulator runs them.
 //!
-//! Two traits: [`Scalar`], the arithmetic that a generated function body needs, so that one text serves `f64`, `f32`
-//! and every wider or narrower type; and [`System`], one formulation of one model as mass matrix, forcing and kinematic
-//! equations. And five more scalars: [`DoubleDouble`], a number of 32 digits, [`Lanes`], several doubles side by side,
-//! [`Dual`], a number with its slope, [`Tangent`], a double with several slopes, and [`Enclosure`], the ranges of a
-//! function's values and slopes.
+//! [`Scalar`] is the arithmetic that a generated function body needs, so that the same text serves
+//! `f64`, `f32` and all other numeric types. [`System`] is a formulation of a model as mass matrix,
+//! forcing and kinematic equations.
 //!
-//! The feature `std`, on by default, lets lanes use the vector instructions that the processor turns out to have, and
-//! brings [`AbsoluteTolerance`], which scene files and the simulator have in common; without it the crate needs no
-//! standard library, and lanes give the same numbers more slowly.
+//! Further scalars are [`DoubleDouble`] (a number with 32 digits), [`Lanes`] (several f64 side by
+//! side), [`Dual`] (a number with a derivative), [`Tangent`] (an f64 with several derivatives), and
+//! [`Enclosure`] (ranges of a function's values and derivatives).
 //!
-//! Beside these: names that scenes and the simulator share, [`Method`], [`Direction`] and absolute tolerances, and
-//! maxima that know what NaN is ([`larger`]).
+//! The feature `std`, on by default, lets lanes use the vector instructions that the processor has,
+//! and adds [`AbsoluteTolerance`], which scene files and the simulator share. Without it, the crate
+//! needs no standard library, and lanes give equal numbers more slowly.
 //!
-//! Absent on purpose: names, units and files. They belong to the model, not to its numbers.
+//! Scenes and the simulator also share [`Method`], [`Direction`], absolute tolerances, and maxima
+//! that respect NaN ([`larger`]). Names, units and files are not in this crate: they belong to the
+//! model, not to its numbers.
 // The examples of the README are tested too.
 #![cfg_attr(doctest, doc = include_str!("../README.md"))]
 #![no_std]

@@ -1,22 +1,22 @@
-//! Maxima that respect NaN.
+//! Maxima that respect NaN ("not a number").
 //!
-//! `f64::max` ignores an argument that is not a number: an error that has no value would become the best of all errors.
-//! Decisions take their maxima from here.
+//! `f64::max` ignores an argument that is NaN, so an error without a value would seem to be the
+//! smallest of all errors. All decisions use the maxima of this module.
 
-/// Larger of two numbers; not a number if either is not a number, so that no error is hidden.
+/// Larger of two numbers; NaN if either is NaN, so that no error is hidden.
 #[must_use]
 pub fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }
 
-/// Largest absolute value in a list; not a number if one of them is not a number; 0 for an empty list.
+/// Largest absolute value in a list; NaN if any of the values is NaN; 0 for an empty list.
 #[must_use]
 pub fn largest(list: impl IntoIterator<Item = f64>) -> f64 {
     list.into_iter().map(f64::abs).fold(0.0, larger)
 }
 
-/// Larger of two numbers, and the second number where either is not a number. It takes one instruction, for weights in
-/// loops whose values are checked for NaN elsewhere.
+/// Larger of two numbers; the second number if either is NaN. It takes a single instruction, for
+/// weights in loops whose values are checked for NaN elsewhere.
 #[must_use]
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "one instruction, also inside code for wider registers")]

@@ -1,47 +1,47 @@
-//! Methods of integration by name, for scenes and for the simulator.
+//! Methods of numerical integration by name, for scenes and for the simulator.
 //!
-//! The list is complete: a change that adds a method also says how it is run.
+//! The list is complete: a change that adds a method also adds the code that runs it.
 
-/// A method of numerical integration.
+/// Method of numerical integration, by which a run steps in time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Method {
-    /// The classical Runge–Kutta method of order 4, with a fixed step only. W. Kutta, Z. Math. Phys. 46 (1901)
-    /// 435–453.
+    /// Classical Runge–Kutta method of order 4, with a fixed step only. W. Kutta, Z. Math. Phys. 46
+    /// (1901) 435–453.
     Rk4,
-    /// Dormand–Prince 5(4) with the step control of `ode45`; its coefficients are the constant `DORMAND_PRINCE_54` of
-    /// the integrators.
+    /// Dormand–Prince 5(4) with the step control of `ode45`. Its coefficients are the constant
+    /// `DORMAND_PRINCE_54` of the integrators.
     #[default]
     Ode45,
     /// Dormand–Prince 5(4) with the step control of Hairer's `dopri5`.
     Dopri5,
-    /// Dormand–Prince 8(5,3) with the error estimate and the step control of Hairer's `dop853`; see
-    /// the constant `DORMAND_PRINCE_853` of the integrators.
+    /// Dormand–Prince 8(5,3) with the error estimate and the step control of Hairer's `dop853`. Its
+    /// coefficients are the constant `DORMAND_PRINCE_853` of the integrators.
     Dop853,
-    /// Gauss–Legendre collocation with three stages, of order 6: implicit, so that the right-hand side must bring its
-    /// Jacobian; conserves quadratic invariants, and with a fixed step the energy in the long run. Events and output
-    /// inside a step are far less exact than its ends: of order 3.
+    /// Gauss–Legendre collocation with three stages, of order 6. Implicit, so the right-hand side must
+    /// provide its Jacobian. Conserves quadratic invariants and, with a fixed step, the energy in the
+    /// long run. Events and output inside a step are far less exact than at its ends: of order 3.
     Gauss6,
-    /// Radau IIA collocation with three stages, of order 5, with the error estimate and the step control of Hairer's
-    /// `radau5`: implicit, so that the right-hand side must bring its Jacobian; A- and L-stable, for stiff equations.
-    /// Events and output inside a step are less exact than its ends: of order 3.
+    /// Radau IIA collocation with three stages, of order 5, with the error estimate and the step
+    /// control of Hairer's `radau5`. Implicit, so the right-hand side must provide its Jacobian. A- and
+    /// L-stable, for stiff equations. Events and output inside a step are less exact than at its ends:
+    /// of order 3.
     Radau5,
-    /// Taylor's method, whose order follows from the tolerance; see `order` of its options. The
-    /// right-hand side must bring the Taylor coefficients of its solutions
-    /// (`RightHandSide::taylor`). Steps are long and hardly ever rejected, and the
-    /// solution inside them is as exact as at their ends.
+    /// Taylor's method, whose order is chosen from the tolerance (or by the option `order`). The
+    /// right-hand side must provide the Taylor coefficients of its solutions (`RightHandSide::taylor`).
+    /// Steps are long and rarely rejected, and the solution inside a step is as exact as at its ends.
     Taylor,
 }
 
 impl Method {
-    /// All methods, in the order in which they are always listed.
+    /// All methods, in the order in which every list shows them.
     pub const ALL: [Self; 7] =
         [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853, Self::Gauss6, Self::Radau5, Self::Taylor];
 
-    /// Methods that need only the right-hand side and its Jacobian.
+    /// Methods that need only the right-hand side and its Jacobian, but no Taylor coefficients.
     pub const WITHOUT_SERIES: [Self; 6] =
         [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853, Self::Gauss6, Self::Radau5];
 
-    /// Name of the method on the command line, in files and in tables.
+    /// Name of the method on the command line, in files and in tables, such as `rk4`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -55,7 +55,8 @@ impl Method {
         }
     }
 
-    /// Order of the solution at the end of a step; `None` if it follows from the tolerance.
+    /// Order of the solution at the end of a step; `None` for Taylor's method, whose order is chosen
+    /// from the tolerance.
     #[must_use]
     pub const fn order(self) -> Option<u32> {
         match self {
@@ -67,7 +68,8 @@ impl Method {
         }
     }
 
-    /// Order of the solution inside a step; `None` if it follows from the tolerance.
+    /// Order of the solution inside a step; `None` for Taylor's method, whose order is chosen from the
+    /// tolerance.
     #[must_use]
     pub const fn dense_order(self) -> Option<u32> {
         match self {
@@ -78,19 +80,19 @@ impl Method {
         }
     }
 
-    /// True if the method estimates its error, and so can choose its steps.
+    /// True if the method estimates its error, and so can choose its step lengths.
     #[must_use]
     pub const fn is_adaptive(self) -> bool {
         !matches!(self, Self::Rk4)
     }
 
-    /// True if the method is usually run with fixed steps.
+    /// True if the method is usually run with a fixed step length, even if it can choose its steps.
     #[must_use]
     pub const fn has_fixed_use(self) -> bool {
         matches!(self, Self::Rk4 | Self::Gauss6)
     }
 
-    /// True if the method is implicit, and needs the Jacobian of the right-hand side.
+    /// True if the method is implicit, so that it needs the Jacobian of the right-hand side.
     #[must_use]
     pub const fn needs_jacobian(self) -> bool {
         matches!(self, Self::Gauss6 | Self::Radau5)

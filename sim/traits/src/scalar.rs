@@ -1,4 +1,4 @@
-//! Arithmetic that a generated function body needs.
+//! Scalars: the arithmetic that a generated function body needs.
 
 pub mod series;
 
@@ -7,69 +7,69 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use series::{Factors, Pair};
 
-/// A number in which generated equations can be evaluated, or several numbers in lanes.
+/// Number type, or several numbers in lanes, in which generated equations can be evaluated.
 ///
-/// Angles are in radians. Functions outside their domain return the type's "not a number", never
-/// panic: the simulator looks for it and stops the run with a reason.
+/// Angles are in radians. Functions outside their domain return the type's "not a number" and never
+/// panic. The simulator checks for it and stops the run with a reason.
 pub trait Scalar:
     Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
     /// Value of this type nearest to `x`.
     #[must_use]
     fn from_f64(x: f64) -> Self;
-    /// Value nearest to a number in decimal notation, such as `"-5.26e-2"`: coefficients of methods are written with
-    /// more digits than an `f64` holds. Not a number if `text` has another form.
+    /// Value nearest to a number in decimal notation, such as `"-5.26e-2"`. Coefficients of methods are
+    /// written with more digits than an `f64` holds. "Not a number" if `text` has another form.
     #[must_use]
     fn decimal(text: &str) -> Self;
-    /// The number π.
+    /// Number π in this type.
     #[must_use]
     fn pi() -> Self;
-    /// The whole number `n`.
+    /// Whole number `n` in this type.
     #[must_use]
     fn int(n: i64) -> Self {
         Self::ratio(n, 1)
     }
-    /// Quotient `numerator / denominator`, correctly rounded where both are exact in this type, as whole numbers up to
-    /// 2⁵³ are in `f64`.
+    /// Quotient `numerator / denominator`. It is correctly rounded if both are exact in this type, as
+    /// whole numbers up to 2⁵³ are in `f64`.
     #[must_use]
     fn ratio(numerator: i64, denominator: i64) -> Self;
-    /// Computes (sin x, cos x), which cost less together than apart. The error in `f64` and in lanes is 0.9 ulp for |x|
-    /// ≤ 2¹⁸, also next to the zeros, and 1 ulp beyond.
+    /// Computes (sin x, cos x) together, which costs less than each alone. The error in `f64` and in
+    /// lanes is at most 0.9 ulp for |x| ≤ 2¹⁸, also near the zeros, and 1 ulp for larger x.
     fn sin_cos(self) -> (Self, Self);
-    /// Square root.
+    /// Square root √x; "not a number" for x < 0.
     #[must_use]
     fn sqrt(self) -> Self;
-    /// Inverse sine, in [−π/2, π/2].
+    /// Inverse sine, rad, in [−π/2, π/2]; "not a number" for |x| > 1.
     #[must_use]
     fn asin(self) -> Self;
-    /// Inverse cosine, in [0, π].
+    /// Inverse cosine, rad, in [0, π]; "not a number" for |x| > 1.
     #[must_use]
     fn acos(self) -> Self;
-    /// Inverse tangent, in (−π/2, π/2).
+    /// Inverse tangent, rad, in (−π/2, π/2).
     #[must_use]
     fn atan(self) -> Self;
-    /// Exponential eˣ.
+    /// Exponential eˣ of this number x.
     #[must_use]
     fn exp(self) -> Self;
-    /// Natural logarithm.
+    /// Natural logarithm; "not a number" for x < 0.
     #[must_use]
     fn ln(self) -> Self;
-    /// Hyperbolic sine.
+    /// Hyperbolic sine of this number.
     #[must_use]
     fn sinh(self) -> Self;
-    /// Hyperbolic cosine.
+    /// Hyperbolic cosine of this number.
     #[must_use]
     fn cosh(self) -> Self;
-    /// Hyperbolic tangent.
+    /// Hyperbolic tangent of this number.
     #[must_use]
     fn tanh(self) -> Self;
-    /// Absolute value |x|.
+    /// Absolute value |x| of this number x.
     #[must_use]
     fn abs(self) -> Self;
-    /// Sign of x: −1, 0 or 1; 0 at 0, as the derivative of |x| is taken there.
+    /// Sign of x: −1, 0 or 1. It is 0 at 0, where it serves as the derivative of |x|.
     #[must_use]
     fn sign(self) -> Self;
-    /// Computes sin x/x, and 1 at x = 0.
+    /// Computes sin x/x of this number x (rad), and 1 at x = 0.
     #[must_use]
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
@@ -78,20 +78,22 @@ pub trait Scalar:
         let at_zero = Self::int(1) - sign * sign;
         (self.sin_cos().0 + at_zero) / (self + at_zero)
     }
-    /// Computes x·a + b. It is rounded once if the processor for which the program is compiled has a fused
-    /// multiply-add, as with `-C target-cpu=native`, else twice. So two builds may differ in last bits.
+    /// Computes x·a + b. It is rounded once if the program is compiled for a processor with fused
+    /// multiply–add, as with `-C target-cpu=native`; else twice. So two builds may differ in the last
+    /// bits.
     #[must_use]
     #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {
         self * a + b
     }
-    /// Runs `work`, compiled for the vector instructions that this processor has where the type gains by them. The
-    /// numbers are the same as those of `work()`.
+    /// Runs `work`, compiled for this processor's vector instructions if the type gains by them. The
+    /// results equal those of `work()`.
     #[inline]
     fn dispatch<R>(work: impl FnOnce() -> R) -> R {
         work()
     }
-    /// Sums of products of Taylor coefficients, as [`series::pair_sums`]. The numbers do not depend on the processor.
+    /// Sums of products of Taylor coefficients, as [`series::pair_sums`] defines them. The results do
+    /// not depend on the processor.
     #[must_use]
     #[inline]
     fn pair_sums<const W: usize>(history: &[Factors<Self, W>]) -> Pair<Self, W> {
@@ -114,26 +116,29 @@ pub trait Scalar:
     }
 }
 
-/// A real number that can be compared: the scalar of a run.
+/// Real number that can be compared: the scalar in which a run is made.
 pub trait Real: Scalar + PartialEq + PartialOrd {
-    /// Distance from 1 to the next larger value; for [`crate::DoubleDouble`] the unit of its error bounds.
+    /// Distance from 1 to the next larger value; for [`crate::DoubleDouble`], the unit of its error
+    /// bounds.
     const EPSILON: f64;
-    /// Nearest `f64` to the value.
+    /// Value rounded to the nearest `f64`.
     fn to_f64(self) -> f64;
-    /// Number of slopes that a value carries: 0 except in [`crate::Tangent`].
+    /// Number of derivatives (slopes) that a value contains: 0 except in [`crate::Tangent`].
     const SLOPES: usize = 0;
-    /// Slope of the value along direction number `at`, counted from 0; 0 if the type carries no slopes.
+    /// Derivative of the value along direction number `at`, counted from 0; 0 if the type contains no
+    /// derivatives.
     #[must_use]
     fn slope(self, _at: usize) -> f64 {
         0.0
     }
-    /// Copy of the value whose slope along direction number `at` is increased by `by`.
+    /// Copy of the value whose derivative along direction number `at` is increased by `by`; unchanged
+    /// if the type has none.
     #[must_use]
     fn turned(self, _at: usize, _by: f64) -> Self {
         self
     }
-    /// Computes `self` + k x with a number k that has no slopes, such as a coefficient of a method or the length of a
-    /// step. It is rounded as [`Scalar::mul_add`] is.
+    /// Computes `self` + k x with a number k that has no derivatives, such as a coefficient of a method
+    /// or a step length. It is rounded like [`Scalar::mul_add`].
     #[must_use]
     #[inline]
     fn plus_multiple(self, k: Self, x: Self) -> Self {
@@ -141,6 +146,7 @@ pub trait Real: Scalar + PartialEq + PartialOrd {
     }
 }
 
+/// Implements `Scalar` and `Real` for a floating-point type, with the given functions of `libm`.
 macro_rules! float_scalar {
     ($type:ty, $sincos:path, $sqrt:path, $asin:path, $acos:path, $atan:path, $exp:path, $ln:path,
      $sinh:path, $cosh:path, $tanh:path) => {
@@ -231,7 +237,8 @@ macro_rules! float_scalar {
     };
 }
 
-/// Products and sums as [`Scalar::mul_add`] of `f64` makes them: fused if the target of compilation fuses them.
+/// Multiply–add that rounds like [`Scalar::mul_add`] of `f64`: once if the compilation target has
+/// the fused instruction, else twice.
 struct AsCompiled;
 
 impl MulAdd for AsCompiled {
@@ -241,6 +248,7 @@ impl MulAdd for AsCompiled {
     }
 }
 
+/// Computes (sin x, cos x) of an f64, x in rad.
 #[inline]
 fn sin_cos(x: f64) -> (f64, f64) {
     circular::one::<AsCompiled>(x)

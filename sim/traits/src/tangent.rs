@@ -1,10 +1,11 @@
-//! A double with its slopes along several directions, for runs with sensitivities.
+//! Tangents: an f64 with its derivatives along several directions, for runs with sensitivities.
 //!
-//! Invariant: the value has the bits that a double has by the same operations, whatever the slopes are and how many. So
-//! a run in tangents takes the steps of the run in doubles, and its slopes are the derivatives of that run.
+//! Invariant: the value has the bits that an f64 has after the same operations, whatever the
+//! derivatives are. So a run in tangents takes the steps of the run in f64, and its derivatives are
+//! those of that run.
 //!
-//! Products of slopes are never fused, so that they have the same bits on every processor. Absent on purpose:
-//! comparison of slopes. Tangents compare as their values do.
+//! Products of derivatives are never fused, so that they have equal bits on every processor.
+//! Tangents compare by their values only.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
@@ -14,9 +15,10 @@ use crate::scalar::{Real, Scalar};
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A value, and its derivatives along `K` directions at once; 4 fill a register.
+/// Number with a value and its derivatives along `K` directions at once; 4 of them fill a register.
 ///
-/// Where a function has no derivative the slopes are what its formula gives there, as for |x| at 0, whose slope is 0.
+/// Where a function has no derivative, the slopes are the values of its derivative formula there.
+/// For example, |x| has the slope 0 at 0.
 ///
 /// ```
 /// use tripos_traits::{Scalar, Tangent};
@@ -28,21 +30,22 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Tangent<const K: usize> {
-    /// Value of the number.
+    /// Value of the number without its derivatives.
     pub value: f64,
-    /// Derivative of the value along each direction.
+    /// Derivatives of the value, one for each of the `K` directions.
     pub slopes: [f64; K],
 }
 
 impl<const K: usize> Tangent<K> {
-    /// Number that is constant along all directions: its slopes are 0.
+    /// Number that is constant along all directions, with slopes 0.
     #[must_use]
     #[inline(always)]
     pub const fn constant(value: f64) -> Self {
         Self { value, slopes: [0.0; K] }
     }
 
-    /// Result f(x) of a function of this number x: `value` is f(x), `derivative` is df/dx.
+    /// Result of a function f of this number x by the chain rule: `value` is f(x), `derivative` is
+    /// df/dx.
     #[must_use]
     #[inline(always)]
     pub fn through(self, value: f64, derivative: f64) -> Self {
@@ -115,7 +118,7 @@ impl<const K: usize> PartialOrd for Tangent<K> {
     }
 }
 
-/// Computes √(1 − x²), the other leg of a right triangle with hypotenuse 1.
+/// Computes √(1 − x²), the second leg of a right triangle with hypotenuse 1 and leg x.
 fn leg(x: f64) -> f64 {
     Scalar::sqrt(1.0 - x * x)
 }
@@ -199,7 +202,7 @@ impl<const K: usize> Scalar for Tangent<K> {
     }
 }
 
-/// The scalar of a run with sensitivities: compared and rounded by its value, with slopes carried along.
+/// Scalar of a run with sensitivities: compared and rounded by its value; the derivatives go along.
 impl<const K: usize> Real for Tangent<K> {
     const EPSILON: f64 = f64::EPSILON;
     const SLOPES: usize = K;

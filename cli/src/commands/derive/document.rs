@@ -1,8 +1,8 @@
-//! A derivation as a document in no language: the meanings of symbols, all formulas of the text, and the conserved
-//! quantities.
+//! Document about a derivation, independent of a document language: meanings of symbols, all
+//! formulas, and first integrals.
 //!
-//! Invariant: nothing here depends on a language of documents. Formulas are trees, left sides are data, and words are
-//! those of the model.
+//! Invariant: nothing here depends on the syntax of LaTeX, Markdown or Typst. Formulas are trees,
+//! left sides are data, and names are those of the model.
 
 use crate::phrases::NAMED;
 use tripos_derive::Model;
@@ -18,31 +18,32 @@ use tripos_derive::mechanics::{
 use tripos_derive::model::{Body, Inertia};
 use tripos_derive::prove::Integral;
 
-/// A document about the derivation of a model's equations.
+/// Document about the derivation of a model's equations, before it is written in a document
+/// language.
 pub struct Document {
-    /// Title of the model.
+    /// Title of the model, as the document's title.
     pub title: String,
-    /// Paragraphs about the model, before the symbols.
+    /// Paragraphs about the model that come before the list of symbols.
     pub about: Vec<String>,
-    /// Meanings of the model's symbols.
+    /// Symbols of the model with their meanings and units.
     pub symbols: Vec<Meaning>,
     /// Bodies of the model, in the order of the model file.
     pub bodies: Vec<BodyEntry>,
-    /// Headings, paragraphs and equations after the bodies, in order.
+    /// Headings, paragraphs and equations that follow the list of bodies, in order.
     pub blocks: Vec<Block>,
 }
 
-/// Entry of a body in the list of bodies.
+/// Entry of a body in the document's list of bodies.
 pub struct BodyEntry {
-    /// Formula that shows the body's name.
+    /// Name of the body as a formula to be typeset.
     pub name: View,
     /// Mass, mass centre and inertia of the body, as words and formulas.
     pub about: Vec<Run>,
 }
 
-/// Meaning of a symbol of the model.
+/// Symbol of the model with its meaning and unit.
 pub struct Meaning {
-    /// Formula that shows the symbol.
+    /// Symbol as a formula to be typeset.
     pub symbol: View,
     /// Description of the symbol in words; often empty.
     pub about: String,
@@ -50,93 +51,96 @@ pub struct Meaning {
     pub unit: String,
 }
 
-/// A block of a document.
+/// Block of a document: a heading, a paragraph, equations or a linear system.
 pub enum Block {
-    /// A heading with its level.
+    /// Heading with its level and its words and formulas.
     Heading(Level, Vec<Run>),
-    /// A paragraph of words.
+    /// Paragraph of plain words.
     Words(String),
-    /// Equations below one another; the list may be empty.
+    /// Equations, one below the other; the list may be empty.
     Equations(Vec<Equation>),
     /// Equations of motion as a linear system.
     System(System),
 }
 
-/// Level of a heading, by the extent of the text under it.
+/// Level of a heading in a document.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Level {
-    /// Heading over a formulation, or over all conserved quantities.
+    /// Heading above a formulation, or above all first integrals.
     Section,
-    /// Heading over a step of a derivation.
+    /// Heading above a stage of a derivation, such as velocities.
     Step,
-    /// Heading over a single conserved quantity.
+    /// Heading above a single first integral.
     Item,
 }
 
-/// Part of a heading: words or a formula.
+/// Part of a heading or of an entry: words or a formula.
 pub enum Run {
-    /// Plain words of a heading.
+    /// Plain words in a heading or an entry.
     Words(String),
-    /// Formula in a heading.
+    /// Formula within a heading or an entry.
     Formula(Left),
 }
 
-/// Left and right side of an equation.
+/// Equation: its left side and its right side.
 pub type Equation = (Left, View);
 
-/// Left side of an equation.
+/// Left side of an equation in the document.
 pub enum Left {
-    /// Symbol of the model or of the derivation.
+    /// Left side that is a symbol of the model or of the derivation.
     Symbol(View),
-    /// The number 0.
+    /// Left side that is the number 0.
     Zero,
-    /// Rate d(T + V)/dt of the energy.
+    /// Left side that is the rate d(T + V)/dt of the energy.
     EnergyRate,
-    /// Entry of a vector or matrix that the letter names, by its places from 1: f₁, M₁₂.
+    /// Entry of a vector or matrix: its letter, and its indices from 1, such as f₁ or M₁₂.
     Entry(char, Vec<usize>),
-    /// Component of a generalized force, by its letter, along a motion variable.
+    /// Component of a generalized force: its letter, and the coordinate or speed to which it
+    /// belongs.
     Along(char, View),
-    /// Vector of a point, frame or body.
+    /// Vector of a point, frame or body, such as a velocity.
     Vector(Vector),
-    /// Component of a vector along an axis.
+    /// Component of a vector along an axis of a frame.
     Component(Vector, Axis),
-    /// Component, along an axis, of the partial derivative of a vector by a speed.
+    /// Component, along an axis, of the partial derivative of a vector by a generalized speed.
     Partial(Vector, View, Axis),
 }
 
-/// Vector of a point, frame or body in a frame, such as a velocity.
+/// Vector of a point, frame or body relative to a frame, such as a velocity.
 pub struct Vector {
+    /// Kind of the vector, such as velocity or angular acceleration.
     pub name: VectorName,
-    /// Name of the frame in which the vector is measured.
+    /// Name of the frame relative to which the vector is measured.
     pub frame: String,
-    /// Name of the point, frame or body whose vector it is.
+    /// Name of the point, frame or body to which the vector belongs.
     pub of: String,
 }
 
-/// Basis vector of a frame.
+/// Unit vector along an axis of a frame.
 pub struct Axis {
-    /// Name of the axis's frame, in small letters.
+    /// Name of the frame to which the unit vector belongs, in lower case.
     pub frame: String,
     /// Number of the axis in its frame: 1, 2 or 3.
     pub number: usize,
 }
 
-/// Equations of motion as a linear system M x = f.
+/// Equations of motion as a linear system M x = f, with formulas.
 pub struct System {
-    /// Names of the rows: the speed or the equation to which each row belongs.
+    /// Names of the rows: the generalized speed or the equation to which each row belongs.
     pub rows: Vec<String>,
-    /// Unknowns x of the system.
+    /// Unknowns x of the system: accelerations, then reactions or multipliers.
     pub unknowns: Vec<View>,
-    /// Matrix M, row by row.
+    /// Matrix M of the linear system, row by row, as formulas.
     pub matrix: Vec<Vec<View>>,
-    /// Places (row, column) of the entries of M that are not 0, from 0.
+    /// Indices (row, column), from 0, of the entries of M that are not 0.
     pub filled: Vec<(usize, usize)>,
-    /// Right side f of the system.
+    /// Right-hand side f of the linear system, one formula per row.
     pub forcing: Vec<View>,
 }
 
 impl Document {
-    /// Makes a document about a model, without derivations yet.
+    /// Starts a document about a model: title, symbols and bodies, without derivations. `moving`
+    /// describes places whose motion is given.
     pub fn new(model: &Model, moving: &[MovingPlace]) -> Self {
         let about = std::iter::once(format!("{}.", model.count()));
         let about = about.chain(moving.iter().map(|place| place.text(model))).collect();
@@ -144,8 +148,8 @@ impl Document {
         Self { title: model.title.clone(), about, symbols: symbols(model), bodies, blocks: Vec::new() }
     }
 
-    /// Adds a formulation to the document: steps, equations of motion, accelerations, energies, and divisors of the
-    /// kinematic equations.
+    /// Adds a formulation to the document: its stages, equations of motion, accelerations,
+    /// energies, and the divisors of the kinematic equations.
     pub fn formulation(&mut self, model: &Model, derivation: &DerivationInSteps, solved: Option<&Elimination>) {
         let DerivationInSteps { arena, equations: e, steps } = derivation;
         self.heading(Level::Section, e.formulation.title());
@@ -177,7 +181,8 @@ impl Document {
         }
     }
 
-    /// Adds the conserved quantities to the document.
+    /// Adds the first integrals of the motion to the document, with the definitions of the names in
+    /// them.
     pub fn integrals(&mut self, model: &Model, arena: &Arena, list: &[Integral]) {
         self.heading(Level::Section, "First integrals");
         if list.is_empty() {
@@ -196,10 +201,12 @@ impl Document {
         }
     }
 
+    /// Adds a heading of plain words to the document.
     fn heading(&mut self, level: Level, words: &str) {
         self.blocks.push(Block::Heading(level, vec![Run::Words(words.to_owned())]));
     }
 
+    /// Adds definitions as equations, with a sentence on their order.
     fn definitions(&mut self, arena: &Arena, list: &[Definition]) {
         self.blocks.push(Block::Words("Each by those before it.".to_owned()));
         let symbol = |e: Expr| Left::Symbol(view_of(arena, e));
@@ -207,6 +214,7 @@ impl Document {
         self.blocks.push(Block::Equations(list.collect()));
     }
 
+    /// Adds a stage of the derivation: a heading and its equations.
     fn step(&mut self, model: &Model, arena: &Arena, step: &Step) {
         let words = |text: &str| Run::Words(text.to_owned());
         let title = match step.stage {
@@ -223,7 +231,8 @@ impl Document {
     }
 }
 
-/// Meanings of the symbols of a model, with their units.
+/// Returns the meanings and units of the model's parameters, coordinates, speeds and stated
+/// reactions.
 fn symbols(model: &Model) -> Vec<Meaning> {
     let meaning = |name: &str, about: &str, unit: &str| Meaning {
         symbol: symbol_view(&model.arena, name),
@@ -238,7 +247,8 @@ fn symbols(model: &Model) -> Vec<Meaning> {
     parameters.chain(coordinates).chain(speeds).chain(reactions).collect()
 }
 
-/// Entry of a body: its mass, its mass centre, and its inertia about the mass centre.
+/// Returns the document's entry for a body: its mass, its mass centre, and its inertia about the
+/// mass centre.
 fn body_entry(model: &Model, body: &Body) -> BodyEntry {
     let words = |text: &str| Run::Words(text.to_owned());
     let value = |e: Expr| Run::Formula(Left::Symbol(view_of(&model.arena, e)));
@@ -265,6 +275,7 @@ fn body_entry(model: &Model, body: &Body) -> BodyEntry {
 }
 
 impl System {
+    /// Returns the linear system of equations with its terms as formulas.
     fn new(model: &Model, arena: &Arena, equations: &Equations) -> Self {
         let views = |list: &[Expr]| list.iter().map(|e| view_of(arena, *e)).collect::<Vec<_>>();
         let places = equations.matrix.iter().enumerate().flat_map(|(i, row)| (0..row.len()).map(move |j| (i, j)));
@@ -279,7 +290,8 @@ impl System {
 }
 
 impl Vector {
-    /// Vector of a point, frame or body in the inertial frame; `of` is its index in the model.
+    /// Returns a vector of the point, frame or body with index `of`, relative to the inertial
+    /// frame.
     fn new(model: &Model, name: VectorName, of: usize) -> Self {
         let printed = |name: &str| printed_name(&model.arena, name);
         Self { name, frame: printed(&model.frames[0].name), of: printed(name.owner_name(model, of)) }
@@ -287,7 +299,7 @@ impl Vector {
 }
 
 impl Left {
-    /// Left side for the name of a line of a derivation.
+    /// Returns the left side for the name of a line of a derivation.
     fn of_line(model: &Model, name: &LineName) -> Self {
         let basis = |frame: usize, axis: usize| Axis {
             frame: printed_name(&model.arena, &model.frames[frame].name).to_lowercase(),

@@ -1,24 +1,26 @@
-//! Formulas in the languages of documents: LaTeX, which Markdown takes as well, and Typst.
+//! Formulas in the document languages LaTeX (also used by Markdown) and Typst.
 
 use super::document::{Axis, Left, Vector};
 use tripos_derive::algebra::text::print::{latex_lines, latex_name, latex_of, typst_lines, typst_name, typst_of};
 use tripos_derive::algebra::text::view::View;
 use tripos_derive::mechanics::VectorName;
 
-/// Functions that write formulas in a language of documents.
+/// Functions that write formulas in a document language.
 pub struct Language {
-    /// Function that writes a formula in lines that are each about this wide, in tenths of an em.
+    /// Function that writes a formula as lines of at most about the given width, in tenths of an
+    /// em.
     pub lines: fn(&View, usize) -> Vec<String>,
     /// Function that writes the left side of an equation.
     pub left: fn(&Left) -> String,
 }
 
-/// Writer of formulas for LaTeX with amsmath.
+/// Functions that write formulas in LaTeX with amsmath.
 pub const LATEX: Language = Language { lines: latex_lines, left: latex_left };
 
-/// Writer of formulas for Typst.
+/// Functions that write formulas in Typst.
 pub const TYPST: Language = Language { lines: typst_lines, left: typst_left };
 
+/// Writes the left side of an equation in LaTeX.
 fn latex_left(left: &Left) -> String {
     match left {
         Left::Symbol(symbol) => latex_of(symbol),
@@ -35,6 +37,7 @@ fn latex_left(left: &Left) -> String {
     }
 }
 
+/// Writes a vector in LaTeX: the frame at the upper left, the owner at the upper right.
 fn latex_vector(vector: &Vector) -> String {
     let letter = match vector.name {
         VectorName::AngularVelocity => "\\boldsymbol{\\omega}".to_owned(),
@@ -44,11 +47,12 @@ fn latex_vector(vector: &Vector) -> String {
     format!("{{}}^{{{}}}{letter}^{{{}}}", latex_name(&vector.frame), latex_name(&vector.of))
 }
 
-/// Writes a basis vector in LaTeX, such as b₂ of frame B.
+/// Writes the unit vector of an axis in LaTeX, such as b₂ of frame B.
 fn latex_axis(axis: &Axis) -> String {
     format!("\\mathbf{{{}}}_{{{}}}", axis.frame.replace('_', "\\_"), axis.number)
 }
 
+/// Writes the left side of an equation in Typst.
 fn typst_left(left: &Left) -> String {
     match left {
         Left::Symbol(symbol) => typst_of(symbol),
@@ -65,6 +69,7 @@ fn typst_left(left: &Left) -> String {
     }
 }
 
+/// Writes a vector in Typst: the frame at the upper left, the owner at the upper right.
 fn typst_vector(vector: &Vector) -> String {
     let letter = match vector.name {
         VectorName::AngularVelocity => "bold(omega)".to_owned(),
@@ -74,16 +79,19 @@ fn typst_vector(vector: &Vector) -> String {
     format!("attach({letter}, tl: {}, tr: {})", typst_name(&vector.frame), typst_name(&vector.of))
 }
 
+/// Writes the unit vector of an axis in Typst, such as b₂ of frame B.
 fn typst_axis(axis: &Axis) -> String {
     format!("bold(upright({}))_{}", typst_word(&axis.frame), axis.number)
 }
 
-/// Writes a single letter without quotes, and a longer word between quotes, as Typst needs it.
+/// Writes a word in a Typst formula. A longer word than one letter is put in quotes, as Typst
+/// requires.
 fn typst_word(word: &str) -> String {
     if word.len() == 1 { word.to_owned() } else { format!("\"{word}\"") }
 }
 
-/// Places of an entry as text, with commas between them if one has several digits: 12 and 1,12.
+/// Returns the indices of a matrix entry as text. They are separated by commas if an index has
+/// several digits: 12, but 1,12.
 fn listed(places: &[usize]) -> String {
     let comma = if places.iter().any(|place| *place > 9) { "," } else { "" };
     places.iter().map(usize::to_string).collect::<Vec<_>>().join(comma)

@@ -1,8 +1,8 @@
-//! A derivation as JSON, for programs.
+//! Derivation as JSON, for programs.
 //!
 //! Invariants:
-//! - Every name in a formula is a symbol of the model, or is defined in `named`. In accelerations it may also be
-//!   defined before the formula among their steps.
+//! - Every name in a formula is a symbol of the model, or is defined in `named`. In accelerations
+//!   it may also be defined by an earlier elimination step.
 //! - No formula grows beyond its parts: parts that long formulas share have names of their own.
 
 use super::Derived;
@@ -15,7 +15,8 @@ use tripos_derive::algebra::text::view::Shared;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, Step};
 
-/// Makes the JSON of a formulation.
+/// Returns the JSON object of one formulation: its equations, definitions, accelerations and
+/// stages.
 pub fn formulation(model: &Model, Derived { derivation, solved }: &Derived) -> Value {
     let DerivationInSteps { arena, equations: e, steps } = derivation;
     let (solved, divisors) = solved.as_ref().map_or((&[][..], &[][..]), |solved| (&solved.steps, &solved.divisors));
@@ -46,23 +47,27 @@ pub fn formulation(model: &Model, Derived { derivation, solved }: &Derived) -> V
     })
 }
 
-/// Lists every formula of the equations and steps, except those of accelerations and definitions.
+/// Lists every formula of the equations and stages, except those of accelerations and definitions.
 fn shown(e: &Equations, steps: &[Step]) -> Vec<Expr> {
     let lists = [&e.unknowns, &e.forcing, &e.coordinate_rates, &e.divisors].into_iter().chain(&e.matrix).flatten();
     let lines = steps.iter().flat_map(|step| step.lines.iter().map(|(_, value)| value));
     lists.chain(lines).chain(&[e.kinetic_energy, e.potential_energy, e.power]).copied().collect()
 }
 
-/// Writer of formulas as text, with names for the shared parts of long formulas.
+/// Writer of formulas as text, which gives names to the shared parts of long formulas.
 struct Writer<'a> {
+    /// Arena that stores the terms (symbolic expressions).
     arena: &'a Arena,
+    /// Names of the parts that formulas share, by term.
     names: Shared,
-    /// Parts with names, each after the parts that it needs.
+    /// Shared parts that have names, each after the parts that it contains.
     parts: Vec<Expr>,
+    /// Parts whose definitions are already written.
     defined: FxHashSet<Expr>,
 }
 
 impl<'a> Writer<'a> {
+    /// Finds the shared parts of the given formulas and names them, such as `part_1_kane`.
     fn new(arena: &'a Arena, equations: &Equations, formulas: &[Expr]) -> Self {
         let parts = long_parts(arena, formulas);
         let suffix = equations.formulation.name().replace('-', "_");
@@ -78,15 +83,18 @@ impl<'a> Writer<'a> {
         Self { arena, names, parts, defined: FxHashSet::default() }
     }
 
+    /// Returns a formula as text, with shared parts as names.
     fn text(&self, e: Expr) -> String {
         text_of(&whole_view(self.arena, e, &self.names))
     }
 
+    /// Returns formulas as texts, with shared parts as names.
     fn texts(&self, list: &[Expr]) -> Vec<String> {
         list.iter().map(|e| self.text(*e)).collect()
     }
 
-    /// Writes definitions, each with the parts that it needs before it, and then the parts that these formulas need.
+    /// Returns definitions as JSON, each after the shared parts that it contains. Then come the
+    /// shared parts of `formulas`.
     fn definitions(&mut self, list: &[Definition], formulas: &[Expr]) -> Vec<Value> {
         let mut out = Vec::new();
         for step in list {
@@ -98,6 +106,7 @@ impl<'a> Writer<'a> {
         out
     }
 
+    /// Adds the definitions of the shared parts in `formulas` that are not written yet.
     fn define_parts(&mut self, formulas: &[Expr], out: &mut Vec<Value>) {
         if self.defined.len() == self.parts.len() {
             return;

@@ -1,7 +1,7 @@
-//! A derivation in LaTeX: a document, or the sections for another document.
+//! Derivation in LaTeX: a document, or sections to be included in another document.
 //!
-//! Invariant: for any names in a model, the result compiles with `amsmath` alone. Text is escaped, and printed formulas
-//! are read back as their terms by [`tripos_derive::algebra::text::notation`].
+//! Invariant: for any names in a model, the result compiles with `amsmath` alone. Text is escaped,
+//! and printed formulas are read back as their terms by [`tripos_derive::algebra::text::notation`].
 
 use super::document::{Block, BodyEntry, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::LATEX;
@@ -14,7 +14,7 @@ use tripos_derive::algebra::text::view::View;
 /// Number of columns that a matrix of amsmath has by default.
 const COLUMNS: usize = 10;
 
-/// Extent of the LaTeX text: a document, or its sections.
+/// Choice between a LaTeX document and only its sections.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Part {
     /// A whole document, which compiles by itself.
@@ -23,7 +23,7 @@ pub enum Part {
     Fragment,
 }
 
-/// Writes a document, or its sections, in LaTeX.
+/// Returns the document about a derivation as LaTeX text: whole, or only its sections.
 pub fn latex(document: &Document, part: Part) -> String {
     let title = escape(&document.title);
     let about: Vec<String> = document.about.iter().map(|words| escape(words) + "\n").collect();
@@ -40,7 +40,7 @@ pub fn latex(document: &Document, part: Part) -> String {
     }
 }
 
-/// Rows of the environment `align`.
+/// Marks between the lines of equations in the environment `align`.
 const ROWS: RowMarks = RowMarks {
     end: " \\notag \\\\\n  ",
     indent: "&\\quad ",
@@ -48,13 +48,15 @@ const ROWS: RowMarks = RowMarks {
     words: |words| format!("\\text{{{words}}}"),
 };
 
-/// Commands by which lines may break within long names of a model file, and between formulas in a sentence.
+/// LaTeX commands that permit line breaks within long names of a model file, and between formulas
+/// in a sentence.
 const LONG_NAMES: &str = "\\emergencystretch=3em\n\\let\\underscore\\_\n\
     \\renewcommand{\\_}{\\underscore\\ifmmode\\else\\allowbreak\\fi}\n";
 
-/// Beginning of a list of names with their meanings.
+/// LaTeX text that begins a list of names with their meanings.
 const LIST: &str = "\\begin{description}\n\\setlength{\\itemsep}{0pt}\\setlength{\\parsep}{0pt}\n";
 
+/// Returns the LaTeX section on the bodies with mass and inertia.
 fn bodies(list: &[BodyEntry]) -> String {
     let mut out = format!("\n\\section{{Bodies}}\n{LIST}");
     for BodyEntry { name, about } in list {
@@ -64,6 +66,7 @@ fn bodies(list: &[BodyEntry]) -> String {
     out + "\\end{description}\n"
 }
 
+/// Returns the LaTeX section on the symbols with their meanings and units.
 fn symbols(list: &[Meaning]) -> String {
     let mut out = format!("\n\\section{{Symbols}}\n{LIST}");
     for Meaning { symbol, about, unit } in list {
@@ -74,6 +77,7 @@ fn symbols(list: &[Meaning]) -> String {
     out + "\\end{description}\n"
 }
 
+/// Returns a block (heading, words, equations or linear system) in LaTeX.
 fn block(block: &Block) -> String {
     match block {
         Block::Heading(level, runs) => {
@@ -90,6 +94,7 @@ fn block(block: &Block) -> String {
     }
 }
 
+/// Returns words or a formula within a line of LaTeX.
 fn run(run: &Run) -> String {
     match run {
         Run::Words(words) => escape(words),
@@ -97,7 +102,8 @@ fn run(run: &Run) -> String {
     }
 }
 
-/// Writes the system M x = f with matrices if they fit into a line; else lists the entries one by one.
+/// Returns the linear system M x = f in LaTeX: as matrices if they fit into a line, otherwise as a
+/// list of entries.
 fn system(system: &System) -> String {
     let extent = extent(system);
     let mut out = format!("One row for each of {}.\n\n", escape(&system.rows.join(", ")));
@@ -124,7 +130,7 @@ fn system(system: &System) -> String {
     out + &equations(&entries(system, extent))
 }
 
-/// Writes equations below one another, each with a number and in as many lines as it needs.
+/// Returns numbered equations below one another in LaTeX, each on as many lines as it needs.
 fn equations(list: &[Equation]) -> String {
     if list.is_empty() {
         return String::new();

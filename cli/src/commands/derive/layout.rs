@@ -1,53 +1,57 @@
-//! Layout of formulas on a page. Formulas break over lines at their signs, no matrix is wider than a page, and formulas
-//! that are too long to read are left out.
+//! Layout of formulas on a page of a derivation. Formulas break over lines at their signs, no
+//! matrix is wider than a page, and formulas that are too long to read are left out.
 //!
-//! Invariant: a document is laid out alike in every language. Widths are estimates, in tenths of an em.
+//! Invariant: a document has the same layout in LaTeX, Markdown and Typst. Widths are estimates, in
+//! tenths of an em.
 
 use super::document::{Equation, Left, System};
 use super::formulas::{LATEX, Language};
 use tripos_derive::algebra::text::print::formula_width;
 use tripos_derive::algebra::text::view::View;
 
-/// Number of characters in a formula's source above which it is not printed: nobody would read it.
+/// Largest number of characters in the source of a formula that is printed. Nobody would read a
+/// longer formula.
 const LONGEST: usize = 20_000;
-/// Number of characters in a line's source above which the formula is not printed: TeX measures no such line.
+/// Largest number of characters in the source of a line of a printed formula. TeX cannot set longer
+/// lines.
 const LONGEST_LINE: usize = 4_000;
 /// Width of a line on the page, in tenths of an em.
 const LINE: usize = 380;
-/// Largest width of a left side that shares its line with a right side, in tenths of an em.
+/// Largest width of a left side that shares its line with a right side, in tenths of an em. A wider
+/// left side gets its own line.
 const WIDE: usize = 120;
-/// Width that the sign of equality and the indentation of further lines take, in tenths of an em.
+/// Width of the equals sign and of the indentation of further lines, in tenths of an em.
 const INDENT: usize = 60;
-/// Largest width of matrices, which have a line for themselves, in tenths of an em.
+/// Largest width of a line with matrices, in tenths of an em.
 const MATRIX: usize = 430;
 
-/// Words that replace a formula that is too long.
+/// Words that replace a formula that is too long to print.
 const TOO_LONG: &str = "an expression too long to print here";
 
-/// An equation as it stands on a page.
+/// Equation laid out for a page, with its right side broken into lines.
 pub struct Laid {
-    /// Left side of the equation, in the language of the document.
+    /// Left side of the equation, in the document language.
     pub left: String,
-    /// Lines of the right side; `None` if it is too long.
+    /// Lines of the right side, in the document language; `None` if it is too long to print.
     pub lines: Option<Vec<String>>,
-    /// True if the left side takes most of a line.
+    /// True if the left side is so wide that it gets its own line.
     pub is_wide: bool,
 }
 
-/// Marks of a language between the lines of aligned equations.
+/// Marks of a document language between the lines of aligned equations.
 pub struct RowMarks {
-    /// End of a line of an equation that goes on.
+    /// Mark at the end of a line whose equation continues.
     pub end: &'static str,
-    /// Indentation of the right side, if it stands on a line of its own below a wide left side.
+    /// Indentation of a right side that begins on its own line below a wide left side.
     pub indent: &'static str,
     /// Beginning of a further line of a right side.
     pub deep: &'static str,
-    /// Function that writes words in a formula.
+    /// Function that writes plain words inside a formula.
     pub words: fn(&str) -> String,
 }
 
 impl Laid {
-    /// The equation with the marks of a language. A wide left side has a line for itself.
+    /// Returns the text of the equation with the marks of a document language.
     pub fn row(&self, marks: &RowMarks) -> String {
         let next = format!("{}{}", marks.end, marks.deep);
         let right = self.lines.as_ref().map_or_else(|| (marks.words)(TOO_LONG), |lines| lines.join(&next));
@@ -59,7 +63,7 @@ impl Laid {
     }
 }
 
-/// Lays equations out for a page, in a language.
+/// Lays equations out for a page, in a document language, with their right sides aligned.
 pub fn lay(list: &[Equation], language: &Language) -> Vec<Laid> {
     // Right sides are aligned: they begin behind the widest left side that shares its line.
     let column = list.iter().map(|(left, _)| left_width(left)).filter(|width| *width <= WIDE).max();
@@ -74,7 +78,7 @@ pub fn lay(list: &[Equation], language: &Language) -> Vec<Laid> {
     list.iter().map(one).collect()
 }
 
-/// Estimated width of a left side, and of the indentation of the lines after the first, in tenths of an em.
+/// Returns the estimated width of a left side, in tenths of an em, with 40 added for spacing.
 fn left_width(left: &Left) -> usize {
     let shown = (LATEX.left)(left);
     let shown =
@@ -83,18 +87,18 @@ fn left_width(left: &Left) -> usize {
     4 * shown.chars().filter(char::is_ascii_alphanumeric).count() + 40
 }
 
-/// Layout of a linear system of equations of motion on a page.
+/// Choice of the layout of a linear system of equations of motion on a page.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
-    /// The whole system M x = f in a line.
+    /// The system M x = f is written with matrices, in one line.
     Whole,
-    /// The matrix M for itself, the entries of f one by one.
+    /// The matrix M gets its own line; the entries of f are listed as equations.
     Matrix,
-    /// Entries of M and f one by one, except the entries of M that are 0.
+    /// The entries of M and f are listed as equations, except the entries of M that are 0.
     Entries,
 }
 
-/// Chooses the layout of a system by its estimated width.
+/// Chooses the layout of a linear system by its estimated width.
 pub fn extent(system: &System) -> Extent {
     let widest = |list: &mut dyn Iterator<Item = &View>| list.map(formula_width).max().unwrap_or(0);
     let columns = (0..system.unknowns.len()).map(|j| 10 + widest(&mut system.matrix.iter().map(|row| &row[j])));
@@ -107,7 +111,8 @@ pub fn extent(system: &System) -> Extent {
     }
 }
 
-/// Entries of a system that are listed one by one in this layout.
+/// Returns the entries of a linear system that a layout lists as equations. None are listed for
+/// `Extent::Whole`.
 pub fn entries(system: &System, extent: Extent) -> Vec<Equation> {
     let mut entries = Vec::new();
     if extent == Extent::Entries {
@@ -121,7 +126,8 @@ pub fn entries(system: &System, extent: Extent) -> Vec<Equation> {
     entries
 }
 
-/// Writes a unit with raised powers; `words` and `power` write its parts in a language.
+/// Returns a unit with raised powers. The functions `words` and `power` write its parts in a
+/// document language.
 pub fn raised(unit: &str, words: fn(&str) -> String, power: fn(&str) -> String) -> String {
     let unit = unit.replace('*', " ");
     let mut parts = unit.split('^');

@@ -1,7 +1,8 @@
-//! A derivation in Markdown as GitHub shows it: formulas are LaTeX, between dollars or in blocks of `math`.
+//! Derivation in Markdown as GitHub shows it. Formulas are LaTeX, between dollars or in blocks of
+//! `math`.
 //!
-//! Invariant: for any names in a model, its words stay words. Characters that Markdown, HTML or the search for formulas
-//! would read otherwise are escaped.
+//! Invariant: for any names in a model, its words stay words. Characters that Markdown, HTML or its
+//! search for formulas would read otherwise are escaped.
 
 use super::document::{Block, BodyEntry, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::LATEX;
@@ -10,10 +11,11 @@ use std::fmt::Write;
 use tripos_derive::algebra::text::print::latex_of;
 use tripos_derive::algebra::text::view::View;
 
-/// Largest number of equations in a block of `math`: browsers set each block as a whole, which takes long.
+/// Largest number of equations in a block of `math`. Browsers set each block as a whole, which
+/// takes long.
 const ROWS: usize = 25;
 
-/// Writes a document in Markdown.
+/// Returns the document about a derivation as Markdown text.
 pub fn markdown(document: &Document) -> String {
     let mut out = format!("# {}\n", escape(&document.title));
     for words in &document.about {
@@ -24,6 +26,7 @@ pub fn markdown(document: &Document) -> String {
     out + &document.blocks.iter().map(block).collect::<String>()
 }
 
+/// Returns the Markdown table of the symbols with their meanings and units.
 fn symbols(list: &[Meaning]) -> String {
     let mut out = "\n## Symbols\n\n| symbol | meaning | unit |\n|---|---|---|\n".to_owned();
     for Meaning { symbol, about, unit } in list {
@@ -33,6 +36,7 @@ fn symbols(list: &[Meaning]) -> String {
     out
 }
 
+/// Returns the Markdown table of the bodies with mass and inertia.
 fn bodies(list: &[BodyEntry]) -> String {
     let mut out = "\n## Bodies\n\n| body | mass and inertia |\n|---|---|\n".to_owned();
     for BodyEntry { name, about } in list {
@@ -42,6 +46,7 @@ fn bodies(list: &[BodyEntry]) -> String {
     out
 }
 
+/// Returns a block (heading, words, equations or linear system) in Markdown.
 fn block(block: &Block) -> String {
     match block {
         Block::Heading(level, runs) => {
@@ -58,6 +63,7 @@ fn block(block: &Block) -> String {
     }
 }
 
+/// Returns words or a formula within a line of Markdown.
 fn run(run: &Run) -> String {
     match run {
         Run::Words(words) => escape(words),
@@ -65,20 +71,23 @@ fn run(run: &Run) -> String {
     }
 }
 
-/// Writes a formula among words. Between bare dollars Markdown removes a backslash before a mark, as in `\_`. Between
-/// dollars and backticks it removes nothing, but fewer programs know these.
+/// Writes a formula within a line. Between bare dollars Markdown removes a backslash before a
+/// punctuation mark, as in `\_`. Between dollars with backticks it removes nothing, but fewer
+/// programs know these.
 fn inline(formula: &str) -> String {
     let mut after_backslash = formula.split('\\').skip(1);
     let is_plain = after_backslash.all(|rest| rest.starts_with(|c: char| c.is_ascii_alphabetic()));
     if is_plain { format!("${formula}$") } else { format!("$`{formula}`$") }
 }
 
+/// Returns a formula as a separate block of `math` in Markdown.
 fn math(formula: &str) -> String {
     // GitHub does not allow `\operatorname`; both commands set a word upright.
     format!("\n```math\n{}\n```\n", formula.replace("\\operatorname{", "\\mathrm{"))
 }
 
-/// Writes the system M x = f with matrices if they fit into a line; else lists the entries one by one.
+/// Returns the linear system M x = f in Markdown: as matrices if they fit into a line, otherwise as
+/// a list of entries.
 fn system(system: &System) -> String {
     let extent = extent(system);
     let mut out = format!("\nOne row for each of {}.\n", escape(&system.rows.join(", ")));
@@ -100,7 +109,7 @@ fn system(system: &System) -> String {
     out + &equations(&entries(system, extent))
 }
 
-/// Writes equations below one another, each in as many lines as it needs.
+/// Returns equations below one another in Markdown, each on as many lines as it needs.
 fn equations(list: &[Equation]) -> String {
     let marks = RowMarks {
         end: " \\\\\n  ",
@@ -115,7 +124,7 @@ fn equations(list: &[Equation]) -> String {
     lay(list, &LATEX).chunks(ROWS).map(block).collect()
 }
 
-/// Escapes words, so that Markdown reads them as words.
+/// Escapes the characters of a text that Markdown would read as markup.
 fn escape(text: &str) -> String {
     let mut out = String::new();
     for (at, c) in text.char_indices() {
@@ -127,7 +136,7 @@ fn escape(text: &str) -> String {
             _ => false,
         };
         match c {
-            // A backslash does not keep a dollar from beginning a formula.
+            // GitHub begins a formula at a dollar even after a backslash.
             '$' => out.push_str("<span>$</span>"),
             '\\' | '`' | '*' | '_' | '{' | '}' | '[' | ']' | '<' | '>' | '#' | '|' | '~' | '&' => out.extend(['\\', c]),
             c if begins => out.extend(['\\', c]),

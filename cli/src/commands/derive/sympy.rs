@@ -1,13 +1,13 @@
-//! A derivation as a program in Python that defines it for SymPy.
+//! Derivation as a Python program that defines the equations for SymPy.
 //!
 //! Invariants:
-//! - Numbers are exact, and nothing is expanded: a named term stays a symbol with a definition, each definition after
-//!   those of the terms in it.
-//! - For any names of a model's symbols, the program runs. A name that Python or the program itself uses gets an
-//!   underscore behind it.
+//! - Numbers are exact, and nothing is expanded: a named term stays a symbol with a definition.
+//!   Each definition comes after those of the terms in it.
+//! - The program runs for any names in a model. A name that Python or the program itself uses gets
+//!   an underscore at its end.
 //!
-//! Symbols are plain, also those of coordinates and rates: they can be replaced, differentiated by and compiled one by
-//! one.
+//! All symbols, including coordinates and rates, are plain SymPy symbols. They can be replaced,
+//! differentiated by and compiled one by one.
 
 use super::Derived;
 use crate::failure::Failure;
@@ -19,7 +19,8 @@ use tripos_derive::algebra::text::print::{sympy_of, whole_view};
 use tripos_derive::algebra::text::view::{Shared, View};
 use tripos_derive::algebra::{Arena, Expr};
 
-/// Words that must not be names of variables in the program: Python's, and those that the program uses.
+/// Words that cannot name variables in the Python program: Python's reserved words, and names that
+/// the program uses.
 const TAKEN: [&str; 42] = [
     "False",
     "None",
@@ -65,7 +66,7 @@ const TAKEN: [&str; 42] = [
     "newton_euler",
 ];
 
-/// Python function at the end of the program, after the equations.
+/// Text of the Python function `evaluated`, the last part of the program.
 const FUNCTION: &str = r#"
 
 def evaluated(formulation, values):
@@ -92,15 +93,19 @@ pub fn sympy(model: &Model, derived: &[Derived]) -> Result<String, Failure> {
     Ok(out + FUNCTION)
 }
 
-/// Names of symbols in the Python program.
+/// Names of the model's symbols in the Python program.
 struct Names {
-    /// Pairs of the name in the model file and the name in the program, in the order of declaration.
+    /// Pairs of the name in the model file and the name in the program, in the order of
+    /// declaration.
     list: Vec<(String, String)>,
+    /// Index in `list`, by the name in the model file.
     by_name: FxHashMap<String, usize>,
+    /// Names, in the model file, of the parameters that are stated to be positive.
     positive: FxHashSet<String>,
 }
 
 impl Names {
+    /// Names all symbols that the derived equations contain.
     fn new(model: &Model, derived: &[Derived]) -> Self {
         let positive = model.parameters.iter().filter(|p| p.positive).map(|p| p.name.clone()).collect();
         let mut names = Self { list: Vec::new(), by_name: FxHashMap::default(), positive };
@@ -128,6 +133,8 @@ impl Names {
         names
     }
 
+    /// Adds a symbol of this name, unless it has a name in the program already. `taken` are the
+    /// names in use.
     fn add(&mut self, name: String, taken: &mut FxHashSet<String>) {
         if self.by_name.contains_key(&name) {
             return;
@@ -147,11 +154,12 @@ impl Names {
         self.list.push((name, variable));
     }
 
+    /// Returns the name of a symbol in the program; an unknown name is returned unchanged.
     fn variable<'a>(&'a self, name: &'a str) -> &'a str {
         self.by_name.get(name).map_or(name, |at| &self.list[*at].1)
     }
 
-    /// Writes a line that declares each symbol.
+    /// Writes the Python lines that declare the symbols, as positive or real.
     fn declare(&self, out: &mut String) {
         out.push('\n');
         for (name, variable) in &self.list {
@@ -161,14 +169,20 @@ impl Names {
     }
 }
 
-/// Writer of the terms of one arena as Python.
+/// Writer of the terms of one arena as Python expressions.
 struct Writer<'a> {
+    /// Arena that stores the terms (symbolic expressions).
     arena: &'a Arena,
+    /// Names of the symbols in the Python program.
     names: &'a Names,
-    /// Names in the program of the arena's symbols.
+    /// Names in the program, by symbol of the arena.
     symbols: Shared,
 }
 
+/// Writes the Python statements that define one formulation.
+///
+/// # Errors
+/// [`Failure::Refused`] if a formula is too long to be written out.
 fn formulation(out: &mut String, model: &Model, derived: &Derived, names: &Names) -> Result<(), Failure> {
     let Derived { derivation, solved } = derived;
     let (arena, e) = (&derivation.arena, &derivation.equations);
@@ -199,6 +213,7 @@ fn formulation(out: &mut String, model: &Model, derived: &Derived, names: &Names
 }
 
 impl<'a> Writer<'a> {
+    /// Returns a writer for the terms of an arena.
     fn new(arena: &'a Arena, names: &'a Names) -> Self {
         let symbols = names.list.iter().filter_map(|(name, variable)| {
             let symbol = arena.find_symbol(name)?;
@@ -207,6 +222,10 @@ impl<'a> Writer<'a> {
         Self { arena, names, symbols: symbols.collect() }
     }
 
+    /// Returns a term as a Python expression.
+    ///
+    /// # Errors
+    /// [`Failure::Refused`] if the expression is too long to be written out.
     fn formula(&self, e: Expr) -> Result<String, Failure> {
         let text = match whole_view(self.arena, e, &self.symbols) {
             View::Name(name) => self.names.variable(&name).to_owned(),
@@ -222,16 +241,21 @@ impl<'a> Writer<'a> {
         Ok(text)
     }
 
+    /// Returns terms as Python expressions with commas between them.
+    /// `Err` if an expression is too long to be written out.
     fn list(&self, list: &[Expr]) -> Result<String, Failure> {
         let list: Result<Vec<String>, Failure> = list.iter().map(|e| self.formula(*e)).collect();
         Ok(list?.join(", "))
     }
 
+    /// Returns terms as a SymPy column vector.
+    /// `Err` if an expression is too long to be written out.
     fn column(&self, list: &[Expr]) -> Result<String, Failure> {
         Ok(if list.is_empty() { "sp.zeros(0, 1)".to_owned() } else { format!("sp.Matrix([{}])", self.list(list)?) })
     }
 
-    /// Writes pairs of a symbol and its value, a line each.
+    /// Returns definitions as Python pairs of a symbol and its value, one per line.
+    /// `Err` if an expression is too long to be written out.
     fn definitions(&self, list: &[Definition]) -> Result<String, Failure> {
         let pair =
             |step: &Definition| Ok(format!("    ({}, {}),\n", self.formula(step.symbol)?, self.formula(step.value)?));

@@ -1,4 +1,4 @@
-//! A derivation in Typst: a document that compiles by itself.
+//! Derivation as a Typst document that compiles without further files.
 //!
 //! Invariant: for any names in a model, the result compiles, and its words stay words.
 
@@ -9,7 +9,7 @@ use std::fmt::Write;
 use tripos_derive::algebra::text::print::typst_of;
 use tripos_derive::algebra::text::view::View;
 
-/// Writes a document in Typst.
+/// Returns the document about a derivation as Typst text.
 pub fn typst(document: &Document) -> String {
     let mut out =
         "#set page(paper: \"a4\", margin: 25mm)\n#show math.equation: set block(breakable: true)\n#set math.equation(numbering: \"(1)\")\n".to_owned();
@@ -22,6 +22,7 @@ pub fn typst(document: &Document) -> String {
     out + &document.blocks.iter().map(block).collect::<String>()
 }
 
+/// Returns the Typst section on the symbols with their meanings and units.
 fn symbols(list: &[Meaning]) -> String {
     let mut out = "\n== Symbols\n\n".to_owned();
     for Meaning { symbol, about, unit } in list {
@@ -32,6 +33,7 @@ fn symbols(list: &[Meaning]) -> String {
     out
 }
 
+/// Returns the Typst section on the bodies with mass and inertia.
 fn bodies(list: &[BodyEntry]) -> String {
     let mut out = "\n== Bodies\n\n".to_owned();
     for BodyEntry { name, about } in list {
@@ -41,6 +43,7 @@ fn bodies(list: &[BodyEntry]) -> String {
     out
 }
 
+/// Returns a block (heading, words, equations or linear system) in Typst.
 fn block(block: &Block) -> String {
     match block {
         Block::Heading(level, runs) => {
@@ -57,6 +60,7 @@ fn block(block: &Block) -> String {
     }
 }
 
+/// Returns words or a formula within a line of Typst.
 fn run(run: &Run) -> String {
     match run {
         Run::Words(words) => escape(words),
@@ -64,11 +68,13 @@ fn run(run: &Run) -> String {
     }
 }
 
+/// Returns a formula as a separate block in Typst.
 fn math(formula: &str) -> String {
     format!("\n$ {formula} $\n")
 }
 
-/// Writes the system M x = f with matrices if they fit into a line; else lists the entries one by one.
+/// Returns the linear system M x = f in Typst: as matrices if they fit into a line, otherwise as a
+/// list of entries.
 fn system(system: &System) -> String {
     let extent = extent(system);
     let mut out = format!("\nOne row for each of {}.\n", escape(&system.rows.join(", ")));
@@ -89,7 +95,7 @@ fn system(system: &System) -> String {
     out + &equations(&entries(system, extent))
 }
 
-/// Writes equations below one another, each in as many lines as it needs.
+/// Returns equations below one another in Typst, each on as many lines as it needs.
 fn equations(list: &[Equation]) -> String {
     if list.is_empty() {
         return String::new();
@@ -99,7 +105,7 @@ fn equations(list: &[Equation]) -> String {
     math(&rows.collect::<Vec<_>>().join(" \\\n  "))
 }
 
-/// Escapes words, so that Typst reads them as words.
+/// Escapes the characters of a text that Typst would read as markup.
 fn escape(text: &str) -> String {
     let mut out = String::new();
     for (at, c) in text.char_indices() {

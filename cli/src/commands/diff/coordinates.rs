@@ -1,4 +1,4 @@
-//! `tripos diff --find-coordinates`: the coordinates that a publication means.
+//! Command `tripos diff --find-coordinates`: searches for the coordinates that a publication uses.
 
 use super::{Comparison, CoordinateReport, verdicts};
 use crate::failure::Failure;
@@ -12,8 +12,12 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{CoordinateSearch, CoordinateTable, find_coordinates};
 use tripos_derive::model::is_model;
 
-/// Searches for the coordinates of a publication, and gives its verdicts in them. If several choices are equally good,
-/// they are listed, and the verdicts are those in the coordinates that the publication states.
+/// Searches for the coordinates of a publication, and returns its verdicts in these coordinates. If
+/// several choices are equally good, they are listed, and the verdicts are those in the stated
+/// coordinates.
+///
+/// # Errors
+/// `Failure` if the file is a model, cannot be read, or leaves no coordinates to search for.
 pub fn in_found_coordinates(model: &Mechanism, other: &Path) -> Result<Comparison, Failure> {
     let source = Source::read(&model_file(other))?;
     if is_model(&source) {
@@ -33,6 +37,7 @@ pub fn in_found_coordinates(model: &Mechanism, other: &Path) -> Result<Compariso
     Ok(verdicts(judged, Some(report)))
 }
 
+/// Returns the result of the search as text.
 fn words(search: &CoordinateSearch) -> String {
     let CoordinateSearch { compared, as_stated, most, best, tried } = search;
     let mut out = format!("{tried} choices of coordinates were tried, in numbers, with {compared} formulas.\n");
@@ -67,12 +72,13 @@ fn words(search: &CoordinateSearch) -> String {
     out
 }
 
-/// Table `[coordinates]` as a publication file states it.
+/// Returns the table `[coordinates]` as a publication file states it.
 fn table(table: &CoordinateTable) -> String {
     let lines = table.iter().map(|(name, formula)| format!("{name} = \"{formula}\"\n"));
     format!("[coordinates]\n{}", lines.collect::<String>())
 }
 
+/// Returns the result of the search as JSON.
 fn value(search: &CoordinateSearch) -> Value {
     let table = |table: &CoordinateTable| {
         let pairs = table.iter().map(|(name, formula)| (name.clone(), json!(formula)));

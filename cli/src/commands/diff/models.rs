@@ -1,7 +1,8 @@
-//! `tripos diff OLD NEW`: changes by an edit of a model in its equations of motion, its declarations and its scenes.
+//! Command `tripos diff OLD NEW`: shows the changes that an edit of a model makes to its equations,
+//! declarations and scenes.
 //!
-//! The text fits a screen: an entry is shown by its difference, in a line; `--json` has all entries, old, new and
-//! difference.
+//! The text fits a screen: it shows each changed entry by its difference, on one line. `--json` has
+//! the old value, the new value and the difference of all entries.
 
 use super::Comparison;
 use crate::failure::Failure;
@@ -25,10 +26,14 @@ use tripos_derive::mechanics::derive_all;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::prove::prove;
 
-/// Largest number of lines of one kind that are shown; further lines are only counted.
+/// Largest number of lines of each kind in the text. Further lines are only counted.
 const SHOWN: usize = 16;
 
-/// Compares two models, their declarations and scenes. They differ if anything does on which a number depends.
+/// Compares two models with their declarations and scenes. They count as different if a number can
+/// depend on a change.
+///
+/// # Errors
+/// `Failure` if a model cannot be derived, or a scene file cannot be read.
 pub fn diff(old: &Model, new: &Model) -> Result<Comparison, Failure> {
     let (difference, arena) = compared(old, new, Scope::EquationsAndIntegrals)?;
     let scenes = scenes(&old.source.path, &new.source.path)?;
@@ -39,16 +44,17 @@ pub fn diff(old: &Model, new: &Model) -> Result<Comparison, Failure> {
     })
 }
 
-/// Properties of two models that are compared.
+/// Choice of the properties of two models that are compared.
 #[derive(Clone, Copy, PartialEq)]
 enum Scope {
-    /// Declarations and equations of motion.
+    /// Compares declarations and equations of motion.
     Equations,
-    /// Also first integrals, which cost a proof.
+    /// Compares also first integrals, which costs a proof for each model.
     EquationsAndIntegrals,
 }
 
-/// Derives both models and compares them; the arena holds the terms of the difference.
+/// Derives both models and compares them. The returned arena holds the terms of the difference.
+/// `Err` if a model cannot be derived.
 fn compared(old: &Model, new: &Model, scope: Scope) -> Result<(ModelDifference, Arena), Diagnostics> {
     let with_integrals = scope == Scope::EquationsAndIntegrals;
     let mut before = derive_all(old).map_err(|error| old.diagnose(&error))?;
@@ -63,7 +69,8 @@ fn compared(old: &Model, new: &Model, scope: Scope) -> Result<(ModelDifference, 
     Ok((difference, after.kinematics.arena))
 }
 
-/// Lines about the changes of the equations of motion; `None` if both models have the same equations.
+/// Returns lines about the changes of the equations of motion between two models; `None` if the
+/// equations are the same.
 ///
 /// # Errors
 /// [`Diagnostics`] if a model cannot be derived.
@@ -74,20 +81,27 @@ pub fn changed_equations(old: &Model, new: &Model) -> Result<Option<String>, Dia
     Ok((!difference.has_same_equations()).then(|| out + &names_text(&arena, &shown(&difference))))
 }
 
-/// Change of a scene; its name is that of the file beside the model.
+/// Change of one scene between two models.
 struct SceneChange {
+    /// Path of the scene file relative to its model.
     name: String,
+    /// Kind of the change: added, removed or changed.
     kind: SceneEdit,
 }
 
+/// Kind of the change of a scene between two models.
 enum SceneEdit {
+    /// Only the new model has the scene.
     Added,
+    /// Only the old model has the scene.
     Removed,
+    /// Both models have the scene, and these settings differ.
     Changed(Vec<Setting>),
 }
 
-/// Changes between the scenes of two models. Empty if one of the models has no scene: a model file alone does not mean
-/// that its scenes were removed.
+/// Returns the changes between the scenes of two models. Empty if a model has no scene: a model
+/// file without its folder does not mean that its scenes were removed.
+/// `Err` if a scene file cannot be read.
 fn scenes(old: &Path, new: &Path) -> Result<Vec<SceneChange>, Diagnostics> {
     let (before, after) = (scene_files(old), scene_files(new));
     let mut list = Vec::new();
@@ -110,6 +124,7 @@ fn scenes(old: &Path, new: &Path) -> Result<Vec<SceneChange>, Diagnostics> {
     Ok(list)
 }
 
+/// Returns the word for the change of an entry: `undecided`, `different`, `added` or `removed`.
 fn word(change: &Change) -> &'static str {
     match (&change.verdict, change.old) {
         (Some(Verdict::Undecided(_)), _) => "undecided",
@@ -119,6 +134,7 @@ fn word(change: &Change) -> &'static str {
     }
 }
 
+/// Returns the comparison of two models as JSON.
 fn json_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference, scenes: &[SceneChange]) -> Value {
     let shown = |e: Option<Expr>| e.map(|e| whole_text(arena, e));
     let equation = |c: &Change| {
@@ -149,10 +165,12 @@ fn json_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference
     })
 }
 
+/// Returns the change of a motion variable as JSON.
 fn variable_json(change: &VariableChange) -> Value {
     json!({ "what": change.kind.noun(), "old": change.old, "new": change.new })
 }
 
+/// Returns the change of a declaration as JSON.
 fn declaration_json(declaration: &Declaration) -> Value {
     let (what, name) = (declaration.section.noun(), &declaration.name);
     match &declaration.edit {
@@ -165,6 +183,7 @@ fn declaration_json(declaration: &Declaration) -> Value {
     }
 }
 
+/// Returns the change of a scene as JSON.
 fn scene_json(scene: &SceneChange) -> Value {
     let name = &scene.name;
     match &scene.kind {
@@ -177,6 +196,7 @@ fn scene_json(scene: &SceneChange) -> Value {
     }
 }
 
+/// Returns the comparison of two models as text.
 fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference, scenes: &[SceneChange]) -> String {
     let mut out = format!("{} -> {}\n", path_in_line(&old.source.path), path_in_line(&new.source.path));
     equations(&mut out, arena, difference);
@@ -202,7 +222,7 @@ fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference
     out + &names_text(arena, &shown(difference))
 }
 
-/// Writes lines about the changes of the equations of motion to `out`.
+/// Writes lines about the changes of the equations of motion, at most 16 of each kind.
 fn equations(out: &mut String, arena: &Arena, difference: &ModelDifference) {
     let (count, compared) = (difference.changes.len(), entries(difference.compared));
     if difference.has_same_equations() {
@@ -227,14 +247,15 @@ fn equations(out: &mut String, arena: &Arena, difference: &ModelDifference) {
     list(out, &difference.changes.iter().map(|change| change_line(arena, change)).collect::<Vec<_>>());
 }
 
-/// Formulas of the changes that are shown.
+/// Lists the formulas of the changes that the text shows.
 fn shown(difference: &ModelDifference) -> Vec<Expr> {
     let count = if difference.variables.is_empty() { SHOWN } else { 0 };
     let changes = difference.changes.iter().take(count);
     changes.flat_map(|change| [change.old, change.new, change.difference]).flatten().collect()
 }
 
-/// Writes lines under a heading; of many lines only the first, and the number of the others.
+/// Writes lines under a heading. Of more than 16 lines, only the first 16 are written, and the
+/// number of the rest.
 fn list(out: &mut String, lines: &[String]) {
     for line in lines.iter().take(SHOWN) {
         let _ = writeln!(out, "  {}", shortened(line));
@@ -244,7 +265,8 @@ fn list(out: &mut String, lines: &[String]) {
     }
 }
 
-/// Line about a changed entry: its difference, or its old and new value if these are shorter.
+/// Returns the line about a changed entry: its difference, or its old and new value if that is
+/// shorter.
 fn change_line(arena: &Arena, change: &Change) -> String {
     let (name, text) = (&change.name, |e| text(arena, e));
     match (change.old, change.new, change.difference) {
@@ -263,7 +285,8 @@ fn change_line(arena: &Arena, change: &Change) -> String {
     }
 }
 
-/// Lines about changed declarations, one for each kind: `defaults differ: R 1 -> 2, g 9.81 -> 1.62`.
+/// Returns the lines about changed declarations, one for each kind, such as `defaults differ: R 1
+/// -> 2; g 9.81 -> 1.62`.
 fn declaration_lines(declarations: &[Declaration]) -> Vec<String> {
     let named = |d: &Declaration| format!("{} {}", d.section.noun(), d.name);
     let changed = |wanted: Property, of: fn(Section) -> bool| {
@@ -290,6 +313,7 @@ fn declaration_lines(declarations: &[Declaration]) -> Vec<String> {
     stated.map(|(heading, list)| format!("{heading}: {}", list.join("; "))).collect()
 }
 
+/// Returns the line about a changed scene.
 fn scene_line(scene: &SceneChange) -> String {
     let name = &scene.name;
     let value = |v: &Option<String>| v.clone().unwrap_or_else(|| "not stated".to_owned());

@@ -1,17 +1,20 @@
-//! Root mistakes of a publication, as text and as JSON.
+//! Root mistakes of a publication (wrong entries that cause other wrong entries), as text and as
+//! JSON.
 
 use crate::phrases::{entries, shortened};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos_derive::diff::{Difference, Finding, Follower, Link, Root};
 
-/// Largest number of characters in a line of ids.
+/// Largest number of characters in a line of entry ids.
 const WIDTH: usize = 120;
-/// Links from a root mistake to wrong entries, in the order of a list, with the words before the ids.
+/// Links from a root mistake to wrong entries, in the order of the list, each with the words before
+/// the ids.
 const LINKS: [(Link, &str); 3] =
     [(Link::Repeated, "repeated in "), (Link::Follows, "follows     "), (Link::Contradicts, "contradicts ")];
 
-/// List of the root mistakes, each with the entries that follow from it; empty if there are none.
+/// Lists the root mistakes of a publication, each with the wrong entries that follow from it. Empty
+/// if there are none.
 pub fn list(difference: &Difference) -> String {
     let Difference { findings, roots, .. } = difference;
     if roots.is_empty() {
@@ -34,7 +37,8 @@ pub fn list(difference: &Difference) -> String {
     out
 }
 
-/// Id of a wrong entry, with the entries from which it follows if these are not the root, and with its other roots.
+/// Returns the id of a wrong entry. The entries from which it follows are added unless that is the
+/// root, and further roots if there are any.
 fn item(findings: &[Finding], root: &Root, follower: &Follower) -> String {
     let ids = |list: &[usize]| list.iter().map(|at| findings[*at].id.as_str()).collect::<Vec<_>>().join(" and ");
     let mut out = findings[follower.finding].id.clone();
@@ -62,7 +66,8 @@ fn wrapped(items: &[String]) -> Vec<String> {
     lines
 }
 
-/// Words for the entries from which a wrong entry follows; `None` for a root mistake.
+/// Returns words for the entries from which a wrong entry follows, and for its root mistake. `None`
+/// for an entry that follows from no root mistake.
 pub fn source(difference: &Difference, finding: usize) -> Option<String> {
     let (at, follower) = difference.roots.iter().enumerate().find_map(|(at, root)| {
         let follower = root.followers.iter().find(|f| f.finding == finding)?;
@@ -77,7 +82,7 @@ pub fn source(difference: &Difference, finding: usize) -> Option<String> {
     Some(format!("{words} {}, of root mistake {}", ids.join(" and "), at + 1))
 }
 
-/// Root mistakes as JSON, in the order of the publication file.
+/// Returns the root mistakes of a publication as JSON, in the order of the publication file.
 pub fn json_of(difference: &Difference) -> Vec<Value> {
     let ids = |list: &[usize]| list.iter().map(|at| difference.findings[*at].id.clone()).collect::<Vec<_>>();
     let follower = |f: &Follower| {

@@ -1,15 +1,15 @@
-//! Conditions of rest and of steady motion in closed form, in words and in JSON.
+//! Conditions of rest and of steady motion in closed form, as text and as JSON.
 
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos::studies::steady::{ClosedForm, Conditions, Formula, NamedFormula, Solved};
 
-/// Largest number of branches in the text for each kind of motion; `MOST_LETTERS` is the largest length of a formula in
-/// it. JSON has all branches and whole formulas.
+/// Largest number of solutions in the text for each kind of motion. JSON lists all solutions.
 const MOST_BRANCHES: usize = 6;
+/// Largest number of characters of a formula in the text. JSON states whole formulas.
 const MOST_LETTERS: usize = 240;
 
-/// Text of the conditions in closed form.
+/// Returns the conditions of rest and steady motion in closed form as text.
 pub fn text(found: &ClosedForm) -> String {
     let mut out = "in closed form\n".to_owned();
     for conditions in &found.list {
@@ -48,6 +48,7 @@ pub fn text(found: &ClosedForm) -> String {
     out
 }
 
+/// Returns the heading of a set of conditions: rest, or steady motion along symmetries.
 fn heading(conditions: &Conditions) -> String {
     let names: Vec<&str> = conditions.along.iter().map(|v| v.name.as_str()).collect();
     let what = if conditions.rest {
@@ -61,11 +62,12 @@ fn heading(conditions: &Conditions) -> String {
     format!("  {what}, where")
 }
 
+/// Returns the singular for a count of 1, and otherwise the plural.
 fn plural(count: usize, one: &'static str, more: &'static str) -> &'static str {
     if count == 1 { one } else { more }
 }
 
-/// Shortens a formula that is too long to read.
+/// Shortens a formula of more than 240 characters to its beginning, and states its length.
 fn short(text: &str) -> String {
     let letters = text.chars().count();
     if letters <= MOST_LETTERS {
@@ -75,11 +77,14 @@ fn short(text: &str) -> String {
     format!("{begin}… ({letters} letters, whole in --json)")
 }
 
+/// Returns the divisors as conditions `… != 0`.
 fn not_zero(list: &[Formula]) -> String {
     let list: Vec<String> = list.iter().map(|e| format!("{} != 0", short(&e.text))).collect();
     list.join(", ")
 }
 
+/// Returns a solution of the conditions as text: solved unknowns, inequalities, and equations that
+/// remain.
 fn branch_text(branch: &Solved) -> String {
     let equal = |told: &NamedFormula| format!("{} = {}", told.name.text, short(&told.value.text));
     let mut parts: Vec<String> = branch.solved.iter().map(equal).collect();
@@ -100,11 +105,12 @@ fn branch_text(branch: &Solved) -> String {
     out
 }
 
-/// JSON of the conditions in closed form.
+/// Returns the conditions of rest and steady motion in closed form as JSON.
 pub fn json(found: &ClosedForm) -> Value {
     found.list.iter().map(json_of).collect()
 }
 
+/// Returns one set of conditions as JSON.
 fn json_of(conditions: &Conditions) -> Value {
     let along = conditions.along.iter().map(|v| json!({ "name": v.name, "along": v.along }));
     let branch = |branch: &Solved| {
@@ -126,10 +132,12 @@ fn json_of(conditions: &Conditions) -> Value {
     })
 }
 
+/// Returns formulas as JSON, each as text and in LaTeX.
 fn all(list: &[Formula]) -> Vec<Value> {
     list.iter().map(|e| json!({ "formula": e.text, "latex": e.latex })).collect()
 }
 
+/// Returns named formulas as JSON, each with its name.
 fn all_told(list: &[NamedFormula]) -> Vec<Value> {
     let told = |told: &NamedFormula| {
         json!({

@@ -1,4 +1,5 @@
-//! Figures of followed steady motions: eigenvalues over a number, and changes of stability over two numbers.
+//! Figures of steady motions followed along a number: eigenvalues over one number, and changes of
+//! stability over two.
 
 use crate::failure::{Failure, say};
 use crate::output::{keep_inputs, table};
@@ -10,7 +11,8 @@ use tripos::{Error, Mechanism};
 use tripos_codegen::files::would_change;
 use tripos_derive::plain::path_in_line;
 
-/// Refuses a figure of an unknown kind, and a figure that would overwrite an input file.
+/// Refuses a figure whose file name has an unknown extension, and a figure that would overwrite an
+/// input file.
 ///
 /// # Errors
 /// [`Failure`] that names the file and the reason.
@@ -24,12 +26,14 @@ pub fn check(out: &Path, model: &Mechanism, from: &Path) -> Result<(), Failure> 
     keep_inputs(model, None, [out, &data])
 }
 
-/// Kind of the figure, by the ending of its file's name.
+/// Returns the file format of the figure, by the extension of its file name.
+/// `Err` for an unknown extension.
 fn kind(out: &Path) -> Result<Kind, Failure> {
     picture::kind(out, "; its data go beside it, in .csv")
 }
 
-/// Draws the real and imaginary parts of all eigenvalues over a number, and writes their data.
+/// Draws the real and imaginary parts of all eigenvalues, 1/s and rad/s, over a number, and writes
+/// their data.
 ///
 /// # Errors
 /// [`Failure`] if a file cannot be written.
@@ -47,7 +51,8 @@ pub fn modes(out: &Path, name: &str, course: &Course) -> Result<(), Failure> {
     write(out, &panels, &[name, "real", "imaginary"], rows)
 }
 
-/// Draws the map of stability changes: the first number at each kind of crossing, for each value of the second.
+/// Draws the map of stability changes. For each value of the second number it shows the values of
+/// the first at which an eigenvalue crosses.
 ///
 /// # Errors
 /// [`Failure`] if a file cannot be written.
@@ -81,10 +86,10 @@ pub fn map(out: &Path, [first, second]: [&str; 2], found: &Map) -> Result<(), Fa
     write(out, &panels, &[second, "kind", first, "frequency"], rows)
 }
 
-/// Style of the points of unstable motions: a pale one.
+/// Number of the curve style for unstable motions, a pale colour.
 const UNSTABLE: usize = 14;
 
-/// Series of separate points, without a line between them.
+/// Returns a series of separate points, without a line between them.
 fn marks(label: &str, style: usize, points: &[(f64, f64)]) -> Series {
     let apart = points.iter().flat_map(|point| [*point, (f64::NAN, f64::NAN)]).collect();
     let mut series = Series::curve(label.to_owned(), style, apart);
@@ -93,6 +98,7 @@ fn marks(label: &str, style: usize, points: &[(f64, f64)]) -> Series {
     series
 }
 
+/// Returns a panel with linear axes. `x` and `y` are the labels of the axes.
 fn panel(x: &str, title: &str, y: &str, series: Vec<Series>) -> Panel {
     Panel {
         title: title.to_owned(),
@@ -105,6 +111,10 @@ fn panel(x: &str, title: &str, y: &str, series: Vec<Series>) -> Panel {
     }
 }
 
+/// Draws panels to a figure file and writes their data to a CSV file with the same name.
+///
+/// # Errors
+/// [`Failure`] if a file cannot be written.
 fn write(
     out: &Path,
     panels: &[Panel],

@@ -1,4 +1,4 @@
-//! Steady motion followed along one number, or over two.
+//! Output for a steady motion that is followed along one number, or over two numbers.
 
 use super::super::linearise::value_text;
 use super::figure;
@@ -14,7 +14,8 @@ use tripos::studies::steady::{Course, Crossing, CrossingKind, Map, Point, follow
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::load_asked;
 
-/// Follows a steady motion along a number, prints it, and draws it if `out` is given. Returns the exit status.
+/// Follows a steady motion along the values of a number, prints stability and eigenvalues, and
+/// draws them if `out` is given. Returns the exit status.
 ///
 /// # Errors
 /// [`Failure`] if there is no steady motion at the first value, or if the figure cannot be written.
@@ -40,7 +41,8 @@ pub fn along(
     Ok(0)
 }
 
-/// Follows a steady motion along one number for each value of another, prints the map, and draws it if `out` is given.
+/// Follows a steady motion along one number for each value of a second number. Prints the map of
+/// stability changes, and draws it if `out` is given. Returns the exit status.
 ///
 /// # Errors
 /// [`Failure`] if there is no steady motion for any value, or if the figure cannot be written.
@@ -74,6 +76,7 @@ pub fn over_two(
     Ok(0)
 }
 
+/// Returns a followed motion as JSON: points with eigenvalues, and crossings of the imaginary axis.
 fn json_of(course: &Course) -> Value {
     let point = |point: &Point| {
         let mut value = point_of(&point.about);
@@ -88,6 +91,7 @@ fn json_of(course: &Course) -> Value {
     })
 }
 
+/// Returns a followed motion as text, a line for each value of the number `name`.
 fn course_text(model: &Mechanism, name: &str, course: &Course) -> String {
     let mut out = format!("{}, over {name}\n\n", model.title);
     for point in &course.points {
@@ -107,6 +111,7 @@ fn course_text(model: &Mechanism, name: &str, course: &Course) -> String {
     out
 }
 
+/// Returns a line about a change of stability at a value of the number `name`.
 fn crossing_text(name: &str, crossing: &Crossing) -> String {
     let value = crossing.value;
     match crossing.kind {
@@ -118,7 +123,7 @@ fn crossing_text(name: &str, crossing: &Crossing) -> String {
     }
 }
 
-/// Text of the map of stability changes, a line for each value of the second number.
+/// Returns the map of stability changes as text, a line for each value of the second number.
 fn map_text(model: &Mechanism, [first, second]: [&str; 2], found: &Map) -> String {
     let mut out = format!("{}, over {first} and {second}\n\n", model.title);
     for (value, course) in &found.rows {

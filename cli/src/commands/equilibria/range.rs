@@ -1,22 +1,23 @@
-//! Range of values from an option `NAME=FROM:TO:COUNT`.
+//! Range of values of a number, read from an option `NAME=FROM:TO:COUNT`.
 
 use tripos::{Error, Mechanism};
 use tripos_derive::diagnostic::nearest;
 use tripos_derive::scene::Asked;
 
-/// Values of a number of a state file or a model, along which a motion is followed.
+/// Range of values of a number, along which a steady motion is followed.
 pub struct Range {
-    /// Name of the number.
+    /// Name of the number: a parameter, a state with a given value, or a number of the state file.
     pub name: String,
-    /// Values of the number, in order.
+    /// Values of the number, in order and at equal distances, in its unit.
     pub values: Vec<f64>,
 }
 
 impl Range {
-    /// Reads a range from the text `NAME=FROM:TO:COUNT` of an option.
+    /// Reads a range from the text `NAME=FROM:TO:COUNT` of an option, such as `v=0:10:11`.
     ///
     /// # Errors
-    /// [`Error::Request`] if the text is no range, or if the model and the state file have no such number.
+    /// [`Error::Request`] if the text has another form, the count is not 2 to 100000, or there is
+    /// no such number.
     pub fn new(model: &Mechanism, asked: &Asked, over: &str) -> Result<Self, Error> {
         let how = "write NAME=FROM:TO:COUNT, such as v=0:10:11";
         let wrong = || Error::request(format!("`{over}` are no values to follow"), how);

@@ -1,7 +1,7 @@
-//! A linear system for other programs and for documents: Python, MATLAB and LaTeX.
+//! Linear system in the notation of Python, MATLAB or LaTeX.
 //!
-//! Numbers have all their digits in programs, six in documents. If symbols were kept, the matrices are functions of
-//! these.
+//! Numbers have all their digits for programs, and six digits in LaTeX. If parameters remain
+//! symbols, the matrices are functions of them.
 
 use super::{kind_of, names, taking_part, value_text};
 use crate::arguments::Notation;
@@ -12,16 +12,18 @@ use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::text::print::{latex, latex_of, python_of};
 
-/// Matrices of a linear system, each entry as text in a notation.
+/// Matrices of a linear system, with each entry as text in a notation.
 struct Written {
-    /// Entries of A, B, C and D, row by row.
+    /// Entries of the matrices A, B, C and D, row by row.
     matrices: [Vec<Vec<String>>; 4],
-    /// Numbers of columns of A, B, C and D; a matrix without rows does not show its own.
+    /// Numbers of columns of A, B, C and D. They are needed for matrices without rows.
     widths: [usize; 4],
+    /// Names of the parameters that remain symbols; empty if the matrices are numbers.
     letters: Vec<String>,
 }
 
-/// Writes a linear system in a notation for programs or documents.
+/// Returns a linear system as text in a notation. `letters` holds the matrices with symbolic
+/// parameters, if there are any.
 pub fn written(model: &Mechanism, found: &About, letters: Option<&Letters>, notation: Notation) -> String {
     let (states, system) = (names(found, &found.system.kept), &found.system);
     let widths = [states.len(), found.inputs.len(), states.len(), found.inputs.len()];
@@ -39,7 +41,8 @@ pub fn written(model: &Mechanism, found: &About, letters: Option<&Letters>, nota
     }
 }
 
-/// Comment lines at the head of the text: the state, and the eigenvalues with the states that move in their modes.
+/// Returns the comment lines at the beginning: the state, and the eigenvalues with the states that
+/// take part in their modes.
 fn head(model: &Mechanism, found: &About, mark: &str) -> String {
     let mut out = format!("{mark} {}: near {}, in SI units\n", model.title, kind_of(found));
     let at: Vec<String> = found.states().map(|(name, x)| format!("{name} = {x:?}")).collect();
@@ -51,11 +54,13 @@ fn head(model: &Mechanism, found: &About, mark: &str) -> String {
     out
 }
 
+/// Returns the entries of a numeric matrix as text.
 fn entries(wide: &Wide, notation: Notation) -> Vec<Vec<String>> {
     let number = |x: &f64| if notation == Notation::Latex { six_digits(*x) } else { format!("{x:?}") };
     wide.doubles().iter().map(|row| row.iter().map(number).collect()).collect()
 }
 
+/// Returns the entries of a matrix with symbolic parameters as text; `at` is 0 to 3 for A, B, C, D.
 fn in_letters(letters: &Letters, at: usize, notation: Notation) -> Vec<Vec<String>> {
     let letter = letters.names.first().map_or("", String::as_str);
     let entry = |e: &Entry| match notation {
@@ -66,8 +71,8 @@ fn in_letters(letters: &Letters, at: usize, notation: Notation) -> Vec<Vec<Strin
     letters.matrices[at].iter().map(|row| row.iter().map(entry).collect()).collect()
 }
 
-/// Text of a number with six significant digits, without zeros at the end of decimals; very large and small numbers
-/// have a power of ten.
+/// Returns a number in LaTeX with six significant digits, without zeros at the end. Very large and
+/// very small numbers get a power of ten.
 fn six_digits(x: f64) -> String {
     if x.abs() <= 0.0 {
         return "0".to_owned();
@@ -82,13 +87,16 @@ fn six_digits(x: f64) -> String {
     trimmed(&format!("{x:.decimals$}"))
 }
 
+/// Removes zeros at the end of decimals.
 fn trimmed(text: &str) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text.to_owned() }
 }
 
+/// Names of the matrices of a linear system.
 const NAMES: [&str; 4] = ["A", "B", "C", "D"];
 
 impl Written {
+    /// Returns the matrices as a Python program with NumPy.
     fn python(&self, head: &str, [states, inputs, outputs]: [&[String]; 3]) -> String {
         let list = |names: &[String]| names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ");
         let mut out = format!("{head}import numpy as np\n\nstates = [{}]\n", list(states));
@@ -110,6 +118,7 @@ impl Written {
         out
     }
 
+    /// Returns the matrices as a MATLAB program.
     fn matlab(&self, head: &str, [states, inputs, outputs]: [&[String]; 3]) -> String {
         let list = |names: &[String]| names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ");
         let mut out = format!("{head}states = {{{}}};\n", list(states));
@@ -130,6 +139,7 @@ impl Written {
         out
     }
 
+    /// Returns the matrices in LaTeX with amsmath.
     fn latex(&self, head: &str, [states, inputs, outputs]: [&[String]; 3]) -> String {
         let column = |names: &[String]| {
             let names: Vec<String> = names.iter().map(|name| name_in_latex(name)).collect();
@@ -165,7 +175,7 @@ impl Written {
     }
 }
 
-/// Writes the name of a state, or the formula of an output, as mathematics in LaTeX.
+/// Returns the name of a state, or the formula of an output, in LaTeX.
 fn name_in_latex(name: &str) -> String {
     let mut arena = Arena::new();
     parse_free(&mut arena, name).map_or_else(|_| format!("\\text{{{name}}}"), |e| latex(&arena, e))

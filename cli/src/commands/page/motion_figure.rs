@@ -1,4 +1,4 @@
-//! Scene whose motion the page shows, and the figure of the motion: the viewer of `tripos view`, in the page.
+//! Figure of the motion of one scene on the page, drawn by the viewer of `tripos view`.
 
 use crate::failure::Failure;
 use crate::follow;
@@ -8,7 +8,8 @@ use tripos::Mechanism;
 use tripos::pictures::view::{Motion, View};
 use tripos_derive::scene::Scene;
 
-/// Figure of the motion of one scene; `None` if no scene was finished, or after an interruption.
+/// Returns the figure of the motion of the best scene. `None` if no scene was finished, or after an
+/// interruption.
 pub fn moving(model: &Mechanism, scenes: &[Scene], sections: &[SceneSection]) -> Option<Moving> {
     if follow::is_interrupted() {
         return None;
@@ -18,7 +19,8 @@ pub fn moving(model: &Mechanism, scenes: &[Scene], sections: &[SceneSection]) ->
     Some(Moving { scene, viewer })
 }
 
-/// Index of the scene to show: one whose run is right and reaches its end; of these the longest, and then the first.
+/// Returns the index of the scene to show; `None` without a scene. Preferred are scenes whose run
+/// is right and reaches its end, then the longest.
 fn best(scenes: &[Scene], sections: &[SceneSection]) -> Option<usize> {
     let rank = |at: usize| {
         let first = sections[at].runs.iter().find(|run| run.printed.is_none());
@@ -33,6 +35,8 @@ fn best(scenes: &[Scene], sections: &[SceneSection]) -> Option<usize> {
     (0..sections.len()).min_by(|a, b| rank(*a).cmp(&rank(*b)).then(length(*b).total_cmp(&length(*a))))
 }
 
+/// Returns the viewer of a scene's motion as parts of an HTML page: figure, style and script.
+/// `Err` if the motion cannot be computed.
 fn viewer(model: &Mechanism, scene: &Scene, title: &str) -> Result<Viewer, Failure> {
     let motions = vec![Motion::of_scene(model, scene, None)?];
     let view = View::new(model, scene, &motions.iter().collect::<Vec<_>>())?;

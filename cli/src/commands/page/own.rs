@@ -1,5 +1,5 @@
-//! Reduced equations of a scene on the page: their description, their run, and the same outputs from runs of whole
-//! equations.
+//! Reduced equations of a scene on the page: their description, their run, and outputs for
+//! comparison with the whole model.
 
 use crate::failure::Failure;
 use crate::page::Needs;
@@ -9,13 +9,14 @@ use tripos_codegen::plan::costs;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
-/// Reduced equations of a scene, and their run.
+/// Reduced equations of a scene with their run, for the page.
 pub struct Own {
-    /// Reduced equations of the scene, with their costs.
+    /// Reduced equations of the scene, with the numbers of operations of a call.
     pub needs: Needs,
-    /// Run of the scene by its reduced equations.
+    /// Run of the scene that integrates its reduced equations.
     pub run: Run,
-    /// Watched quantities along the run; `None` for reduced equations without the states that these need.
+    /// Watched quantities along the run; `None` if the reduced equations lack the states that these
+    /// quantities need.
     pub course: Option<Course>,
 }
 
@@ -26,7 +27,8 @@ impl Own {
     /// [`Failure`] if the scene has no reduced equations, or if they cannot be run.
     pub fn new(model: &Mechanism, scene: &Scene, watch: &Watch) -> Result<Self, Failure> {
         let mut reduced = Reduced::new(model, scene)?;
-        // Reduced equations are solved for the accelerations: a numeric solve has nothing to do.
+        // Reduced equations are already solved for the accelerations, so a numeric solve is not
+        // needed.
         reduced.scene.integration.solve = Some(Solve::Eliminated);
         let code = reduced.code(model)?;
         let watch = (!scene.states_outputs).then_some(watch);
@@ -38,12 +40,13 @@ impl Own {
     }
 }
 
-/// Copy of a state in twice the precision of doubles.
+/// Returns a state as numbers in double-double precision.
 pub fn wide(state: &[f64]) -> Vec<DoubleDouble> {
     state.iter().copied().map(DoubleDouble::from_f64).collect()
 }
 
-/// Values of a scene's outputs along a run, sample by sample; NaN if whole states do not determine an output.
+/// Returns the values of a scene's outputs along a run, a list for each sample. A value is NaN if
+/// the states do not determine the output.
 pub fn shown(compared: &Compared, run: &Run) -> Vec<Vec<f64>> {
     if run.by.is_reduced() {
         return run.states.clone();

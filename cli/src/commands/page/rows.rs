@@ -1,4 +1,4 @@
-//! Words and numbers of the page about a scene and each of its runs.
+//! Rows and facts of the page about a scene and each of its runs.
 
 use super::own::Own;
 use crate::page::{Fact, Nearest, RunRow, Standing};
@@ -6,7 +6,7 @@ use tripos::{Course, Digits, Mechanism, Run, method_words, state_names};
 use tripos_derive::scene::Scene;
 use tripos_sim::Stop;
 
-/// Empty course, for a run along which no quantity was watched.
+/// Empty record of watched quantities, for a run without any.
 pub static UNWATCHED: Course = Course {
     t: Vec::new(),
     integrals: Vec::new(),
@@ -15,13 +15,13 @@ pub static UNWATCHED: Course = Course {
     divisors: Vec::new(),
 };
 
-/// Title of a scene, or the name of its file if it has no title.
+/// Returns the title of a scene, or the name of its file if it has no title.
 pub fn title(scene: &Scene) -> String {
     let stem = || scene.source.path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
     if scene.title.is_empty() { stem() } else { scene.title.clone() }
 }
 
-/// Impacts of a run in words; `None` if it has none.
+/// Returns the number, times and losses of a run's impacts in words; `None` if it has none.
 pub fn impacts(run: &Run) -> Option<(&'static str, Fact)> {
     let list = run.impacts();
     let (first, last) = (list.first()?, list.last()?);
@@ -34,7 +34,8 @@ pub fn impacts(run: &Run) -> Option<(&'static str, Fact)> {
     Some(("Impacts", Fact::Words(format!("{when}; they take {lost} J"))))
 }
 
-/// Given data of a scene: parameters, start, span, tolerances, domain. Empty ones are left out.
+/// Returns the given data of a scene with their headings: parameters, start, span, integration and
+/// domain. Empty data are left out.
 pub fn facts(model: &Mechanism, scene: &Scene) -> Vec<(&'static str, Fact)> {
     let values = |names: Vec<String>, values: &[f64]| names.into_iter().zip(values.iter().copied()).collect::<Vec<_>>();
     let parameters = values(model.parameters.iter().map(|p| p.name.clone()).collect(), &scene.parameters);
@@ -52,7 +53,7 @@ pub fn facts(model: &Mechanism, scene: &Scene) -> Vec<(&'static str, Fact)> {
     numbers.chain(words.map(|(what, words)| (what, Fact::Words(words)))).collect()
 }
 
-/// Row about a run in the page's table of runs.
+/// Returns the row for a run in the page's table of runs.
 pub fn row(scene: &Scene, run: &Run, course: &Course, standing: Standing) -> RunRow {
     let solution = &run.solution;
     RunRow {
@@ -81,18 +82,19 @@ pub fn row(scene: &Scene, run: &Run, course: &Course, standing: Standing) -> Run
     }
 }
 
-/// Time from which on a run has fewer than three digits, s; `None` if it keeps them, or if this was not assessed.
+/// Returns the time, s, from which a run has fewer than three correct digits. `None` if it keeps
+/// three, or if digits were not assessed.
 fn few_from(run: &Run) -> Option<f64> {
     let digits = run.digits.as_ref()?;
     digits.first_with_few().map(|(instant, _)| digits.t[instant])
 }
 
-/// Row about the run by the scene's reduced equations in the page's table of runs.
+/// Returns the row for the run by the scene's reduced equations in the page's table of runs.
 pub fn own_row(scene: &Scene, own: &Own, standing: Standing) -> RunRow {
     row(scene, &own.run, own.course.as_ref().unwrap_or(&UNWATCHED), standing)
 }
 
-/// Smallest and largest of the values that are numbers; `None` without such values.
+/// Returns the smallest and largest of the values, NaN excepted; `None` without other values.
 fn range(values: &[f64]) -> Option<(f64, f64)> {
     let numbers = || values.iter().copied().filter(|x| !x.is_nan());
     Some((numbers().min_by(f64::total_cmp)?, numbers().max_by(f64::total_cmp)?))

@@ -1,6 +1,8 @@
-//! Figures of a scene's runs: drawn states and energies, with their data in tables beside the page.
+//! Figures of a scene's runs on the page: states and energies, with their data as tables in a
+//! folder of the page.
 //!
-//! Invariant: a row of a table is a point that was given to the plot, so that both cannot differ.
+//! Invariant: each row of a table is a point that was given to the plot, so that the two cannot
+//! differ.
 
 use crate::failure::Failure;
 use crate::output::{folder, table, text};
@@ -13,8 +15,9 @@ use tripos_codegen::scene_files::name_beside;
 use tripos_derive::plain::is_forbidden;
 use tripos_derive::scene::Scene;
 
-/// Folder of a scene's tables, relative to the page: it has the scene's name. If a scene in `scenes/` has the same name
-/// as a scene beside the model, the latter gets a longer one.
+/// Returns the folder of a scene's tables, relative to the page's folder: the name of the scene's
+/// file. A scene in the model's own folder gets a longer name if a scene in `scenes/` has the same
+/// name.
 pub fn folder_of(model: &Mechanism, scene: &Scene) -> PathBuf {
     let (model, path) = (&model.source.path, &scene.source.path);
     let stem = folder_name(&path.file_stem().unwrap_or_default().to_string_lossy());
@@ -27,8 +30,8 @@ pub fn folder_of(model: &Mechanism, scene: &Scene) -> PathBuf {
     name.into()
 }
 
-/// Makes a name for a folder inside that of the page from any name of a file. The folder lies in no other place, is not
-/// the page itself, and its name holds no character that controls a terminal.
+/// Returns a safe folder name made from a file name. It cannot lead out of the page's folder, is
+/// not the page's own file, and contains no control character.
 fn folder_name(stem: &str) -> String {
     let plain: String = stem.chars().map(|c| if is_forbidden(c) || c == '/' || c == '\\' { '_' } else { c }).collect();
     if plain.trim_matches('.').is_empty() || plain == "index.html" { format!("scene {plain}") } else { plain }
@@ -36,20 +39,21 @@ fn folder_name(stem: &str) -> String {
 
 /// Drawer of a scene's figures, which also writes their tables.
 pub struct Drawn<'a> {
-    /// Folder of the page.
+    /// Path of the page's folder.
     pub out: &'a Path,
-    /// Folder of the scene, inside that of the page.
+    /// Folder of the scene's tables, relative to the folder of the page.
     pub folder: PathBuf,
-    /// Number of figures so far, by the name of the figure.
+    /// Number of figures drawn so far, by their name.
     pub names: BTreeMap<String, usize>,
 }
 
 impl Drawn<'_> {
-    /// Draws panels as a figure, and writes it to `NAME.svg` and its data to `NAME.csv`. A second figure of the name is
-    /// `NAME-2`.
+    /// Draws panels as a figure, and writes it to `NAME.svg` and its data to `NAME.csv`. The second
+    /// figure of a name is `NAME-2`.
     ///
     /// # Errors
-    /// [`Failure::Refused`] if the figure cannot be drawn, [`Failure::Output`] if a file cannot be written.
+    /// [`Failure::Refused`] if the figure cannot be drawn, [`Failure::Output`] if a file cannot be
+    /// written.
     pub fn figure(&mut self, name: &str, caption: &str, panels: &[Panel], columns: usize) -> Result<Figure, Failure> {
         let count = self.names.entry(name.to_owned()).or_default();
         *count += 1;
@@ -65,7 +69,7 @@ impl Drawn<'_> {
     }
 }
 
-/// Rows of the table of a panel, one for each point: quantity, equations, t and value.
+/// Returns the table rows of a panel, one for each point: quantity, equations, t and value.
 fn rows(panel: &Panel) -> impl Iterator<Item = Vec<String>> + '_ {
     panel.series.iter().flat_map(move |series| {
         let row = |(t, value): &(f64, f64)| {
@@ -75,7 +79,7 @@ fn rows(panel: &Panel) -> impl Iterator<Item = Vec<String>> + '_ {
     })
 }
 
-/// Draws panels as a figure of the page, without a table.
+/// Draws panels as a figure of the page, without writing a table.
 ///
 /// # Errors
 /// [`Failure::Refused`] if the figure cannot be drawn.
@@ -85,7 +89,8 @@ pub fn drawing(caption: &str, panels: &[Panel], columns: usize) -> Result<Figure
     Ok(Figure { caption: caption.to_owned(), svg, remark: None, data: Vec::new() })
 }
 
-/// Caption of a figure: the scene file's own caption, if it has one, then the computed sentence.
+/// Returns the caption of a figure: the scene file's own caption, if there is one, then the
+/// computed sentence.
 pub fn after(own: &str, computed: &str) -> String {
     match own.trim_end_matches('.') {
         "" => computed.to_owned(),

@@ -1,4 +1,5 @@
-//! Standing of each run of a scene: by the verdict on its equations, and by its digits.
+//! Standing (trustworthiness) of each run of a scene, by the verdict on its equations and by its
+//! digits.
 
 use crate::page::Standing;
 use tripos::studies::study::Study;
@@ -7,7 +8,8 @@ use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::scene::Scene;
 use tripos_traits::largest;
 
-/// Standing of printed equations by the verdict on their accelerations; `None` if these equal the derived ones.
+/// Returns the standing of printed equations, by the verdict on their accelerations. `None` if
+/// these equal the derived accelerations.
 fn of_printed(study: &Study, id: &str) -> Option<Standing> {
     let mut systems = study.published.iter().flat_map(|published| &published.difference.consequences);
     match systems.find(|system| system.system == id).map(|system| &system.accelerations) {
@@ -18,7 +20,8 @@ fn of_printed(study: &Study, id: &str) -> Option<Standing> {
     }
 }
 
-/// Standing of a run of a scene, with its error if the run is loose.
+/// Returns the standing of a run: right, loose with its error, stopped, or by wrong or undecided
+/// equations.
 pub fn of(study: &Study, scene: &Scene, run: &Run) -> Standing {
     if let Some(standing) = run.by.printed_id().and_then(|id| of_printed(study, id)) {
         return standing;
@@ -32,8 +35,8 @@ pub fn of(study: &Study, scene: &Scene, run: &Run) -> Standing {
     Standing::Loose { how: method_words(scene), error: error(run) }
 }
 
-/// Error of a run at its end, the largest |e| / (1 + |value|), estimated by a second run; or the reason why it is
-/// unknown.
+/// Returns the error of a run at its end, the largest |e|/(1 + |value|), estimated by a second run.
+/// `Err` is the reason why it is unknown.
 fn error(run: &Run) -> Result<f64, String> {
     let errors = run.digits.as_ref().and_then(Digits::errors_at_end);
     let errors = errors.ok_or_else(|| "it was not assessed to its end".to_owned())?;

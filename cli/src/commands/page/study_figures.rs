@@ -1,6 +1,7 @@
-//! Figures of a scene that need runs of their own: speed against accuracy, passages, conditioning.
+//! Figures of a scene that need further runs: speed against accuracy, passages of singular places,
+//! and conditioning.
 //!
-//! Invariant: every point of these figures is in a table beside the page, in the folder of the scene.
+//! Invariant: every point of these figures is in a table in the scene's folder.
 
 use super::run_figures::after;
 use crate::chart::sentences::{TARGETS, caption, fastest, lead};
@@ -16,27 +17,32 @@ use tripos::studies::chart::{Plan, session};
 use tripos::studies::stability::{Findings, Run, Study, conditioning, ladder};
 use tripos_derive::scene::{FigureKind, Scene};
 
-/// Measurements of a scene, as far as its figures need them.
+/// Measurements of a scene for its figures, made when a figure needs them.
 pub struct Measured<'a> {
+    /// Model of the mechanism in the scene.
     model: &'a Mechanism,
+    /// Scene whose runs are measured.
     scene: &'a Scene,
-    /// Folder of the page; `folder` is that of the scene, inside it.
+    /// Path of the page's folder.
     out: &'a Path,
+    /// Folder of the scene's tables, relative to the folder of the page.
     folder: PathBuf,
+    /// Results of the stability studies made so far.
     findings: Findings,
-    /// Recommendation of a method from the speed chart; `None` if it was not measured.
+    /// Recommendation of a method from the speed chart; `None` if the chart was not measured.
     pub advice: Option<Advice>,
-    /// Figures that this scene cannot have, each with the reason.
+    /// Reasons for figures that this scene cannot have, one sentence each.
     pub not_drawn: Vec<String>,
 }
 
 impl<'a> Measured<'a> {
-    /// Creates the measurements of a scene, with nothing measured yet.
+    /// Prepares the measurements of a scene; nothing is measured yet.
     pub fn new(model: &'a Mechanism, scene: &'a Scene, out: &'a Path, folder: PathBuf) -> Self {
         Self { model, scene, out, folder, findings: Findings::default(), advice: None, not_drawn: Vec::new() }
     }
 
-    /// Measures and draws a figure; `None` if the scene cannot have it. [`Self::not_drawn`] then has the reason.
+    /// Measures and draws a figure with the caption `own` in front. `None` if the scene cannot have
+    /// this figure; then [`Self::not_drawn`] has the reason.
     ///
     /// # Errors
     /// [`Failure::Output`] if the table of the figure cannot be written.
@@ -59,13 +65,17 @@ impl<'a> Measured<'a> {
         }
     }
 
-    /// Makes the folder for a table, and returns it with the link from the page to the table.
+    /// Makes the folder for a table, and returns it with the link from the page to the table
+    /// `name`.
+    /// `Err` if the folder cannot be made.
     fn table(&self, name: &str) -> Result<(PathBuf, String), Failure> {
         let folder = self.out.join(&self.folder);
         make(&folder)?;
         Ok((folder, format!("{}/{name}", self.folder.display())))
     }
 
+    /// Measures speed against accuracy, and draws the speed chart.
+    /// Never `None`. `Err` if the measurement fails or a table cannot be written.
     fn work_precision(&mut self) -> Result<Option<Figure>, Failure> {
         let session = session::chart(self.model, self.scene, Printed::LeftOut, &Plan::quick(), &())?;
         let (folder, link) = self.table("work_precision.csv")?;
@@ -91,6 +101,9 @@ impl<'a> Measured<'a> {
         Ok(Some(Figure { caption, svg, remark: None, data: vec![link] }))
     }
 
+    /// Runs the study of passages near singular places, and draws its figure. `None` if the motion
+    /// has no such passage.
+    /// `Err` if the study fails or a table cannot be written.
     fn passages(&mut self) -> Result<Option<Figure>, Failure> {
         let Some(svg) = self.study(FigureKind::Passages, ladder::study)? else { return Ok(None) };
         let data = self.tables(&["passages.csv", "stability.csv"])?;
@@ -98,21 +111,27 @@ impl<'a> Measured<'a> {
         Ok(Some(Figure { caption: sentences::passages(self.model, &self.findings), svg, remark, data }))
     }
 
+    /// Runs the study of conditioning, and draws its figure. `None` if the motion does not come
+    /// near a singular place.
+    /// `Err` if the study fails or a table cannot be written.
     fn conditioning(&mut self) -> Result<Option<Figure>, Failure> {
         let Some(svg) = self.study(FigureKind::Conditioning, conditioning::study)? else { return Ok(None) };
         let data = self.tables(&["stability.csv"])?;
         Ok(Some(Figure { caption: sentences::conditioning(self.model, &self.findings), svg, remark: None, data }))
     }
 
-    /// Writes the findings so far. They are written again after each study: the tables have the numbers of all studies.
+    /// Writes the tables of all studies made so far, and returns the links to the tables with these
+    /// names.
+    /// `Err` if a table cannot be written.
     fn tables(&self, names: &[&str]) -> Result<Vec<String>, Failure> {
         let (folder, _) = self.table("")?;
         tables(&self.findings, &folder)?;
         names.iter().map(|name| Ok(self.table(name)?.1)).collect()
     }
 
-    /// Runs a study of stability and draws its figure; `None` if the motion passes no place where the kinematic
-    /// equations divide by zero.
+    /// Runs a study of stability and draws its figure. `None` if the motion does not come near a
+    /// place where the kinematic equations divide by zero.
+    /// `Err` if the study fails.
     fn study(&mut self, kind: FigureKind, run: Run) -> Result<Option<String>, Failure> {
         let before = self.findings.figures.len();
         run(&Study { model: self.model, scene: self.scene, quick: true, progress: &() }, &mut self.findings)?;

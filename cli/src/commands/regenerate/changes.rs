@@ -1,6 +1,8 @@
-//! Changes that an edit makes to the equations of a model of the workspace. The model from which the committed
-//! equations were derived is derived again, and compared with the model as it is now. The text of equations is not
-//! compared: most names in it mean something else after an edit.
+//! Changes that an edit makes to the equations of a workspace model.
+//!
+//! The model text from which the committed equations were derived is derived again, and compared
+//! with the present model. The texts of equations are not compared, because after an edit most
+//! names in them mean another term.
 
 use crate::commands::diff::changed_equations;
 use std::path::Path;
@@ -10,17 +12,17 @@ use tripos_derive::diagnostic::{Diagnostics, Source};
 use tripos_derive::model::load;
 use tripos_derive::plain::path_in_line;
 
-/// Comparison of the equations of a model before and after an edit.
+/// Result of comparing the equations of a model before and after an edit.
 pub enum Equations {
     /// The equations have the same meaning.
     Same,
-    /// The equations changed; the text has a line for each change.
+    /// The equations changed. The text has one line per change.
     Changed(String),
-    /// The comparison failed, for this reason.
+    /// The comparison failed. The text is the reason.
     Unknown(String),
 }
 
-/// Compares the equations of the model in a folder with the committed equations.
+/// Compares the present equations of the model in a folder with the committed equations.
 pub fn equations_of(models: &Path, committed: &Path, folder: &str) -> Equations {
     let (path, before) = (models.join(folder).join("model.toml"), committed.join(folder).join(DERIVED_FROM));
     let Ok(text) = std::fs::read_to_string(&before) else {
@@ -34,12 +36,17 @@ pub fn equations_of(models: &Path, committed: &Path, folder: &str) -> Equations 
     }
 }
 
+/// Derives the model before and after the edit. Returns lines about the changes; `None` if there
+/// are none.
+///
+/// # Errors
+/// `Diagnostics` if a model cannot be read or derived.
 fn compared(path: &Path, before: String) -> Result<Option<String>, Diagnostics> {
     let new = Model::read(path)?;
     if new.source.text == before {
         return Ok(None);
     }
-    // Files that the old model names are sought beside the model as it is now.
+    // Files named in the old model text are searched in the folder of the present model.
     let old = load(&Source { path: path.to_owned(), text: before })?;
     changed_equations(&old, &new)
 }

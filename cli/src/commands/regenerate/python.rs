@@ -1,4 +1,5 @@
-//! Search for a Python with the SymPy of `tests/sympy/requirements.txt`, and runs of programs with a time limit.
+//! Search for a Python interpreter with the pinned version of SymPy, and runs of programs with a
+//! time limit.
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -7,13 +8,14 @@ use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 use tripos_derive::reference::environment_name;
 
-/// Longest time for an import of SymPy: it takes a second or two, from a cold disk more.
+/// Time limit for the import of SymPy. It takes one or two seconds, and more from a cold disk.
 const TIME_TO_IMPORT: Duration = Duration::from_secs(60);
-/// Largest number of bytes that are read from a program: more than any program here writes.
+/// Largest number of bytes that are read from a program's output.
 const MOST_BYTES: u64 = 64 << 20;
 
-/// Finds the interpreter that runs the reference. It is the variable `TRIPOS_PYTHON`; else the environment that the
-/// tests made, if they did; else `python3`. An error is the reason why none of these serves.
+/// Finds the Python interpreter for the SymPy reference. Candidates are the variable
+/// `TRIPOS_PYTHON`, otherwise the environment made by the tests, otherwise `python3`. `Err` is the
+/// reason why none of them has the pinned SymPy.
 pub fn find(root: &Path) -> Result<PathBuf, String> {
     let requirements = root.join("tests/sympy/requirements.txt");
     let requirements =
@@ -28,6 +30,7 @@ pub fn find(root: &Path) -> Result<PathBuf, String> {
     Err(why)
 }
 
+/// Lists the candidates for the Python interpreter.
 fn candidates(root: &Path, requirements: &str) -> Vec<PathBuf> {
     if let Some(python) = std::env::var_os("TRIPOS_PYTHON").filter(|path| !path.is_empty()) {
         return vec![python.into()];
@@ -43,7 +46,8 @@ fn candidates(root: &Path, requirements: &str) -> Vec<PathBuf> {
     list
 }
 
-/// Checks that this Python imports the pinned SymPy: with another version the reference would have another text.
+/// Checks that a Python interpreter imports the pinned version of SymPy. With another version the
+/// reference would have another text. `Err` is the reason.
 fn check(python: &Path, requirements: &str) -> Result<(), String> {
     let name = python.display();
     let program = "import tomllib, sympy; print(sympy.__version__)";
@@ -61,9 +65,9 @@ fn check(python: &Path, requirements: &str) -> Result<(), String> {
     }
 }
 
-/// Exit status and output of a program that ended.
+/// Exit status and output of a program that has ended.
 pub struct Output {
-    /// Exit status of the program.
+    /// Exit status of the program that was run.
     pub status: ExitStatus,
     /// Text of the program's standard output.
     pub stdout: String,
@@ -72,14 +76,16 @@ pub struct Output {
 }
 
 impl Output {
-    /// Last line on standard error, where Python says what went wrong; else the exit status.
+    /// Returns the last line on standard error, where Python states the error. If there is none,
+    /// returns the exit status in words.
     pub fn last_line(&self) -> String {
         let line = self.stderr.lines().map(str::trim).rfind(|line| !line.is_empty());
         line.map_or_else(|| self.status.to_string(), str::to_owned)
     }
 }
 
-/// Runs a program to its end, or stops it when the time limit is over; an error is the reason why there is no output.
+/// Runs a program to its end, or kills it after the time `limit`. `Err` is the reason why there is
+/// no output.
 pub fn run(command: &mut Command, limit: Duration) -> Result<Output, String> {
     let end = Instant::now() + limit;
     let command = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -101,6 +107,9 @@ pub fn run(command: &mut Command, limit: Duration) -> Result<Output, String> {
     Ok(Output { status, stdout: collect(stdout)?, stderr: collect(stderr)? })
 }
 
+/// Waits for a child process until the instant `end`. Returns its exit status, or `None` if it
+/// still runs.
+/// `Err` if the operating system cannot tell.
 fn wait(child: &mut Child, end: Instant) -> std::io::Result<Option<ExitStatus>> {
     loop {
         if let Some(status) = child.try_wait()? {
@@ -113,7 +122,8 @@ fn wait(child: &mut Child, end: Instant) -> std::io::Result<Option<ExitStatus>> 
     }
 }
 
-/// Reads the output of a child process in a thread of its own, so that a full pipe does not stop the child.
+/// Reads the output of a child process in a separate thread, so that a full pipe does not stop the
+/// child.
 fn reader(pipe: Option<impl Read + Send + 'static>) -> Receiver<Vec<u8>> {
     let (sender, receiver) = channel();
     std::thread::spawn(move || {

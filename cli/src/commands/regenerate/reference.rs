@@ -1,4 +1,5 @@
-//! Reference beside each model, derived by SymPy: renewed if there is a Python, and recorded only if it agrees.
+//! SymPy reference of each model: a second derivation, renewed if there is a Python, and recorded
+//! only if it agrees.
 
 use super::python::{find, run};
 use crate::failure::{Failure, Output, print, status, warn};
@@ -15,25 +16,28 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::reference::{Compared, Reference, compare};
 
-/// Time limit for SymPy on one model; the models of the library take seconds.
+/// Time limit for SymPy on one model. The models of the library take seconds.
 const TIME: Duration = Duration::from_secs(120);
 
 /// Outcome of renewing the SymPy reference of one model.
 enum Outcome {
-    /// The reference agrees in this number of entries, and is recorded now.
+    /// The reference agrees in this number of entries, and was recorded now.
     Recorded(usize),
-    /// The reference agrees in this number of entries, as it was recorded.
+    /// The reference agrees in this number of entries, and was recorded before.
     Unchanged(usize),
-    /// SymPy does not derive this model; the reference records the reason.
+    /// SymPy does not derive this model. Holds the reason, which the reference records.
     NotDerived(String),
-    /// SymPy did not run to its end, for a reason that says nothing about the equations.
+    /// SymPy did not run to its end, for a reason that is independent of the equations. Holds the
+    /// reason.
     NotRenewed(String),
-    /// The reference disagrees, or cannot be compared: lines for people.
+    /// The reference disagrees, or cannot be compared. Holds lines for people.
     Refused(String),
 }
 
-/// Derives every model anew by SymPy and records references that agree. Returns the exit status, 1 if a reference does
-/// not agree, and a line for each model. The lines are printed as they come, unless the result is JSON.
+/// Derives every model anew by SymPy and records the references that agree. Returns the exit
+/// status, 1 if a reference disagrees, and a line for each model. The lines are printed at once,
+/// unless the result is JSON.
+/// `Err` if a line cannot be printed.
 pub fn renew(root: &Path, models: &[String], output: Output) -> Result<(u8, Vec<String>), Failure> {
     let python = match find(root) {
         Ok(python) => python,
@@ -75,6 +79,8 @@ pub fn renew(root: &Path, models: &[String], output: Output) -> Result<(u8, Vec<
     Ok((answer, lines))
 }
 
+/// Derives one model by SymPy, compares the result with the model's equations, and records it if
+/// they agree.
 fn outcome(root: &Path, python: &Path, name: &str) -> Outcome {
     let path = root.join("models").join(name).join("model.toml");
     let script = root.join("tests/sympy/reference.py");
@@ -101,6 +107,7 @@ fn outcome(root: &Path, python: &Path, name: &str) -> Outcome {
     }
 }
 
+/// Writes a reference that agrees in `count` entries, unless its file already has this text.
 fn record(reference: &Source, count: usize) -> Outcome {
     if std::fs::read(&reference.path).is_ok_and(|old| old == reference.text.as_bytes()) {
         return Outcome::Unchanged(count);
@@ -111,7 +118,8 @@ fn record(reference: &Source, count: usize) -> Outcome {
     }
 }
 
-/// Compares a model with its reference. Returns the number of entries, and lines about each that does not agree.
+/// Compares a model with its SymPy reference. Returns the number of entries, and lines about each
+/// entry that is not proved equal. `Err` is the reason why they cannot be compared.
 fn disagreements(model: &Path, reference: &Source) -> Result<(usize, Vec<String>), String> {
     let model = Model::read(model).map_err(|error| error.to_string())?;
     let reference = Reference::read(reference).map_err(|error| error.to_string())?;
@@ -122,6 +130,7 @@ fn disagreements(model: &Path, reference: &Source) -> Result<(usize, Vec<String>
     Ok((found.len(), wrong.map(|entry| describe(arena, entry)).collect()))
 }
 
+/// Returns lines about an entry that disagrees: both formulas, and a witness or the reason.
 fn describe(arena: &Arena, entry: &Compared) -> String {
     let mut out = format!("  {}\n", entry.name);
     for (label, e) in [("derived    ", entry.derived), ("SymPy      ", entry.reference)] {
@@ -141,7 +150,8 @@ fn describe(arena: &Arena, entry: &Compared) -> String {
     out
 }
 
-/// Lines about recorded references that are missing, broken or of another model text. No Python is run.
+/// Returns lines about recorded references that are missing, broken, or made from another model
+/// text. No Python is run.
 pub fn check(root: &Path, models: &[String]) -> Vec<String> {
     let mut lines = Vec::new();
     for name in models {

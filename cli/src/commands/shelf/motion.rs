@@ -1,7 +1,7 @@
-//! Motions that the wrong equations of a publication give, beside the derived motion.
+//! Motions by wrong equations of a publication, compared with the motion by the derived equations.
 //!
-//! The start and the time stand in the first scene beside the model of the publication. Both motions are runs of this
-//! scene, by Kane's equations and by the printed ones as they stand.
+//! The start and the span are those of the first scene of the publication's model. Both motions are
+//! runs of this scene: by Kane's equations, and by the printed equations as they stand.
 
 use crate::failure::Failure;
 use crate::judgement::Judged;
@@ -16,27 +16,29 @@ use tripos_derive::plain::significant;
 /// Number of significant digits of the shown values.
 const DIGITS: usize = 3;
 
-/// Motion by wrong printed equations, beside the right one.
+/// Motion by wrong printed equations, compared with the right motion.
 pub struct Motion {
-    /// Id of the printed system.
+    /// Id of the publication's printed system of equations.
     pub system: String,
-    /// Name of the scene with the start.
+    /// Path of the scene file that states the start, relative to the model.
     pub scene: String,
-    /// Time of the run, s.
+    /// Time at the end of the run by the derived equations, s.
     pub time: f64,
+    /// Difference of the two motions at the end, or the reason why the printed run stops.
     pub outcome: Outcome,
 }
 
-/// End of a run by printed equations.
+/// Outcome of a run by printed equations.
 pub enum Outcome {
-    /// Coordinate that is farthest from the right motion, with its value by the printed and by the derived equations.
+    /// The run reaches the end. Holds the coordinate that is farthest from the right motion, with
+    /// its printed and its right value.
     Apart { coordinate: String, printed: f64, right: f64 },
-    /// Reason why the run does not reach the end.
+    /// The run does not reach the end. Holds the reason.
     Stopped(String),
 }
 
 impl Motion {
-    /// Sentence about the motion, without its full stop.
+    /// Returns a sentence about the motion, without its full stop.
     pub fn words(&self) -> String {
         let Self { system, scene, time, outcome } = self;
         match outcome {
@@ -48,6 +50,7 @@ impl Motion {
         }
     }
 
+    /// Returns the comparison of the two motions as JSON.
     pub fn json(&self) -> Value {
         let mut value = json!({ "system": self.system, "scene": self.scene, "time": self.time });
         match &self.outcome {
@@ -62,10 +65,11 @@ impl Motion {
     }
 }
 
-/// Motions of all printed systems of a publication whose accelerations are wrong; empty if its folder has no scene.
+/// Runs all printed systems of a publication whose accelerations are wrong. The list is empty if
+/// the model has no scene.
 ///
 /// # Errors
-/// [`Failure`] if the scene cannot be read, or if the derived equations do not run it.
+/// [`Failure`] if the scene cannot be read, or if the derived equations cannot run it to its end.
 pub fn motions(folder: &Path, judged: &Judged) -> Result<Vec<Motion>, Failure> {
     let model = folder.join("model.toml");
     let wrong = judged.difference.consequences.iter().filter(|c| matches!(c.accelerations, Verdict::Different(_)));
@@ -93,8 +97,8 @@ pub fn motions(folder: &Path, judged: &Judged) -> Result<Vec<Motion>, Failure> {
     Ok(list)
 }
 
-/// Coordinate whose end by printed equations is farthest from the right one, in relation to its range in the right
-/// motion.
+/// Returns the coordinate whose final value by printed equations is farthest from the right value,
+/// relative to the coordinate's largest absolute value in the right motion.
 fn farthest(names: &[String], states: &[Vec<f64>], printed: &[f64], right: &[f64]) -> Outcome {
     let range = |at: usize| states.iter().map(|state| state[at].abs()).fold(f64::MIN_POSITIVE, f64::max);
     let off = |at: usize| (printed[at] - right[at]).abs() / range(at);

@@ -1,4 +1,5 @@
-//! Gradient of a number at the end of a run, as `tripos simulate --gradient` prints it.
+//! Option `tripos simulate --gradient`: derivatives of one number at the end of a run by all
+//! parameters and start values.
 
 use super::derivatives::of_unit;
 use super::{as_json, as_text, shown_failure};
@@ -12,8 +13,12 @@ use tripos::{EquationsName, Gradient, Mechanism, gradient};
 use tripos_derive::plain::{significant, within};
 use tripos_derive::scene::Scene;
 
-/// Runs a scene and prints its end, with the derivatives of one number there with respect to all parameters and start
-/// values.
+/// Runs a scene and prints its end and the derivatives of the number `of` there, by all parameters
+/// and start values. Returns the exit status.
+///
+/// # Errors
+/// `Failure` if options cannot be combined, the scene cannot be run, or the output cannot be
+/// printed.
 pub fn simulate(
     request: &Simulate,
     model: &Mechanism,
@@ -38,7 +43,8 @@ pub fn simulate(
     Ok(status)
 }
 
-/// Refuses options that cannot be combined with a gradient.
+/// Refuses options that cannot be combined with `--gradient`.
+/// `Err` is the refusal.
 fn check(request: &Simulate) -> Result<(), Failure> {
     let refuse = |what: &str, help: &str| Err(Failure::request(what.to_owned(), help.to_owned()));
     if !request.sensitivity.is_empty() {
@@ -62,7 +68,7 @@ fn add_to(whole: &mut Value, of: &Gradient) {
     whole.insert("gradient_assessed_by".to_owned(), json!(of.assessed_by));
 }
 
-/// Text of the gradient, a line for each derivative.
+/// Returns the gradient as text, one derivative per line.
 fn in_words(of: &Gradient) -> String {
     let what = if of.is_total { "in all, as that instant moves" } else { "at that instant" };
     let mut out = format!("\ngradient of {} at t = {} s, {what}\n", of.of, within(of.run.solution.t_end, None));

@@ -1,4 +1,5 @@
-//! Derivatives of a run, as `tripos simulate --sensitivity` prints and writes them.
+//! Option `tripos simulate --sensitivity`: derivatives of a run by chosen numbers, in text, JSON
+//! and CSV.
 
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -7,7 +8,7 @@ use tripos_derive::model::TIME;
 use tripos_derive::plain::{significant, within};
 use tripos_sim::Stop;
 
-/// Indices of the values that are shown: all except the time, whose derivatives are shown apart.
+/// Returns the indices of the values whose derivatives are shown: all except the time.
 fn shown(of: &Sensitivities) -> impl Iterator<Item = usize> {
     (0..of.names.len()).filter(|at| of.names[*at] != TIME)
 }
@@ -38,7 +39,7 @@ pub fn add_to(whole: &mut Value, of: &Sensitivities) {
     }
 }
 
-/// Text of the derivatives at the end of the run, a line each.
+/// Returns the derivatives at the end of the run as text, one per line.
 pub fn in_words(of: &Sensitivities) -> String {
     let mut out = String::new();
     for (k, by) in of.by.iter().enumerate() {
@@ -70,17 +71,18 @@ pub fn in_words(of: &Sensitivities) -> String {
     out + &why
 }
 
-/// Unit as text behind a number; empty if the quantity has no unit, or if it is not known.
+/// Returns a unit as text after a number. Empty if the quantity has no unit, or if the unit is not
+/// known.
 pub fn of_unit(unit: Option<&String>) -> String {
     unit.filter(|unit| *unit != "1").map_or_else(String::new, |unit| format!(" {unit}"))
 }
 
-/// Names of the columns of derivatives in the table of samples.
+/// Returns the names of the derivative columns in the CSV file of samples, such as `d(q1)/d(m)`.
 pub fn header(of: &Sensitivities) -> impl Iterator<Item = String> {
     of.by.iter().flat_map(move |by| shown(of).map(move |at| format!("d({})/d({by})", of.names[at])))
 }
 
-/// Derivatives at a sample, in the order of the columns of [`header`].
+/// Returns the derivatives at a sample, in the order of the columns of [`header`].
 pub fn row(of: &Sensitivities, sample: usize) -> impl Iterator<Item = f64> {
     of.samples.iter().flat_map(move |list| shown(of).map(move |at| list[sample][at]))
 }

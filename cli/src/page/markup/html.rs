@@ -1,44 +1,46 @@
-//! Pieces of HTML that the page is made of.
+//! Pieces of HTML from which the page is made.
 
 use tripos_derive::plain::significant;
 
-/// Escapes text for the content of an element, or for an attribute in double quotes.
+/// Escapes a text for HTML: for the content of an element, or for an attribute in double quotes.
 pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// Relative path as a URL: characters that could end it or have another meaning in it are encoded.
+/// Returns a relative path as a URL: characters with another meaning in a URL are percent-encoded.
 pub fn address(path: &str) -> String {
     let plain = |byte: &u8| byte.is_ascii_alphanumeric() || b"/-_.".contains(byte);
     path.bytes().map(|b| if plain(&b) { char::from(b).to_string() } else { format!("%{b:02X}") }).collect()
 }
 
-/// Id of the section of a scene in the page; scenes are counted from 0.
+/// Returns the HTML id of a scene's section on the page. `scene` counts from 0, the id from 1.
 pub fn anchor(scene: usize) -> String {
     format!("scene-{}", scene + 1)
 }
 
-/// HTML of a box that scrolls by itself, reachable by keyboard.
+/// Returns the HTML of a box that scrolls separately from the page and can be reached by keyboard.
+/// `content` is HTML.
 pub fn scroll(label: &str, content: &str) -> String {
     format!("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">\n{content}</div>\n", escape(label))
 }
 
-/// HTML of content that opens on demand; `summary` is HTML.
+/// Returns the HTML of content that unfolds on demand. `summary` and `content` are HTML.
 pub fn folded(summary: &str, content: &str) -> String {
     format!("<details>\n<summary>{summary}</summary>\n{content}</details>\n")
 }
 
-/// HTML of a part of a section that opens on demand, with an id; `title` is HTML.
+/// Returns the HTML of a titled part of a section that unfolds on demand. `title` and `content` are
+/// HTML.
 pub fn part(id: &str, title: &str, content: &str) -> String {
     format!("<details id=\"{id}\">\n<summary><h4>{title}</h4></summary>\n{content}</details>\n")
 }
 
-/// HTML of a link to the place with this id in the page; `text` is HTML.
+/// Returns the HTML of a link to the element with the id `place` on the page. `text` is HTML.
 pub fn link(place: &str, text: &str) -> String {
     format!("<a href=\"#{place}\">{text}</a>")
 }
 
-/// Lists names as a sentence does: `a, b and c`.
+/// Lists names as in a sentence: `a, b and c`.
 pub fn listed<T: AsRef<str>>(names: &[T]) -> String {
     let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
     match names.split_last() {
@@ -48,12 +50,13 @@ pub fn listed<T: AsRef<str>>(names: &[T]) -> String {
     }
 }
 
-/// Number with its noun, in the singular or the plural.
+/// Returns a number with its noun, with an `s` in the plural, such as `2 scenes`.
 pub fn count(n: usize, one: &str) -> String {
     format!("{n} {one}{}", if n == 1 { "" } else { "s" })
 }
 
-/// HTML of words: numbers such as 1e-9 get a minus sign that does not end a line.
+/// Returns a text as HTML. In numbers such as 1e-9 the hyphen becomes a minus sign, at which no
+/// line is broken.
 pub fn words(text: &str) -> String {
     let mut pieces = text.split("e-");
     let mut out = pieces.next().unwrap_or_default().to_owned();
@@ -65,24 +68,24 @@ pub fn words(text: &str) -> String {
     escape(&out)
 }
 
-/// Joins the HTML that `shape` makes of each item.
+/// Joins the HTML pieces that the function `shape` makes of the items.
 pub fn each<T>(items: &[T], shape: impl Fn(&T) -> String) -> String {
     items.iter().fold(String::new(), |out, item| out + &shape(item))
 }
 
-/// HTML of the head of a table; cells are HTML.
+/// Returns the HTML of a table's head. `cells` are HTML.
 pub fn head(cells: &[&str]) -> String {
     format!("<thead><tr>{}</tr></thead>\n", each(cells, |cell| format!("<th scope=\"col\">{cell}</th>")))
 }
 
-/// HTML of a table with a caption and a head; cells are HTML.
+/// Returns the HTML of a table with a caption and a head. `rows` and `columns` are HTML.
 pub fn table(caption: &str, columns: &[&str], rows: &[Vec<String>]) -> String {
     let row = |cells: &Vec<String>| format!("<tr>{}</tr>\n", each(cells, |cell| format!("<td>{cell}</td>")));
     let (head, rows) = (head(columns), each(rows, row));
     scroll(caption, &format!("<table>\n<caption>{caption}</caption>\n{head}<tbody>\n{rows}</tbody>\n</table>\n"))
 }
 
-/// HTML of a number in mathematical notation: `1.2e-9` as 1.2 × 10⁻⁹.
+/// Returns the HTML of a number in mathematical notation: `1.2e-9` becomes 1.2 × 10⁻⁹.
 pub fn number(text: &str) -> String {
     let text = text.replace('-', "−");
     match text.split_once('e') {
@@ -92,12 +95,12 @@ pub fn number(text: &str) -> String {
     }
 }
 
-/// HTML of an id that may break over lines behind its hyphens.
+/// Returns the HTML of an entry id, in which lines may be broken after hyphens.
 pub fn breakable(id: &str) -> String {
     escape(id).replace('-', "-<wbr>")
 }
 
-/// Number for people with this many significant digits, without zeros at the end.
+/// Returns a number as text with `digits` significant digits, without zeros at the end.
 pub fn rounded(x: f64, digits: usize) -> String {
     let text = significant(x, digits);
     match text.split_once('e') {

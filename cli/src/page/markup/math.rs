@@ -1,4 +1,4 @@
-//! Names and formulas of the page as MathML.
+//! Names and formulas of the page as MathML, broken over lines if they are wide.
 
 use crate::page::markup::html::{count, each, escape};
 use tripos_derive::Model;
@@ -8,15 +8,16 @@ use tripos_derive::algebra::text::view::View;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{BalanceName, LineName, QuantityKind, RowName, Stage, VectorName};
 
-/// Number of characters of plain text, half a printed page, above which the page shows only a formula's number of
-/// operations: nobody would read it.
+/// Largest number of characters of a formula, as plain text, that the page shows. Instead of a
+/// longer formula it states the number of operations.
 const LONGEST: usize = 1_500;
 /// Largest number of characters of plain text of a formula in a sentence, or in a row of a table.
 const LONGEST_IN_WORDS: usize = 420;
-/// Width, in tenths of an em, above which a formula may break over several lines: about half of a phone.
+/// Width, in tenths of an em, above which a formula may be broken over lines. It is about half the
+/// width of a phone.
 const PIECE: usize = 120;
 
-/// Number of characters of a formula's plain text; `None` if it is too long to be printed.
+/// Returns the number of characters of a formula as plain text; `None` if it is too long to show.
 pub fn length(arena: &Arena, e: Expr) -> Option<usize> {
     let text = print::text(arena, e);
     let length = text.chars().count();
@@ -28,7 +29,8 @@ pub fn is_short(arena: &Arena, e: Expr) -> bool {
     length(arena, e).is_some_and(|length| length <= LONGEST_IN_WORDS)
 }
 
-/// Formula as MathML, in one piece; a formula that is too long to read becomes the number of its operations.
+/// Returns a formula as MathML, without places for line breaks. A formula that is too long becomes
+/// its number of operations.
 pub fn formula(arena: &Arena, e: Expr) -> String {
     match length(arena, e) {
         Some(_) => print::mathml(arena, e),
@@ -36,17 +38,17 @@ pub fn formula(arena: &Arena, e: Expr) -> String {
     }
 }
 
-/// MathML in place of a formula that is too long to read.
+/// Returns the MathML that replaces a formula that is too long to read: its number of operations.
 fn unprinted(arena: &Arena, e: Expr) -> String {
     format!("<mtext>{}</mtext>", operations(arena, e))
 }
 
-/// Words in place of a formula that is too long to read.
+/// Returns the words that replace a formula that is too long to read: its number of operations.
 fn operations(arena: &Arena, e: Expr) -> String {
     format!("a term of {}", count(cost(arena, e), "operation"))
 }
 
-/// Paragraph with the command that prints the formulas that are too long for the page.
+/// Returns a paragraph that names the command by which formulas too long for the page are printed.
 pub fn unread(command: &str) -> String {
     format!(
         "<p class=\"quiet\">A term that is too long to be read stands as the number of its operations; <code>{}</code> has it whole.</p>\n",
@@ -54,16 +56,17 @@ pub fn unread(command: &str) -> String {
     )
 }
 
-/// Side of an equation that is laid out in lines.
+/// Left or right side of an equation whose formulas may be broken over lines.
 pub enum Side {
-    /// MathML that stays in one piece.
+    /// MathML that is never broken over lines.
     Whole(String),
-    /// Formula that may be broken over lines at its signs.
+    /// Formula that may be broken over lines at its plus and minus signs.
     Marks(View),
 }
 
 impl Side {
-    /// Side for a formula; if it is too long to read, the number of its operations.
+    /// Returns the side for a formula. A formula that is too long to read becomes its number of
+    /// operations.
     pub fn of(arena: &Arena, e: Expr) -> Self {
         match length(arena, e) {
             Some(_) => Self::Marks(print::view_of(arena, e)),
@@ -71,12 +74,13 @@ impl Side {
         }
     }
 
-    /// Side for a formula in a sentence; if it is too long for that, the number of its operations.
+    /// Returns the side for a formula in a sentence. A formula of more than 420 characters becomes
+    /// its number of operations.
     pub fn short(arena: &Arena, e: Expr) -> Self {
         if is_short(arena, e) { Self::of(arena, e) } else { Self::Whole(unprinted(arena, e)) }
     }
 
-    /// MathML of the pieces between which a line may end.
+    /// Returns the MathML of the side as pieces. A line may end between two pieces.
     fn pieces(&self) -> Vec<String> {
         match self {
             Self::Whole(content) => vec![content.clone()],
@@ -84,19 +88,19 @@ impl Side {
         }
     }
 
-    /// True if the side may break over several lines.
+    /// True if the side may be broken over several lines.
     fn breaks(&self) -> bool {
         matches!(self, Self::Marks(view) if print::formula_width(view) > PIECE)
     }
 }
 
-/// HTML of an equation by its sides, or of one formula, in pieces that may stand on several lines. It breaks after `=`
-/// and before signs; a wide formula also breaks inside parentheses.
+/// Returns the HTML of an equation between the given sides, or of a single formula. Lines may be
+/// broken after `=` and before signs; a wide formula also breaks inside parentheses.
 pub fn wrapped<'a>(sides: impl IntoIterator<Item = &'a Side>) -> String {
     let mut pieces: Vec<String> = Vec::new();
     for side in sides {
         if let Some(end) = pieces.last_mut() {
-            // The space between pieces replaces the space behind the sign.
+            // The space between two pieces replaces the space after the equals sign.
             end.push_str("<mo form=\"infix\" rspace=\"0\">=</mo>");
         }
         pieces.extend(side.pieces());
@@ -104,7 +108,7 @@ pub fn wrapped<'a>(sides: impl IntoIterator<Item = &'a Side>) -> String {
     pieces.iter().map(|piece| inline(piece)).collect::<Vec<_>>().join(" ")
 }
 
-/// HTML of components as (x, y, z); if one of them is wide, they may stand on several lines.
+/// Returns the HTML of three components as (x, y, z). If a component is wide, lines may be broken.
 pub fn tuple(arena: &Arena, components: &[Expr; 3]) -> String {
     let comma = "<mo separator=\"true\">,</mo>";
     let sides = components.map(|e| Side::of(arena, e));
@@ -130,12 +134,12 @@ pub fn tuple(arena: &Arena, components: &[Expr; 3]) -> String {
     pieces.iter().map(|piece| inline(piece)).collect::<Vec<_>>().join(" ")
 }
 
-/// HTML of a formula in a sentence; if it is long, the number of its operations.
+/// Returns the HTML of a formula in a sentence. A long formula becomes its number of operations.
 pub fn in_sentence(arena: &Arena, e: Expr) -> String {
     if is_short(arena, e) { wrapped(&[Side::of(arena, e)]) } else { operations(arena, e) }
 }
 
-/// HTML of words for a sentence that says that a term is zero.
+/// Returns the HTML of the statement that a term is zero.
 pub fn vanishing(arena: &Arena, e: Expr) -> String {
     if is_short(arena, e) {
         wrapped(&[Side::of(arena, e), Side::Whole("<mn>0</mn>".to_owned())])
@@ -144,7 +148,8 @@ pub fn vanishing(arena: &Arena, e: Expr) -> String {
     }
 }
 
-/// Number of visible characters of the longest term of a formula: a term cannot stand on several lines.
+/// Returns the number of visible characters of the longest term of a formula. A single term cannot
+/// be broken over lines.
 pub fn widest(view: &View) -> usize {
     match view {
         View::Sum(terms) => terms.iter().map(|(_, term)| 1 + factor_width(term)).max().unwrap_or(0),
@@ -152,7 +157,7 @@ pub fn widest(view: &View) -> usize {
     }
 }
 
-/// Number of visible characters of a formula in one line.
+/// Returns the number of visible characters of a formula on one line.
 fn width(view: &View) -> usize {
     match view {
         View::Number(text) | View::Name(text) | View::Word(text) | View::Shared(text) => text.chars().count(),
@@ -169,12 +174,13 @@ fn width(view: &View) -> usize {
     }
 }
 
-/// Number of visible characters of a formula as a factor: a sum stands in parentheses.
+/// Returns the number of visible characters of a formula as a factor. A sum gets parentheses.
 fn factor_width(view: &View) -> usize {
     width(view) + if matches!(view, View::Sum(_)) { 2 } else { 0 }
 }
 
-/// HTML of a formula in the verdicts on a publication; a long formula is cut, and shown as text.
+/// Returns the HTML of a formula in the verdicts on a publication. A long formula is shown as plain
+/// text, cut after 120 characters.
 pub fn value(arena: &Arena, e: Expr) -> String {
     if is_short(arena, e) {
         return wrapped(&[Side::of(arena, e)]);
@@ -188,7 +194,7 @@ pub fn value(arena: &Arena, e: Expr) -> String {
     )
 }
 
-/// MathML of a number with up to six significant digits.
+/// Returns the MathML of a number with up to six significant digits.
 pub fn decimal(x: f64) -> String {
     let short = format!("{x:.5e}").parse::<f64>().unwrap_or(x);
     let sign = if short < 0.0 { "<mo form=\"prefix\">−</mo>" } else { "" };
@@ -202,12 +208,12 @@ pub fn decimal(x: f64) -> String {
     format!("<mrow>{sign}<mn>{digits}</mn><mo>×</mo><msup><mn>10</mn><mn>{power}</mn></msup></mrow>")
 }
 
-/// HTML of a formula among words, from its MathML.
+/// Returns the HTML of a formula within a sentence, from its MathML.
 pub fn inline(content: &str) -> String {
     format!("<math>{content}</math>")
 }
 
-/// MathML of a symbol's name.
+/// Returns the MathML of a symbol's name. The ending `star` becomes a superscript star.
 pub fn symbol(name: &str) -> String {
     match name.strip_suffix("star") {
         Some(letter) if !letter.is_empty() => {
@@ -217,7 +223,8 @@ pub fn symbol(name: &str) -> String {
     }
 }
 
-/// MathML of the name of a model's symbol, different from that of a symbol that would look like it.
+/// Returns the MathML of a model symbol's name. It differs from names that would otherwise look
+/// equal.
 pub fn told_apart(model: &Model, name: &str) -> String {
     match print::symbol_view(&model.arena, name) {
         word @ View::Word(_) => print::mathml_of(&word),
@@ -226,17 +233,19 @@ pub fn told_apart(model: &Model, name: &str) -> String {
     }
 }
 
-/// MathML of a vector's letter: bold and upright.
+/// Returns the MathML of a vector's letter, bold and upright.
 fn vector(letter: &str) -> String {
     format!("<mi mathvariant=\"normal\" class=\"vector\">{}</mi>", escape(letter))
 }
 
-/// MathML of a basis vector, such as b₂ of frame B for the axis 1; axes are counted from 0.
+/// Returns the MathML of a unit vector of a frame, such as b₂ of frame B for the axis 1. Axes count
+/// from 0.
 pub fn basis(frame: &str, axis: usize) -> String {
     format!("<msub>{}<mn>{}</mn></msub>", vector(&frame.to_lowercase()), axis + 1)
 }
 
-/// MathML of a vector of a point, frame or body in the inertial frame, such as ᴺωᶜ.
+/// Returns the MathML of a vector of a point, frame or body relative to the inertial frame, such as
+/// ᴺωᶜ. `of` is its index in the model.
 fn motion(model: &Model, name: VectorName, of: usize) -> String {
     let letter = match name {
         VectorName::AngularVelocity => "ω",
@@ -248,7 +257,7 @@ fn motion(model: &Model, name: VectorName, of: usize) -> String {
     format!("<mmultiscripts>{base}<mrow></mrow>{of}<mprescripts/><mrow></mrow>{inertial}</mmultiscripts>")
 }
 
-/// MathML of the left side of a line of a derivation.
+/// Returns the MathML of the name on the left side of a line of a derivation.
 pub fn line_name(model: &Model, name: &LineName) -> String {
     match name {
         LineName::Quantity(kind) => quantity(model, kind),
@@ -258,6 +267,8 @@ pub fn line_name(model: &Model, name: &LineName) -> String {
     }
 }
 
+/// Returns the MathML of the name of a kinematic or dynamic quantity, such as a component of a
+/// velocity.
 fn quantity(model: &Model, kind: &QuantityKind) -> String {
     let basis = |frame: usize, axis| basis(&model.frames[frame].name, axis);
     match *kind {
@@ -275,19 +286,20 @@ fn quantity(model: &Model, kind: &QuantityKind) -> String {
     }
 }
 
-/// MathML of the generalized force along a speed or coordinate.
+/// Returns the MathML of a generalized force, such as F or Q with the speed or coordinate as index.
 fn force(letter: &str, of: &str) -> String {
     format!("<msub><mi>{letter}</mi><mrow>{}</mrow></msub>", symbol(of))
 }
 
-/// HTML of the heading of a derivation's step, with a velocity typeset.
+/// Returns the HTML heading of a stage of a derivation, with velocities typeset.
 pub fn stage_title(model: &Model, stage: Stage) -> String {
     let Stage::Velocities { vector, of, frame } = stage else { return escape(&stage.title(model)) };
     let (of, frame) = (inline(&motion(model, vector, of)), inline(&symbol(&model.frames[frame].name)));
     format!("Velocity and partial velocities: {of}, components in {frame}")
 }
 
-/// HTML of the name of a row of equations: a speed, a coordinate, or words such as `disk force along b₁`.
+/// Returns the HTML name of a row of equations: a speed, a coordinate, or words such as `disk force
+/// along b₁`.
 pub fn row_name(model: &Model, row: &RowName) -> String {
     match row {
         RowName::Speed(_) | RowName::Coordinate(_) => inline(&told_apart(model, &row.text(model))),
@@ -301,18 +313,20 @@ pub fn row_name(model: &Model, row: &RowName) -> String {
     }
 }
 
-/// MathML of a matrix in square brackets. The brackets are drawn by the style sheet: without a mathematical font a
-/// browser does not stretch them.
+/// Returns the MathML of a matrix in square brackets, from MathML cells. The style sheet draws the
+/// brackets, because browsers without a mathematical font do not stretch them.
 pub fn matrix(rows: &[Vec<String>]) -> String {
     let row = |cells: &Vec<String>| format!("<mtr>{}</mtr>\n", each(cells, |cell| format!("<mtd>{cell}</mtd>")));
     format!("<mtable class=\"matrix\">\n{}</mtable>", each(rows, row))
 }
 
-/// HTML of lines `left = right`, aligned at their equals signs; a wide side may stand on several lines.
+/// Returns the HTML of equations `left = right` below one another, aligned at their equals signs.
+/// Wide sides may be broken over lines.
 pub fn lines(lines: &[(Side, Side)]) -> String {
     format!("<table class=\"lines\">\n<tbody>\n{}</tbody>\n</table>\n", each(lines, line))
 }
 
+/// Returns the HTML of one equation as a table row.
 fn line(sides: &(Side, Side)) -> String {
     let (left, right) = sides;
     // A wide left side would push all equals signs to the right.

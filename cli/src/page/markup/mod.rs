@@ -1,4 +1,4 @@
-//! Markup of the page: shapes of HTML, formulas as MathML, transcribed formulas.
+//! Markup of the page: pieces of HTML, formulas as MathML, and typeset formulas of publications.
 
 pub mod html;
 pub(super) mod math;

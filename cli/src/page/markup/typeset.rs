@@ -1,31 +1,33 @@
-//! Formulas of a publication as trees for typesetting, term by term as they are printed.
+//! Formulas of a publication typeset term by term, as they are printed.
 //!
-//! Invariant: nothing is reordered, combined or cancelled, as reading into an arena would do: a reader finds the
-//! printed formula again. Text that is no formula is left to be shown as text.
+//! Invariant: nothing is reordered, combined or cancelled, as reading into an arena would do. A
+//! reader finds the printed formula again. Text that is no formula is left as text.
 
 use crate::page::markup::html::escape;
 use crate::page::markup::math::inline;
 use tripos_derive::algebra::text::print::mathml_of;
 use tripos_derive::algebra::text::view::View;
 
-/// Largest depth of nested parentheses; a formula with more is shown as text.
+/// Largest depth of nested parentheses. A deeper formula is shown as text.
 const DEEPEST: usize = 40;
 
-/// Largest number of words that one formula in a sentence has.
+/// Largest number of words of a formula within a sentence.
 const MOST_WORDS: usize = 24;
 
+/// Names of functions that a formula may call, except `sqrt`.
 const FUNCTIONS: [&str; 16] = [
     "sin", "cos", "tan", "sec", "csc", "cot", "exp", "log", "asin", "acos", "atan", "sinh", "cosh", "tanh", "abs",
     "sign",
 ];
 
-/// Trees of the sides of `left = right`, or of one formula; `None` if the text is not in the language of model files.
+/// Parses the sides of `left = right`, or a single formula. `None` if the text is not in the
+/// language of model files.
 pub fn typeset(text: &str) -> Option<Vec<View>> {
     text.split(" = ").map(formula).collect()
 }
 
-/// HTML of a sentence, with its formulas typeset. A formula is the longest row of words that is in the language of
-/// model files and has a digit, an operator or a prime.
+/// Returns the HTML of a sentence with its formulas typeset. A formula is the longest row of words
+/// in the language of model files that contains a digit, an operator or a prime.
 pub fn typeset_words(text: &str) -> String {
     let words: Vec<&str> = text.split(' ').collect();
     let (mut at, mut out) = (0, Vec::new());
@@ -47,26 +49,31 @@ pub fn typeset_words(text: &str) -> String {
     out.join(" ")
 }
 
+/// Parses a formula without changing its terms. `None` if the text is not in the language of model
+/// files.
 fn formula(text: &str) -> Option<View> {
     let mut parser = Parser { rest: text.trim(), depth: 0 };
     let view = parser.sum()?;
     parser.rest.is_empty().then_some(view)
 }
 
+/// Parser of a formula that keeps the order of terms and factors.
 struct Parser<'a> {
+    /// Part of the formula's text that is not parsed yet.
     rest: &'a str,
+    /// Depth of nested parentheses at the current place.
     depth: usize,
 }
 
 impl<'a> Parser<'a> {
-    /// Takes `token` if it comes next; true if it did.
+    /// Skips `token` if it comes next. True if it did.
     fn take(&mut self, token: char) -> bool {
         let next = self.rest.strip_prefix(token);
         self.rest = next.unwrap_or(self.rest).trim_start();
         next.is_some()
     }
 
-    /// Takes the next characters as far as they belong to a word.
+    /// Returns the next characters for which `belongs` is true, and skips them.
     fn word(&mut self, belongs: impl Fn(char) -> bool) -> &'a str {
         let end = self.rest.find(|c| !belongs(c)).unwrap_or(self.rest.len());
         let (word, rest) = self.rest.split_at(end);
@@ -74,6 +81,7 @@ impl<'a> Parser<'a> {
         word
     }
 
+    /// Parses a sum; `None` if the text is no formula or is nested too deeply.
     fn sum(&mut self) -> Option<View> {
         self.depth += 1;
         if self.depth > DEEPEST {
@@ -95,6 +103,7 @@ impl<'a> Parser<'a> {
         })
     }
 
+    /// Parses products and quotients from left to right; `None` if the text is no formula.
     fn product(&mut self) -> Option<View> {
         let mut factors = vec![self.factor()?];
         loop {
@@ -109,6 +118,7 @@ impl<'a> Parser<'a> {
         }
     }
 
+    /// Parses a factor: an atom with an optional sign and power. `None` if the text is no formula.
     fn factor(&mut self) -> Option<View> {
         if self.take('-') {
             return Some(View::Sum(vec![(true, self.factor()?)]));
@@ -121,6 +131,8 @@ impl<'a> Parser<'a> {
         Some(View::Power(Box::new(base), exponent))
     }
 
+    /// Parses a number, a name, a function call or a formula in parentheses. `None` if the text
+    /// begins with none of these.
     fn atom(&mut self) -> Option<View> {
         if self.take('(') {
             let inner = self.sum()?;
@@ -145,6 +157,7 @@ impl<'a> Parser<'a> {
     }
 }
 
+/// Returns the product of factors, or the factor itself if there is only one.
 fn one(mut factors: Vec<View>) -> View {
     if factors.len() == 1 { factors.remove(0) } else { View::Product(factors) }
 }

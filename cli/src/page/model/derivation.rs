@@ -1,4 +1,5 @@
-//! Equations of motion of one formulation, and apart from these its derivation step by step.
+//! Section of the page on one formulation: its equations of motion, and separately its derivation
+//! stage by stage.
 
 use super::laws::law;
 use crate::page::content::Page;
@@ -17,20 +18,21 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, QuantityKind, Step};
 use tripos_derive::{Formulation, Model};
 
-/// Number of lines above which a step of a derivation is folded.
+/// Number of lines above which a stage of a derivation is folded.
 const MANY_LINES: usize = 14;
-/// Number of characters of plain text above which a step of a derivation is folded.
+/// Number of characters of plain text above which a stage of a derivation is folded.
 const LONG: usize = 900;
-/// Largest lengths of entries that are written in the matrix, the first of which makes the system fit. Longer entries
-/// are shown as M_ij, with their values below.
+/// Candidates for the largest length of an entry that is written inside the matrix. The first with
+/// which the system fits the page is used. Longer entries are named M_ij and defined below.
 const WIDE: [usize; 5] = [56, 48, 40, 34, 28];
-/// Number of characters of plain text, as mathematics, that fit beside each other on the page.
+/// Number of characters of plain text that fit on a line of the page as mathematics.
 const PAGE: usize = 110;
-/// Number of characters of all equations, three printed pages, above which they are not repeated row by row and in
-/// LaTeX.
+/// Number of characters of all equations, about three printed pages, above which they are not
+/// repeated row by row and in LaTeX.
 const TOO_LONG: usize = 8_000;
 
-/// HTML of the section on the equations of one formulation.
+/// Returns the HTML section with the equations of one formulation. `result` may be the reason why
+/// they were not derived.
 pub fn section(page: &Page, formulation: Formulation, result: &Result<DerivationInSteps, String>) -> String {
     let (name, title) = (formulation.name(), escape(formulation.title()));
     let content = match result {
@@ -47,8 +49,8 @@ pub fn section(page: &Page, formulation: Formulation, result: &Result<Derivation
     )
 }
 
-/// HTML of the derivation of one formulation, folded; empty if it was not derived. `shown` collects steps, so that a
-/// repeated step is folded.
+/// Returns the HTML of a formulation's derivation, folded; empty if it was not derived. `shown`
+/// collects the stages already shown, so that a repeated stage is folded.
 pub fn steps(
     page: &Page,
     formulation: Formulation,
@@ -64,23 +66,24 @@ pub fn steps(
     part(&place(formulation), &escape(formulation.title()), &(shown + &rest))
 }
 
-/// Id of the derivation of a formulation on the page.
+/// Returns the HTML id of a formulation's derivation on the page.
 fn place(formulation: Formulation) -> String {
     format!("{}-steps", formulation.name())
 }
 
-/// Command that prints the whole formulas of a formulation.
+/// Returns the command that prints all formulas of a formulation in full length.
 fn command(page: &Page, formulation: Formulation) -> String {
     format!("tripos derive {} --by {} --format json", page.file, formulation.name())
 }
 
-/// HTML of the definitions of the named terms in these formulas. Formulas that are not printed need none.
+/// Returns the HTML of the definitions of all names in the given formulas. Formulas too long for
+/// the page are ignored.
 pub fn named_terms(arena: &Arena, shown: &[Expr]) -> String {
     let printed: Vec<Expr> = shown.iter().copied().filter(|e| length(arena, *e).is_some()).collect();
     definitions(arena, &glossary(arena, &printed))
 }
 
-/// HTML of definitions of named terms, folded.
+/// Returns the HTML of definitions of named terms, folded; empty for an empty list.
 fn definitions(arena: &Arena, list: &[Definition]) -> String {
     if list.is_empty() {
         return String::new();
@@ -91,12 +94,14 @@ fn definitions(arena: &Arena, list: &[Definition]) -> String {
     folded(&format!("{NAMED} <span class=\"quiet\">({} lines)</span>", pairs.len()), &content)
 }
 
-/// HTML of the principle of a formulation, in a sentence.
+/// Returns the HTML of a formulation's principle, with its law as a formula if it has one.
 fn principle(formulation: Formulation, model: &Model) -> String {
     let (principle, law) = (formulation.method().principle, law(formulation, model));
     if law.is_empty() { format!("{principle}.") } else { format!("{principle} {}.", inline(&law)) }
 }
 
+/// Returns the HTML of a stage of a derivation. A stage already in `shown`, or a long stage, is
+/// folded.
 fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>) -> String {
     if step.lines.is_empty() {
         return String::new();
@@ -124,8 +129,8 @@ fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>)
     }
 }
 
-/// HTML of the linear system with remarks on it, then in a row its entries, the equations in other forms, and a link to
-/// the derivation.
+/// Returns the HTML of the linear system with remarks. Then follow its entries, the equations row
+/// by row and in LaTeX, and a link to the derivation.
 fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
     let DerivationInSteps { arena, equations, .. } = derivation;
     let (mut out, mut known, mut more) = (String::new(), Vec::new(), String::new());
@@ -172,7 +177,8 @@ fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
     out + &format!("<div class=\"side\">\n{more}<p>{steps}.</p>\n</div>\n")
 }
 
-/// Largest length of an entry that is written in the linear system. Longer entries are shown by their names.
+/// Returns the largest length of an entry that is written inside the matrix, so that the system
+/// fits the page.
 fn widest(arena: &Arena, equations: &Equations) -> usize {
     let named = "M12".len();
     let width = |e: Expr, limit: usize| length(arena, e).filter(|n| *n <= limit).unwrap_or(named);
@@ -181,11 +187,12 @@ fn widest(arena: &Arena, equations: &Equations) -> usize {
         let matrix: usize = (0..equations.unknowns.len()).map(|j| column(j) + 2).sum();
         matrix + equations.forcing.iter().map(|e| width(*e, *limit)).max().unwrap_or(0) <= PAGE
     };
-    // A system that fits at no length scrolls.
+    // If no length makes the system fit, the system scrolls.
     WIDE.into_iter().find(fits).unwrap_or(WIDE[2])
 }
 
-/// MathML of the linear system matrix · unknowns = forcing, and the entries that are too long for it as (name, value).
+/// Returns the MathML of the linear system matrix · unknowns = forcing. The second result lists the
+/// entries that are too long for it, as (name, value).
 fn system(arena: &Arena, equations: &Equations) -> (String, Vec<(Side, Side)>) {
     let wide = widest(arena, equations);
     let mut named = Vec::new();
@@ -204,7 +211,7 @@ fn system(arena: &Arena, equations: &Equations) -> (String, Vec<(Side, Side)>) {
         for (j, e) in row.iter().enumerate() {
             let below = equations.symmetric && j < i;
             let (a, b) = if below { (j, i) } else { (i, j) };
-            // Indices of one digit each need no comma.
+            // Two indices of one digit each need no comma.
             let comma = if equations.matrix.len() > 9 { "<mo separator=\"true\">,</mo>" } else { "" };
             let name = format!("<msub><mi>M</mi><mrow><mn>{}</mn>{comma}<mn>{}</mn></mrow></msub>", a + 1, b + 1);
             cells.push(entry(*e, name, below));
@@ -218,6 +225,7 @@ fn system(arena: &Arena, equations: &Equations) -> (String, Vec<(Side, Side)>) {
     (format!("{}{}<mo>=</mo>{}", matrix(&rows), matrix(&unknowns), matrix(&forcing)), named)
 }
 
+/// Returns the HTML of the equations row by row, each as a sum of terms equal to the forcing.
 fn row_by_row(model: &Model, arena: &Arena, equations: &Equations) -> String {
     // Terms are joined in a copy of the arena.
     let mut arena = arena.clone();
@@ -236,7 +244,7 @@ fn row_by_row(model: &Model, arena: &Arena, equations: &Equations) -> String {
     out + "</tbody>\n</table>\n"
 }
 
-/// Tree of the sum of `terms`, in the order of the slice.
+/// Returns the formula of the sum of `terms`, in the given order.
 fn joined(arena: &Arena, terms: &[Expr]) -> View {
     let terms = terms.iter().flat_map(|term| match view_of(arena, *term) {
         View::Sum(terms) => terms,
@@ -250,6 +258,7 @@ fn joined(arena: &Arena, terms: &[Expr]) -> View {
     }
 }
 
+/// Returns the LaTeX source of the linear system.
 fn latex_source(arena: &Arena, equations: &Equations) -> String {
     let column = |list: &[Expr]| list.iter().map(|e| latex(arena, *e)).collect::<Vec<_>>().join(" \\\\\n  ");
     let rows = equations.matrix.iter();

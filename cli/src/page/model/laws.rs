@@ -1,16 +1,19 @@
-//! Laws of the formulations as formulas of the page.
+//! Laws of the formulations, such as Lagrange's equation, as formulas of the page.
 
 use tripos_derive::{Formulation, Model};
 
-/// Law of a formulation as MathML without a row element, and the terms that motion constraints add to it.
+/// Law of a formulation, such as `F_r + F*_r = 0`, as MathML.
 struct Law {
-    /// Name of the formulation.
+    /// Name of the formulation with this law, such as `kane`.
     formulation: &'static str,
+    /// MathML of the law without constraints.
     formula: &'static str,
+    /// MathML of the terms that motion constraints add to the law; empty if they add none.
     of_constraints: &'static str,
 }
 
-/// Laws of the formulations that have a formula; a formulation that is not listed has its principle in words only.
+/// Laws of the formulations that have a formula. The other formulations are described in words
+/// only.
 const LAWS: [Law; 3] = [
     Law {
         formulation: "kane",
@@ -40,8 +43,8 @@ const LAWS: [Law; 3] = [
     },
 ];
 
-/// MathML of the law of a formulation for this model; empty if the formulation has only words. The constraints c in it
-/// are functions of q and q̇ that are zero.
+/// Returns the MathML of a formulation's law for a model. Empty if the formulation has no formula.
+/// The letters c in it stand for the motion constraints, functions of q and q̇ that are zero.
 pub fn law(formulation: Formulation, model: &Model) -> String {
     let law = LAWS.iter().find(|law| law.formulation == formulation.name());
     law.map_or_else(String::new, |Law { formula, of_constraints, .. }| {

@@ -1,4 +1,5 @@
-//! Section of the page on the model as it was read: parameters, coordinates, constraints, bodies and loads.
+//! Section of the page on the mechanism: parameters, coordinates, speeds, constraints, bodies and
+//! loads.
 
 use crate::page::markup::html::{escape, folded, number, table};
 use crate::page::markup::math::{Side, basis, formula, inline, matrix, symbol, told_apart, tuple, wrapped};
@@ -8,10 +9,10 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::moving_places;
 use tripos_derive::model::{MotionConstraintKind, Place, ReactionKind, Turn, Unit};
 
-/// Largest number of parameters in a table that is not folded.
+/// Largest number of parameters whose table is not folded.
 const SEEN: usize = 10;
 
-/// HTML of the section on the mechanism.
+/// Returns the HTML section on the mechanism.
 pub fn section(model: &Model) -> String {
     let mut out =
         format!("<section id=\"mechanism\">\n<h2>Mechanism</h2>\n<p class=\"count\">{}.</p>\n", escape(&model.count()));
@@ -27,7 +28,7 @@ pub fn section(model: &Model) -> String {
     out + "</section>\n"
 }
 
-/// HTML of a unit; `plain` is shown for a quantity without a unit.
+/// Returns the HTML of a unit. `plain` is shown for a quantity without a unit.
 fn unit(unit: &Unit, plain: &str) -> String {
     let text = match unit.to_string().as_str() {
         "1" => plain.to_owned(),
@@ -49,6 +50,7 @@ fn unit(unit: &Unit, plain: &str) -> String {
     out.replace('*', "·")
 }
 
+/// Returns the HTML table of the parameters.
 fn parameters(model: &Model) -> String {
     let rows = model.parameters.iter().map(|p| {
         let value = p.value.as_ref().map_or_else(|| "—".to_owned(), |v| number(&v.to_f64().to_string()));
@@ -58,12 +60,14 @@ fn parameters(model: &Model) -> String {
     some("Parameters", &["Symbol", "Meaning", "Value", "Unit", "Known"], &rows.collect::<Vec<_>>())
 }
 
+/// Returns the HTML table of the generalized coordinates.
 fn coordinates(model: &Model) -> String {
     let rows = model.coordinates.iter();
     let rows = rows.map(|c| vec![inline(&told_apart(model, &c.name)), escape(&c.about), unit(&c.unit, "rad")]);
     some("Generalized coordinates", &["Symbol", "Meaning", "Unit"], &rows.collect::<Vec<_>>())
 }
 
+/// Returns the HTML table of the generalized speeds.
 fn speeds(model: &Model) -> String {
     let rows = model.speeds.iter().map(|s| {
         let definition =
@@ -73,6 +77,7 @@ fn speeds(model: &Model) -> String {
     some("Generalized speeds", &["Definition"], &rows.collect::<Vec<_>>())
 }
 
+/// Returns the HTML tables of the constraints, the loops and the conditions of the domain.
 fn constraints(model: &Model) -> String {
     let zero = |e: Expr| wrapped(&[Side::of(&model.arena, e), Side::Whole("<mn>0</mn>".to_owned())]);
     let rows = model.constraints.iter().map(|c| {
@@ -103,6 +108,7 @@ fn constraints(model: &Model) -> String {
     constraints + &some("Domain, where the equations hold", &["Name", "Condition"], &rows.collect::<Vec<_>>())
 }
 
+/// Returns the HTML table of the frames and their rotations.
 fn frames(model: &Model) -> String {
     let rows = model.frames.iter().filter_map(|f| {
         let (parent, turn) = f.rotation.as_ref()?;
@@ -121,6 +127,7 @@ fn frames(model: &Model) -> String {
     some("Frames", &["Frame", "Turned from", "About", "By the angle"], &rows.collect::<Vec<_>>())
 }
 
+/// Returns the HTML table of the points and their positions.
 fn points(model: &Model) -> String {
     let rows = model.points.iter().filter_map(|p| {
         let placement = p.position?;
@@ -131,6 +138,7 @@ fn points(model: &Model) -> String {
     some("Points", &["Point", "Placed from", "By the vector"], &rows.collect::<Vec<_>>())
 }
 
+/// Returns the HTML table of the bodies with mass and central inertia.
 fn bodies(model: &Model) -> String {
     let rows = model.bodies.iter().map(|b| {
         let centre = inline(&symbol(&model.points[b.centre].name));
@@ -148,6 +156,7 @@ fn bodies(model: &Model) -> String {
     some("Bodies", &["Body", "Mass centre", "Mass", "Frame", "Central inertia"], &rows.collect::<Vec<_>>())
 }
 
+/// Returns the HTML table of the loads: gravity, forces, torques, potentials and reactions.
 fn loads(model: &Model) -> String {
     let mut rows = Vec::new();
     let at = |place: Place| {
@@ -191,7 +200,7 @@ fn loads(model: &Model) -> String {
     some("Loads", &["Name", "On", "Vector"], &rows) + &moving(model)
 }
 
-/// HTML of paragraphs on the points of action of loads that move in their bodies.
+/// Returns HTML paragraphs on the points of action that move relative to their bodies.
 fn moving(model: &Model) -> String {
     let line = |text: String| format!("<p>{}</p>\n", escape(&text));
     match moving_places(model) {
@@ -200,12 +209,12 @@ fn moving(model: &Model) -> String {
     }
 }
 
-/// HTML of components as (x, y, z) in a frame.
+/// Returns the HTML of a vector's components as (x, y, z) in a frame.
 fn components_in(model: &Model, frame: usize, components: &[Expr; 3]) -> String {
     format!("{} in {}", tuple(&model.arena, components), inline(&symbol(&model.frames[frame].name)))
 }
 
-/// HTML of a table; empty if it has no rows.
+/// Returns the HTML of a table; empty if it has no rows.
 fn some(caption: &str, head: &[&str], rows: &[Vec<String>]) -> String {
     if rows.is_empty() { String::new() } else { table(caption, head, rows) }
 }

@@ -1,4 +1,5 @@
-//! Section on proofs: equivalence of the formulations, first integrals, and singularities of matrices.
+//! Section of the page on proofs: equivalence of the formulations, first integrals, and singular
+//! matrices.
 
 use crate::page::content::Page;
 use crate::page::markup::html::{each, escape, head, part, table, words};
@@ -12,7 +13,7 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::prove::{Integral, IntegralKind, Pair, Singularity, There};
 use tripos_derive::{Formulation, Model};
 
-/// HTML of the section on proofs.
+/// Returns the HTML section on proofs.
 pub fn section(page: &Page) -> String {
     let (model, study) = (page.model, page.study);
     let arena = &study.derivations.kinematics.arena;
@@ -68,7 +69,7 @@ pub fn section(page: &Page) -> String {
     out + "</section>\n"
 }
 
-/// Lists every formula of the section on proofs, so that their names can be defined.
+/// Lists every formula in the section on proofs, so that the names in them can be defined.
 fn formulas(page: &Page) -> Vec<Expr> {
     let (proof, arena) = (&page.study.proof, &page.study.derivations.kinematics.arena);
     let reactions = proof.reactions.iter().map(|reaction| reaction.value);
@@ -80,7 +81,8 @@ fn formulas(page: &Page) -> Vec<Expr> {
     all.chain(singular).collect()
 }
 
-/// HTML of the first integrals, a line each, with formulas that unfold.
+/// Returns the HTML of the first integrals: a list of names with verdicts, and formulas that
+/// unfold.
 fn integrals(model: &Model, arena: &Arena, list: &[Integral], search: &str) -> String {
     let mut out = String::from("<h3 id=\"integrals\">First integrals</h3>\n");
     out += if list.is_empty() { "<p>None found.</p>\n" } else { "<p>Constant along every motion.</p>\n" };
@@ -99,12 +101,14 @@ fn integrals(model: &Model, arena: &Arena, list: &[Integral], search: &str) -> S
     out + &part("integral-formulas", "As formulas", &(formulas + &search))
 }
 
+/// Returns the table cells of a compared pair of formulations.
 fn pair(pair: &Pair) -> Vec<String> {
     let (left, right) = (escape(pair.left.title()), escape(pair.right.title()));
     vec![format!("{left} ⇔ {right}"), verdict(&pair.verdict), typed(&pair.map.text())]
 }
 
-/// HTML of a verdict in words, with the engine that decided it, a witness or a reason.
+/// Returns the HTML of a verdict in words: the method of proof, a witness of a difference, or the
+/// reason for no decision.
 fn verdict(verdict: &Verdict) -> String {
     match verdict {
         Verdict::Equal(engine) => format!("proved <span class=\"quiet\">({})</span>", escape(&engine.to_string())),
@@ -115,7 +119,8 @@ fn verdict(verdict: &Verdict) -> String {
     }
 }
 
-/// HTML of a witness: two values with the given labels, and the point at which they differ.
+/// Returns the HTML of a witness: two values with the labels `left` and `right`, and the point at
+/// which they differ.
 pub fn witness(witness: &Witness, [left, right]: [&str; 2]) -> String {
     let last = witness.at.len().saturating_sub(1);
     let at = witness.at.iter().enumerate().map(|(at, (name, x))| {
@@ -128,11 +133,13 @@ pub fn witness(witness: &Witness, [left, right]: [&str; 2]) -> String {
     format!("{left} {}, {right} {}{place}", value(witness.left), value(witness.right))
 }
 
-/// HTML of plain text in which rates such as q' are written with a dot.
+/// Returns the HTML of a plain text in which rates q' become q̇.
 fn typed(text: &str) -> String {
     escape(text).replace("q'", "q̇")
 }
 
+/// Returns the HTML of one first integral: name, verdict, formula and exceptions. `at` counts from
+/// 0.
 fn first_integral(model: &Model, arena: &Arena, at: usize, integral: &Integral) -> String {
     let verdict = verdict(&integral.verdict);
     let divisors = integral.divisors(arena);
@@ -150,12 +157,14 @@ fn first_integral(model: &Model, arena: &Arena, at: usize, integral: &Integral) 
     )
 }
 
-/// MathML of the symbol I with its number from 1; `at` counts from 0.
+/// Returns the MathML symbol of a first integral, I with its number. `at` counts from 0, the number
+/// from 1.
 pub fn integral_symbol(at: usize) -> String {
     format!("<msub><mi>I</mi><mn>{}</mn></msub>", at + 1)
 }
 
-/// HTML of all names of a first integral, with the definition of a coordinate's momentum typeset.
+/// Returns the HTML of all names of a first integral. The momentum of a coordinate is defined by a
+/// formula.
 pub fn integral_name(model: &Model, arena: &Arena, integral: &Integral) -> String {
     let kinds = integral.kinds.iter().zip(&integral.of_places).zip(integral.names(model, arena));
     let names = kinds.map(|((kind, of_place), words)| match kind {
@@ -167,7 +176,7 @@ pub fn integral_name(model: &Model, arena: &Arena, integral: &Integral) -> Strin
     names.collect::<Vec<_>>().join("; ")
 }
 
-/// MathML of the momentum p_q = ∂L/∂q̇ of a coordinate.
+/// Returns the MathML of the momentum p_q = ∂L/∂q̇ of a coordinate.
 fn momentum(coordinate: &str) -> String {
     format!(
         "<mrow><msub><mi>p</mi><mrow>{}</mrow></msub><mo>=</mo><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>L</mi></mrow><mrow>\
@@ -177,6 +186,8 @@ fn momentum(coordinate: &str) -> String {
     )
 }
 
+/// Returns the HTML table of the determinants of the matrices and their zeros; empty for an empty
+/// list.
 fn singular(arena: &Arena, list: &[(Formulation, Singularity)]) -> String {
     if list.is_empty() {
         return String::new();
@@ -198,7 +209,8 @@ fn singular(arena: &Arena, list: &[(Formulation, Singularity)]) -> String {
     )
 }
 
-/// HTML of proved statements on the zeros of a determinant, and on entries of its matrix that divide by zero.
+/// Returns the HTML of proved statements on where a determinant is zero, and where entries of its
+/// matrix divide by zero.
 pub fn zeros(arena: &Arena, singularity: &Singularity) -> String {
     if singularity.determinant == Expr::ZERO {
         return "everywhere".to_owned();

@@ -1,10 +1,11 @@
-//! Names of printed entries for a reader: the number of the equation, its line and the symbol, made from the id.
+//! Readable names of a publication's entries, made from their ids: number of the equation, line and
+//! symbol.
 
 use crate::page::markup::html::escape;
 use crate::page::markup::math::{inline, symbol};
 
-/// HTML of the name of a printed entry: `kane-3.2-line1-b1` becomes "Kane (3.2), line 1, b₁". A part of the id that has
-/// none of these forms stays as it is.
+/// Returns the HTML name of a printed entry: `kane-3.2-line1-b1` becomes "Kane (3.2), line 1, b₁".
+/// A part of the id in no known form is unchanged.
 pub fn entry_name(id: &str) -> String {
     let mut parts = Vec::new();
     for (at, part) in id.split('-').enumerate() {
@@ -18,7 +19,8 @@ pub fn entry_name(id: &str) -> String {
     parts.join(", ")
 }
 
-/// HTML of one part of an id.
+/// Returns the HTML of one part of an entry's id. `is_first` is true for the first of several
+/// parts, which gets a capital letter.
 fn named(part: &str, is_first: bool) -> String {
     let letters = part.trim_end_matches(|c: char| c.is_ascii_digit());
     let digits = &part[letters.len()..];

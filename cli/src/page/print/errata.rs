@@ -1,5 +1,5 @@
-//! Section that compares a published derivation with the derived one: root mistakes with the entries that follow from
-//! each, and their effect on the motion.
+//! Section of the page that compares a published derivation with the derived equations: root
+//! mistakes, entries that follow from them, and all verdicts.
 
 use crate::page::content::Page;
 use crate::page::markup::html::{breakable, each, escape, folded, table};
@@ -15,7 +15,7 @@ use tripos::studies::study::Published;
 use tripos_derive::algebra::Arena;
 use tripos_derive::diff::{Difference, Finding, Follower, Judgement, Link, Root};
 
-/// Verdicts in the order of the table of counts, with the words of their headings.
+/// Verdicts in the order of the table of counts, each with the heading of its column.
 const VERDICTS: [(&str, &str); 5] = [
     ("equal", "Equal"),
     ("scaled", "Equal up to a factor"),
@@ -24,17 +24,17 @@ const VERDICTS: [(&str, &str); 5] = [
     ("stated", "Stated only"),
 ];
 
-/// Links from a root mistake to wrong entries, with the words before their list.
+/// Links from a root mistake to wrong entries, each with the words before the list of entries.
 const LINKS: [(Link, &str); 3] = [
     (Link::Repeated, "Repeated in"),
     (Link::Follows, "From it follow"),
     (Link::Contradicts, "It contradicts, directly or through others,"),
 ];
 
-/// Largest number of visible characters of a printed term that fits beside its label.
+/// Largest number of visible characters of a printed term that fits on a line with its label.
 const WIDEST: usize = 80;
 
-/// HTML of the section on the errata of a publication.
+/// Returns the HTML section on the errata of a publication.
 pub fn section(page: &Page, published: &Published) -> String {
     let arena = &page.study.derivations.kinematics.arena;
     let difference = &published.difference;
@@ -60,12 +60,13 @@ pub fn section(page: &Page, published: &Published) -> String {
     out + "</section>\n"
 }
 
-/// Id of a root mistake in the page; mistakes are counted from 0.
+/// Returns the HTML id of a root mistake on the page. `root` counts from 0, the id from 1.
 pub fn anchor(root: usize) -> String {
     format!("mistake-{}", root + 1)
 }
 
-/// HTML of the root mistakes, with the entries that follow from each folded under it.
+/// Returns the HTML of the root mistakes. The entries that follow from each mistake are folded
+/// under it.
 fn mistakes(arena: &Arena, difference: &Difference) -> String {
     let Difference { findings, roots, .. } = difference;
     if roots.is_empty() {
@@ -82,7 +83,8 @@ fn mistakes(arena: &Arena, difference: &Difference) -> String {
     )
 }
 
-/// HTML of one root mistake: its description, its repetitions, the entries that follow from it, and all of its entries.
+/// Returns the HTML of one root mistake: description, entries that repeat it or follow from it, and
+/// an erratum for each entry.
 fn mistake(arena: &Arena, findings: &[Finding], at: usize, root: &Root) -> String {
     let shown = std::iter::once((root.finding, None)).chain(root.followers.iter().map(|f| (f.finding, Some(f))));
     let rows: String =
@@ -99,17 +101,19 @@ fn mistake(arena: &Arena, findings: &[Finding], at: usize, root: &Root) -> Strin
     )
 }
 
-/// HTML of a sentence with the entries that have this link to a root mistake; empty if there are none.
+/// Returns the HTML of a sentence with the entries that have a certain link to a root mistake.
+/// Empty if there are none.
 fn links(findings: &[Finding], root: &Root, link: Link, words: &str) -> String {
     let ids: Vec<String> = root.linked(link).map(|f| code(findings, f.finding)).collect();
     if ids.is_empty() { String::new() } else { format!("<p>{words} {}.</p>\n", ids.join(", ")) }
 }
 
+/// Returns the HTML of an entry's id.
 fn code(findings: &[Finding], at: usize) -> String {
     format!("<code>{}</code>", escape(&findings[at].id))
 }
 
-/// HTML of words for the entries from which a wrong entry follows.
+/// Returns the HTML of words for the entries from which a wrong entry follows.
 fn source(findings: &[Finding], follower: &Follower) -> String {
     let ids = |list: &[usize]| list.iter().map(|at| code(findings, *at)).collect::<Vec<_>>().join(" and ");
     let words = match follower.link {
@@ -122,7 +126,7 @@ fn source(findings: &[Finding], follower: &Follower) -> String {
     format!("{words} {}{also}", ids(&follower.from))
 }
 
-/// HTML of the entries that could not be judged; empty if there are none.
+/// Returns the HTML of the entries whose verdict is undecided; empty if there are none.
 fn undecided(arena: &Arena, findings: &[Finding]) -> String {
     let open: Vec<&Finding> = findings.iter().filter(|f| matches!(f.judgement, Judgement::Undecided(_))).collect();
     if open.is_empty() {
@@ -131,7 +135,7 @@ fn undecided(arena: &Arena, findings: &[Finding]) -> String {
     errata("What is not decided", &each(&open, |finding| entry(arena, finding, None)))
 }
 
-/// HTML of a table of errata; `rows` is HTML.
+/// Returns the HTML of a table of errata. `caption` and `rows` are HTML.
 fn errata(caption: &str, rows: &str) -> String {
     format!(
         "<table class=\"errata\">\n<caption>{caption}</caption>\n<colgroup><col class=\"entry\"><col class=\"label\"><col></colgroup>\n<thead><tr><th scope=\"col\">Entry</th>\
@@ -139,11 +143,12 @@ fn errata(caption: &str, rows: &str) -> String {
     )
 }
 
+/// True if an entry differs from the derived form or is undecided.
 fn is_wrong(finding: &Finding) -> bool {
     matches!(finding.judgement, Judgement::Different | Judgement::Undecided(_))
 }
 
-/// HTML of a table with the number of entries for each verdict and section.
+/// Returns the HTML table with the number of entries for each verdict and section.
 fn counts(findings: &[Finding]) -> String {
     let mut sections: Vec<&str> = Vec::new();
     for finding in findings {
@@ -165,7 +170,8 @@ fn counts(findings: &[Finding]) -> String {
     table("Verdicts", &columns, &rows).replacen("<table>", "<table class=\"counts\">", 1)
 }
 
-/// HTML of one erratum: the id of the entry, with lines for its printed and derived form, difference and remarks.
+/// Returns the HTML of one erratum: the entry's id, printed and derived form, difference, witness
+/// and remarks. `source` names the entries from which it follows.
 fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
     let mut lines = vec![("printed", printed(&finding.printed))];
     if let Some(derived) = finding.derived {
@@ -180,7 +186,8 @@ fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
     if let Some(factor) = finding.factor {
         lines.push(("factor", value(arena, factor)));
     }
-    // If no form is derived, a remark names the form for comparison.
+    // If the finding has no derived form, a remark names the compared form, and no witness is
+    // shown.
     if let (Some(found), true) = (&finding.witness, finding.derived.is_some()) {
         lines.push(("for instance", witness(found, ["printed", "derived"])));
     }
@@ -203,7 +210,8 @@ fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
     format!("<tbody>\n{rows}</tbody>\n")
 }
 
-/// HTML of a printed text: typeset if it is a formula that fits, otherwise as code.
+/// Returns the HTML of a printed text: typeset if it is a formula that fits on a line, otherwise as
+/// code.
 fn printed(text: &str) -> String {
     match typeset(text) {
         Some(sides) if sides.iter().all(|side| widest(side) <= WIDEST) => {
@@ -213,7 +221,8 @@ fn printed(text: &str) -> String {
     }
 }
 
-/// HTML of the entries that are right up to a factor: entries of a row of a linear system.
+/// Returns the HTML of the entries that are right up to a factor. They belong to rows of linear
+/// systems.
 fn scaled(arena: &Arena, findings: &[Finding]) -> String {
     let list: Vec<&Finding> = findings.iter().filter(|f| f.judgement == Judgement::Scaled).collect();
     if list.is_empty() {
@@ -227,11 +236,12 @@ fn scaled(arena: &Arena, findings: &[Finding]) -> String {
     folded(&format!("Equal up to a factor <span class=\"quiet\">({})</span>", entries(list.len())), &items)
 }
 
-/// Words for the domain in which an entry holds; empty if it holds everywhere.
+/// Returns words for the domain in which an entry holds; empty if it holds everywhere.
 fn place(finding: &Finding) -> String {
     finding.holds.words().map_or_else(String::new, |words| format!(" {words}"))
 }
 
+/// Returns the HTML list of all entries with their verdicts, folded.
 fn all(findings: &[Finding]) -> String {
     let item = |finding: &Finding| {
         let word = finding.judgement.word();

@@ -1,4 +1,5 @@
-//! Sections of the page on the publication beside the model: errata, verdict, effect on the motion.
+//! Sections of the page on the publication in the model's folder: errata, verdict, effect on the
+//! motion.
 
 mod entry;
 pub(super) mod errata;

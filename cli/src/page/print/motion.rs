@@ -1,4 +1,5 @@
-//! Effect of the printed systems on the motion: accelerations, determinants, first integrals, agreement.
+//! Effect of the printed systems of equations on the motion: accelerations, determinants, first
+//! integrals, and mutual agreement.
 
 use crate::page::content::Page;
 use crate::page::markup::html::{breakable, escape, folded, part, table};
@@ -11,7 +12,8 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diff::{Consequences, Difference};
 use tripos_derive::prove::Singularity;
 
-/// HTML of the part of the errata on the motion; empty if no system is printed as a whole.
+/// Returns the HTML of the effects of the printed systems on the motion; empty if no system is
+/// printed as a whole.
 pub fn consequences(page: &Page, published: &Published) -> String {
     let list = &published.difference.consequences;
     if list.is_empty() {
@@ -40,6 +42,7 @@ pub fn consequences(page: &Page, published: &Published) -> String {
     out + &part("systems", "Determinants of each system, and rates of the first integrals", &systems)
 }
 
+/// Returns the HTML of a verdict in a table: `yes`, `no` in red, or `undecided`.
 fn yes_or_no(verdict: &Verdict, yes: &str, no: &str) -> String {
     match verdict {
         Verdict::Equal(_) => yes.to_owned(),
@@ -48,7 +51,7 @@ fn yes_or_no(verdict: &Verdict, yes: &str, no: &str) -> String {
     }
 }
 
-/// HTML of a table with the verdicts on all printed systems, a row each.
+/// Returns the HTML table with the verdicts on all printed systems, a row for each.
 fn overview(page: &Page, list: &[Consequences]) -> String {
     let symbols: Vec<String> = (0..page.study.proof.integrals.len()).map(|at| inline(&integral_symbol(at))).collect();
     let columns =
@@ -69,7 +72,8 @@ fn overview(page: &Page, list: &[Consequences]) -> String {
     table("Printed systems at a glance", &columns, &list.iter().map(row).collect::<Vec<_>>())
 }
 
-/// HTML of sentences on the printed systems that give equal motions.
+/// Returns the HTML of sentences on which printed systems give equal motions; empty if none are
+/// compared.
 fn agreement(difference: &Difference) -> String {
     let agreements = &difference.agreements;
     if agreements.is_empty() {
@@ -100,7 +104,8 @@ fn agreement(difference: &Difference) -> String {
     format!("<p>{}</p>\n", sentences.join(" "))
 }
 
-/// HTML of the details of one printed system: its determinant and the rates of the first integrals.
+/// Returns the HTML table on one printed system: accelerations, determinant, and rates of the first
+/// integrals.
 fn details(page: &Page, system: &Consequences, singularity: Option<&Singularity>) -> String {
     let arena = &page.study.derivations.kinematics.arena;
     let mut lines =
@@ -139,12 +144,14 @@ fn details(page: &Page, system: &Consequences, singularity: Option<&Singularity>
     )
 }
 
-/// MathML of the time derivative dI/dt of a first integral, counted from 0.
+/// Returns the MathML of the time derivative dI/dt of a first integral. `at` counts from 0.
 fn derivative(at: usize) -> String {
     let d = "<mi mathvariant=\"normal\">d</mi>";
     format!("<mfrac><mrow>{d}{}</mrow><mrow>{d}<mi>t</mi></mrow></mfrac>", integral_symbol(at))
 }
 
+/// Returns the table rows on the determinant of a printed system: its formula, the derived formula
+/// if different, and its zeros.
 fn determinant(
     arena: &Arena,
     printed: Expr,

@@ -1,22 +1,22 @@
-//! Verdict on a published derivation, in sentences for the abstract of the page.
+//! Verdict on a published derivation in sentences, for the abstract of the page.
 
 use crate::page::print::entry::entry_name;
 use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::diff::{Consequences, Difference};
 
-/// Sentences as HTML, each with the id of the section that has its evidence. They give the number of wrong entries, the
-/// mistakes that cause them, and their effect on the motion.
+/// Returns sentences as HTML, each with the id of the section that contains its evidence. They
+/// state the number of wrong entries, the root mistakes, and the effect on the motion.
 pub fn abstract_of_verdict(difference: &Difference) -> Vec<(&'static str, String)> {
     let counted = std::iter::once(("errata", entries(difference)));
     let mistakes = mistakes(difference).map(|said| ("mistakes", said));
     counted.chain(mistakes).chain(systems(difference).map(|said| ("effects", said))).collect()
 }
 
-/// Sentence on the number of root mistakes, and on the one that causes most wrong entries. `None` if there is at most
-/// one mistake, and it causes no other.
+/// Returns a sentence on the number of root mistakes, and on the mistake that causes most wrong
+/// entries. `None` without a mistake, or if the only mistake causes no other wrong entry.
 fn mistakes(difference: &Difference) -> Option<String> {
     let Difference { roots, findings, .. } = difference;
-    // Of equal numbers, the first mistake counts.
+    // If several mistakes cause equally many entries, the first is named.
     let largest = roots.iter().rev().max_by_key(|root| root.entries()).filter(|root| root.entries() > 1);
     let named = largest.map(|root| (entry_name(&findings[root.finding].id), root.entries()));
     match (roots.len(), named) {
@@ -27,7 +27,7 @@ fn mistakes(difference: &Difference) -> Option<String> {
     }
 }
 
-/// Sentence on the numbers of wrong and of undecided entries.
+/// Returns a sentence on the numbers of wrong and undecided entries.
 fn entries(difference: &Difference) -> String {
     let all = difference.findings.len();
     let (wrong, open) = (difference.count("different"), difference.count("undecided"));
@@ -41,7 +41,8 @@ fn entries(difference: &Difference) -> String {
     format!("{wrong}{open}.")
 }
 
-/// Sentence on the accelerations and the energy of the printed systems; `None` if there is no system.
+/// Returns a sentence on the accelerations and the energy by the printed systems; `None` if no
+/// system is printed.
 fn systems(difference: &Difference) -> Option<String> {
     let list = &difference.consequences;
     let of = |is: &dyn Fn(&Consequences) -> bool| list.iter().filter(|system| is(system)).count();

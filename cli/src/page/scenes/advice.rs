@@ -1,12 +1,14 @@
-//! Recommended equations, solve and method for a scene, from measurements: one paragraph and a table.
+//! Section of the page with the measured recommendation of equations, solve and method for a scene.
 
 use crate::chart::sentences::seconds;
 use crate::page::content::Advice;
 use crate::page::markup::html::{escape, number, rounded, table};
 
+/// Column headings of the table of recommended runs.
 const HEAD: [&str; 7] = ["Error below", "Equations", "Accelerations", "Method", "Tolerance", "Time of a run", "Error"];
 
-/// HTML of the recommendation, a paragraph and a table, with the id `place`.
+/// Returns the HTML of the recommendation: a paragraph with the id `place`, and a table of the
+/// fastest runs.
 pub fn section(advice: &Advice, place: &str) -> String {
     let rows: Vec<Vec<String>> = advice
         .rows

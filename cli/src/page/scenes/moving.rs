@@ -1,11 +1,12 @@
-//! Section with the moving figure of one scene, and the commands that show the motions of the other scenes.
+//! Section of the page with the moving figure of one scene, and commands that show the motions of
+//! the other scenes.
 
 use crate::page::content::{Moving, Page, SceneSection};
 use crate::page::markup::html::{anchor, count, each, escape, folded, link};
 use crate::page::scenes::outcome::title;
 use std::fmt::Write;
 
-/// HTML of the section on the motion.
+/// Returns the HTML section on the motion, with the moving figure or the reason why there is none.
 pub fn section(page: &Page, moving: &Moving) -> String {
     let mut out = String::from("<section id=\"motion\">\n<h2>The motion</h2>\n");
     match &moving.viewer {
@@ -25,7 +26,8 @@ pub fn section(page: &Page, moving: &Moving) -> String {
     out + &others(page, moving) + "</section>\n"
 }
 
-/// HTML of the commands that show the motions of scenes without a moving figure on the page; empty if all have one.
+/// Returns the HTML of commands that show the motions of scenes without a moving figure. Empty if
+/// there are no such scenes.
 fn others(page: &Page, moving: &Moving) -> String {
     let shown = moving.viewer.is_ok().then_some(moving.scene);
     let list: Vec<&SceneSection> =

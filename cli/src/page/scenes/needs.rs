@@ -1,4 +1,5 @@
-//! Reduced equations of a scene: the states that they keep and leave out, and the reasons why that is exact.
+//! Part of the page on a scene's reduced equations: the states that they keep, those that they
+//! omit, and proofs.
 
 use crate::page::content::{Needs, Page, SceneSection};
 use crate::page::markup::html::{escape, folded, number, rounded, scroll, table};
@@ -10,7 +11,7 @@ use tripos_derive::algebra::text::print::{mathml_of, text};
 use tripos_derive::algebra::{Arena, Expr, Node};
 use tripos_derive::reduce::{Omission, Output, Piece, Prose, Quantity};
 
-/// HTML of the part on a scene's reduced equations.
+/// Returns the HTML on a scene's reduced equations, or on the reason why there are none.
 pub fn section(page: &Page, scene: &SceneSection) -> String {
     let needs = match &scene.needs {
         Ok(needs) => needs,
@@ -34,7 +35,8 @@ pub fn section(page: &Page, scene: &SceneSection) -> String {
     out
 }
 
-/// HTML of the numbers of remaining states, integrals and operations, in words.
+/// Returns the HTML of a summary of the reduced equations: numbers of kept states, quadratures,
+/// constants and operations.
 fn summary(page: &Page, needs: &Needs) -> String {
     let reduction = &needs.reduced.reduction;
     let states = page.model.coordinates.len() + page.model.speeds.len();
@@ -70,7 +72,7 @@ fn summary(page: &Page, needs: &Needs) -> String {
     out
 }
 
-/// True if all formulas of the reduced equations are short enough to be read.
+/// True if all formulas of the reduced equations are short enough to be shown.
 fn is_read(needs: &Needs) -> bool {
     let reduction = &needs.reduced.reduction;
     let (arena, e) = (reduction.terms(), &reduction.derivation.equations);
@@ -81,7 +83,7 @@ fn is_read(needs: &Needs) -> bool {
     values.all(|e| length(arena, e).is_some()) && divisors.all(|e| is_short(arena, e))
 }
 
-/// Removes a numeric factor from a term: the result vanishes where the term does.
+/// Returns a term without its numeric factor. Both terms vanish at the same places.
 fn without_number(arena: &Arena, e: Expr) -> Expr {
     match arena.node(e) {
         Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].0,
@@ -89,7 +91,7 @@ fn without_number(arena: &Arena, e: Expr) -> Expr {
     }
 }
 
-/// HTML of a table of the kept states, integrals and constants, with their meanings.
+/// Returns the HTML table of the kept states, quadratures and constants with their meanings.
 fn kept(needs: &Needs) -> String {
     let reduction = &needs.reduced.reduction;
     let arena = reduction.terms();
@@ -102,7 +104,7 @@ fn kept(needs: &Needs) -> String {
     table("Kept", &["Kind", "Symbol", "Value", "What it is"], &rows)
 }
 
-/// HTML of the reduced equations: definitions, rates and accelerations, a line each.
+/// Returns the HTML of the reduced equations: definitions, rates and accelerations, one per line.
 fn equations(needs: &Needs) -> String {
     let e = &needs.reduced.reduction.derivation.equations;
     let mut arena = needs.reduced.reduction.terms().clone();
@@ -121,7 +123,7 @@ fn equations(needs: &Needs) -> String {
     scroll("The scene's reduced equations", &lines(&list))
 }
 
-/// HTML of the outputs of the scene, as functions of the kept states.
+/// Returns the HTML of the scene's outputs as functions of the kept states.
 fn outputs(needs: &Needs) -> String {
     let reduction = &needs.reduced.reduction;
     let arena = reduction.terms();
@@ -134,12 +136,13 @@ fn outputs(needs: &Needs) -> String {
     scroll("What the scene shows", &lines(&list))
 }
 
+/// Returns the HTML table of the omitted parts, with reasons and proofs.
 fn left_out(arena: &Arena, omitted: &[Omission]) -> String {
     let row = |o: &Omission| vec![prose(arena, &o.what), prose(arena, &o.why), escape(&o.proof)];
     table("Left out", &["What", "Why", "How that is known"], &omitted.iter().map(row).collect::<Vec<_>>())
 }
 
-/// HTML of words in which the formulas are typeset.
+/// Returns the HTML of words that contain formulas.
 fn prose(arena: &Arena, prose: &Prose) -> String {
     let piece = |piece: &Piece| match piece {
         Piece::Words(words) => escape(words),

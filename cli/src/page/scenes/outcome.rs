@@ -1,7 +1,9 @@
-//! Outcome of a scene, in a sentence or two: the course of the derived runs, and that of the printed equations.
+//! Outcome of a scene in one or two sentences: how the derived runs ended, and how the printed
+//! equations fared.
 //!
-//! Invariant: every sentence is made of the values of runs. Only right equations are called loose. Printed equations
-//! are called wrong if they do not give the derived accelerations, for any end of their runs.
+//! Invariant: every sentence is made of the values of runs. Only right equations are called loose.
+//! Printed equations are called wrong if they do not give the derived accelerations, even if their
+//! run reaches its end.
 
 use crate::page::content::{RunRow, SceneSection, Standing};
 use crate::page::markup::html::{count, escape, listed, number, rounded, words};
@@ -10,22 +12,23 @@ use crate::page::scenes::singular::name;
 use std::fmt::Write;
 use tripos_derive::plain::significant;
 
-/// Largest number of printed runs that a sentence names.
+/// Largest number of printed runs that a sentence names. Further runs are counted.
 const NAMED: usize = 4;
 
-/// Grade of the end of a run, in the order of severity, the worst last.
+/// Grade of a derived run, in the order of severity, the worst last.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Grade {
-    /// The run reached its end and kept its digits.
+    /// Arrived: the run reached its end with enough digits.
     Arrived,
-    /// The run ended early, by its domain or an event.
+    /// Ended: the run ended early, by its domain or an event.
     Ended,
-    /// The run is right, at tolerances that leave few digits.
+    /// Loose: the equations are right, at tolerances that leave few digits.
     Loose,
-    /// The run could not go on.
+    /// Stopped: the run could not continue.
     Stopped,
 }
 
+/// Returns the grade of a run: arrived, ended, loose or stopped.
 fn grade(run: &RunRow) -> Grade {
     match run.standing {
         Standing::Stopped => Grade::Stopped,
@@ -35,16 +38,17 @@ fn grade(run: &RunRow) -> Grade {
     }
 }
 
+/// Returns the runs by derived equations, including the reduced equations.
 fn derived_runs(scene: &SceneSection) -> Vec<&RunRow> {
     scene.runs.iter().filter(|run| run.printed.is_none()).collect()
 }
 
-/// Worst grade among the derived runs; `None` if none ran.
+/// Returns the worst grade among the derived runs; `None` if there is no such run.
 pub fn worst(scene: &SceneSection) -> Option<Grade> {
     derived_runs(scene).into_iter().map(grade).max()
 }
 
-/// HTML of the outcome of the derived runs.
+/// Returns the HTML sentence on the outcome of the derived runs.
 pub fn derived(scene: &SceneSection) -> String {
     let runs = derived_runs(scene);
     let Some(worst) = worst(scene) else { return "No derived equations ran.".to_owned() };
@@ -66,7 +70,8 @@ pub fn derived(scene: &SceneSection) -> String {
     }
 }
 
-/// Words on why a run is loose: the time from which on it has few digits, and its error; else its first warning.
+/// Returns words on why a run is loose: the time from which it has few digits, and its error.
+/// Otherwise its first warning.
 fn loose(run: &RunRow) -> String {
     let Standing::Loose { how, error } = &run.standing else { return String::new() };
     let few = run.few_from.map(|t| format!("fewer than three digits from t = {} s on", number(&rounded(t, 4))));
@@ -79,7 +84,7 @@ fn loose(run: &RunRow) -> String {
     }
 }
 
-/// Words on the digits and the energy that runs keep which all reach their ends.
+/// Returns words on the digits and the energy that runs keep to their ends.
 fn kept(runs: &[&RunRow]) -> String {
     let digits = runs.iter().filter_map(|run| run.digits).reduce(f64::min);
     let drift = runs.iter().filter_map(|run| run.energy_drift).reduce(f64::max);
@@ -93,7 +98,8 @@ fn kept(runs: &[&RunRow]) -> String {
     }
 }
 
-/// HTML of the outcome of the printed equations; `None` if none ran.
+/// Returns the HTML sentence on the outcome of the printed equations; `None` if no printed
+/// equations ran.
 pub fn printed(scene: &SceneSection) -> Option<String> {
     let runs: Vec<&RunRow> = scene.runs.iter().filter(|run| run.printed.is_some()).collect();
     if runs.is_empty() {
@@ -121,8 +127,8 @@ pub fn printed(scene: &SceneSection) -> Option<String> {
     Some(out + "." + &far(&runs))
 }
 
-/// HTML of a sentence on the wrong printed run that reaches its end with the largest energy drift; empty if there is
-/// none.
+/// Returns the HTML sentence on the wrong printed run that reaches its end with the largest energy
+/// drift. Empty if there is none.
 fn far(runs: &[&RunRow]) -> String {
     let wrong = runs.iter().filter(|run| run.arrived && run.standing == Standing::Wrong);
     let known = wrong.filter_map(|run| Some((run, run.energy_drift.filter(|drift| drift.is_finite())?)));
@@ -130,7 +136,7 @@ fn far(runs: &[&RunRow]) -> String {
     format!(" {} arrives, with total energy off by {} J.", name(run), energy(drift))
 }
 
-/// HTML of the title of a scene in quotation marks.
+/// Returns the HTML of a scene's title in quotation marks.
 pub fn title(scene: &SceneSection) -> String {
     format!("“{}”", escape(&scene.title))
 }

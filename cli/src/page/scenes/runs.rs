@@ -1,4 +1,4 @@
-//! Tables of the runs of a scene, a row each: their results, and the largest changes of each first integral.
+//! Tables of a scene's runs, a row for each: results, and largest changes of first integrals.
 
 use crate::page::content::{Page, RunRow, SceneSection, Standing};
 use crate::page::markup::html::{escape, head, number, rounded, scroll, words};
@@ -9,6 +9,7 @@ use std::fmt::Write;
 use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::plain::significant;
 
+/// Column headings of the table of a scene's runs.
 const HEAD: [&str; 8] = [
     "Equations",
     "Result",
@@ -20,7 +21,7 @@ const HEAD: [&str; 8] = [
     "Method, code",
 ];
 
-/// HTML of the table of all runs of a scene, derived and printed.
+/// Returns the HTML table of all runs of a scene, derived and printed.
 pub fn table(page: &Page, scene: &SceneSection) -> String {
     let of = |printed: bool| scene.runs.iter().filter(move |row| row.printed.is_some() == printed);
     let rows_of = |printed: bool| -> String {
@@ -53,7 +54,8 @@ pub fn table(page: &Page, scene: &SceneSection) -> String {
     scroll(&format!("Runs of {}", scene.title), &table)
 }
 
-/// Words for the number of wrong systems among the printed equations that ran.
+/// Returns words for the number of wrong systems among the printed equations that ran. Empty if
+/// none ran.
 fn how_many_are_wrong(scene: &SceneSection) -> String {
     let printed: Vec<&RunRow> = scene.runs.iter().filter(|run| run.printed.is_some()).collect();
     match (printed.iter().filter(|run| run.standing == Standing::Wrong).count(), printed.len()) {
@@ -64,7 +66,7 @@ fn how_many_are_wrong(scene: &SceneSection) -> String {
     }
 }
 
-/// HTML of a table with the largest change of each first integral in each run.
+/// Returns the HTML table of the largest change of each first integral in each run.
 pub fn changes(page: &Page, scene: &SceneSection) -> String {
     let integrals = &page.study.proof.integrals;
     let heads: Vec<String> = (0..integrals.len()).map(|at| inline(&integral_symbol(at))).collect();
@@ -102,7 +104,8 @@ pub fn changes(page: &Page, scene: &SceneSection) -> String {
     )
 }
 
-/// True if the printed equations of a run are proved not to conserve a first integral.
+/// True if the printed equations of a run are proved not to conserve the first integral with this
+/// index.
 fn breaks(page: &Page, run: &RunRow, integral: usize) -> bool {
     let (Some(id), Some(published)) = (&run.printed, &page.study.published) else { return false };
     let system = published.difference.consequences.iter().find(|c| c.system == *id);
@@ -110,8 +113,8 @@ fn breaks(page: &Page, run: &RunRow, integral: usize) -> bool {
     rate.is_some_and(|rate| matches!(rate.verdict, Verdict::Different(_)))
 }
 
-/// HTML of the row of a run, with its numbers. A row below has the standing of its equations, the reason of an early
-/// end unless the row before has the same, and warnings.
+/// Returns the HTML rows of a run: its numbers, and if needed a row with remarks, the reason of an
+/// early end, and warnings. The reason is not repeated if the run `before` has the same.
 fn run(run: &RunRow, before: Option<&RunRow>) -> String {
     let is_like_before = before.is_some_and(|before| !before.arrived && before.stop == run.stop);
     let result = match run.arrived {
@@ -146,7 +149,7 @@ fn run(run: &RunRow, before: Option<&RunRow>) -> String {
     out
 }
 
-/// HTML of an energy with two significant digits.
+/// Returns the HTML of an energy in J with two significant digits.
 pub fn energy(drift: f64) -> String {
     if !drift.is_finite() {
         return "<strong>not finite</strong>".to_owned();

@@ -1,4 +1,5 @@
-//! Section of a simulated scene: its outcome in sentences, its runs, figures, and given data; long parts are folded.
+//! Section of the page on one scene: outcome in sentences, runs, figures and given data. Long parts
+//! are folded.
 
 use crate::page::content::{Fact, Figure, Page, SceneSection};
 use crate::page::markup::html::{address, anchor, escape, folded, part, words};
@@ -10,19 +11,20 @@ use crate::page::scenes::singular;
 use crate::plot::pretty;
 use std::fmt::Write;
 
-/// Largest number of figures of a scene that are not folded.
+/// Largest number of a scene's figures that are not folded.
 const SEEN: usize = 2;
 
-/// Part of a scene's section that is seen without unfolding.
+/// Choice of what is visible of a scene's section before it is unfolded.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum VisiblePart {
-    /// The runs and the first figures of the scene are seen too.
+    /// The runs and the first figures of the scene are visible too.
     Open,
     /// Only the outcome of the scene is seen.
     InASentence,
 }
 
-/// HTML of the section of one scene. `figures` counts figures over the whole page.
+/// Returns the HTML section of one scene. `at` is its index; `figures` counts the figures of the
+/// whole page.
 pub fn section(page: &Page, scene: &SceneSection, at: usize, shown: VisiblePart, figures: &mut usize) -> String {
     let place = anchor(at);
     let mut out = format!("<article id=\"{place}\">\n<h3>{}</h3>\n", escape(&scene.title));
@@ -41,7 +43,7 @@ pub fn section(page: &Page, scene: &SceneSection, at: usize, shown: VisiblePart,
     out + "</article>\n"
 }
 
-/// HTML of everything except the title and the sentences, with long parts folded.
+/// Returns the HTML of a scene's section except title and outcome, with long parts folded.
 fn content(page: &Page, scene: &SceneSection, place: &str, figures: &mut usize) -> String {
     let id = |what: &str| format!("{place}-{what}");
     let mut out = String::new();
@@ -70,7 +72,8 @@ fn content(page: &Page, scene: &SceneSection, place: &str, figures: &mut usize) 
     out + &given(scene, &id("given"))
 }
 
-/// HTML of the given data of a scene: parameters, start, span, tolerances; empty without any.
+/// Returns the HTML of the given data of a scene: parameters, start, span, integration. Empty if
+/// there are none.
 fn given(scene: &SceneSection, place: &str) -> String {
     if scene.facts.is_empty() {
         return String::new();
@@ -82,6 +85,7 @@ fn given(scene: &SceneSection, place: &str) -> String {
     part(place, "What is given", &format!("<dl>\n{facts}</dl>\n"))
 }
 
+/// Returns the HTML of a numbered figure with caption, links to data and remark. Increases `count`.
 fn figure(figure: &Figure, count: &mut usize) -> String {
     *count += 1;
     let link = |path: &String| format!("<a href=\"{}\"><code>{}</code></a>", address(path), escape(path));
@@ -97,7 +101,7 @@ fn figure(figure: &Figure, count: &mut usize) -> String {
     )
 }
 
-/// Writes given data as `q₁ = 0.2, q₂ = 1e−3`, or as their words.
+/// Returns given data as text: `q₁ = 0.2, q₂ = 1e−3`, or words.
 fn fact(fact: &Fact) -> String {
     match fact {
         Fact::Words(words) => words.clone(),

@@ -1,6 +1,8 @@
-//! Statements on singular matrices: what is proved of the determinants, and what was met along the runs of a scene.
+//! Statements of the page on singular matrices: what is proved of the determinants, and what
+//! happened along a scene's runs.
 //!
-//! Invariant: every sentence is computed. A proof speaks of all configurations, a run only of those that it met.
+//! Invariant: every sentence is computed. A proof holds in all configurations, a statement on a run
+//! only in those that it reached.
 
 use crate::page::content::{Page, RunRow, SceneSection};
 use crate::page::markup::html::{each, escape, head, number, rounded, scroll};
@@ -10,10 +12,11 @@ use std::fmt::Write;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::prove::{Singularity, There};
 
-/// Largest number of characters of plain text of a divisor in the head of a table.
+/// Largest number of characters of a divisor, as plain text, in the head of a table. A longer
+/// divisor gets a name.
 const SHORT: usize = 40;
 
-/// HTML of the statements and the table below the figure of determinants.
+/// Returns the HTML of the statements and the table below the figure of determinants.
 pub fn statements(page: &Page, scene: &SceneSection) -> String {
     let divisors = divisors(page);
     let mut items = long_divisors(page);
@@ -24,24 +27,26 @@ pub fn statements(page: &Page, scene: &SceneSection) -> String {
     format!("<ul>\n{items}</ul>\n{}", table(scene, &divisors))
 }
 
-/// MathML of the divisors of the kinematic equations; those too long for the head of a table are shown by names.
+/// Returns the MathML of the divisors of the kinematic equations. Divisors too long for the head of
+/// a table are replaced by names.
 fn divisors(page: &Page) -> Vec<String> {
     let (list, arena) = (&page.model.kinematic_equations.divisors, &page.model.arena);
     let typeset = |(at, e): (usize, &Expr)| if is_long(arena, *e) { name_of(at) } else { formula(arena, *e) };
     list.iter().enumerate().map(typeset).collect()
 }
 
-/// True if a divisor is too long for the head of a table, and is shown by a name.
+/// True if a divisor is too long for the head of a table and gets a name.
 fn is_long(arena: &Arena, e: Expr) -> bool {
     length(arena, e).is_none_or(|length| length > SHORT)
 }
 
-/// MathML of the name of a long divisor, numbered from 1; `at` counts from 0.
+/// Returns the MathML name of a long divisor, d with a number. `at` counts from 0, the number from
+/// 1.
 fn name_of(at: usize) -> String {
     format!("<msub><mi>d</mi><mn>{}</mn></msub>", at + 1)
 }
 
-/// HTML of the definitions of the names of long divisors.
+/// Returns the HTML of the definitions of the long divisors' names.
 fn long_divisors(page: &Page) -> Vec<String> {
     let (list, arena) = (&page.model.kinematic_equations.divisors, &page.model.arena);
     let definition = |(at, e): (usize, &Expr)| {
@@ -51,7 +56,8 @@ fn long_divisors(page: &Page) -> Vec<String> {
     list.iter().enumerate().filter(|(_, e)| is_long(arena, **e)).map(definition).collect()
 }
 
-/// Sets of equations whose determinant is known as a formula: the name as HTML, and the proved statements.
+/// Returns the sets of equations whose determinant is known as a formula: the name as HTML, and the
+/// proved statements.
 fn determinants<'a>(page: &'a Page<'_>) -> Vec<(String, &'a Singularity)> {
     let derived = page.study.singular.iter().map(|(f, s)| (escape(f.title()), s));
     let printed = page.study.published.iter().flat_map(|published| {
@@ -61,7 +67,7 @@ fn determinants<'a>(page: &'a Page<'_>) -> Vec<(String, &'a Singularity)> {
     derived.chain(printed).collect()
 }
 
-/// HTML of statements that hold in every configuration.
+/// Returns the HTML of statements on determinants that hold in every configuration.
 fn proved(page: &Page, divisors: &[String]) -> Vec<String> {
     let list = determinants(page);
     let named = |of: &dyn Fn(&Singularity) -> bool| {
@@ -103,7 +109,8 @@ fn proved(page: &Page, divisors: &[String]) -> Vec<String> {
     items
 }
 
-/// HTML of sentences on the smallest reciprocal condition number among derived and among printed equations.
+/// Returns HTML sentences on the smallest reciprocal condition number among derived runs and among
+/// printed runs.
 fn conditions(scene: &SceneSection) -> Vec<String> {
     let worst = |printed: bool| {
         let runs = scene.runs.iter().filter(|run| run.printed.is_some() == printed);
@@ -128,8 +135,8 @@ fn conditions(scene: &SceneSection) -> Vec<String> {
     [sentence("the derived", worst(false)), sentence("printed", worst(true))].into_iter().flatten().collect()
 }
 
-/// HTML of a sentence on the least absolute value of a divisor of the kinematic equations in the derived runs; `None`
-/// if no run has it.
+/// Returns the HTML sentence on the smallest absolute value of a divisor in the derived runs.
+/// `None` if no run has recorded it.
 fn divisor_met(scene: &SceneSection, at: usize, divisor: &str) -> Option<String> {
     let runs = scene.runs.iter().filter(|run| run.printed.is_none());
     let list = runs.filter_map(|run| Some((run, (*run.nearest.divisors.get(at)?)?)));
@@ -145,7 +152,7 @@ fn divisor_met(scene: &SceneSection, at: usize, divisor: &str) -> Option<String>
     ))
 }
 
-/// HTML of the name of a run in a sentence.
+/// Returns the HTML name of a run for a sentence.
 pub fn name(run: &RunRow) -> String {
     match &run.printed {
         Some(id) => format!("<code>printed:{}</code>", escape(id)),
@@ -153,7 +160,8 @@ pub fn name(run: &RunRow) -> String {
     }
 }
 
-/// HTML of the table with the extremes of every run.
+/// Returns the HTML table with the extremes of determinant, condition number and divisors in every
+/// run.
 fn table(scene: &SceneSection, divisors: &[String]) -> String {
     let mut columns = vec![
         "Equations".to_owned(),

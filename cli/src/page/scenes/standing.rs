@@ -1,14 +1,15 @@
-//! Standing of a run: if its equations are the derived ones, and if its tolerances leave it enough digits.
+//! Standing (trustworthiness) of a run on the page: words, remarks and colours for right, loose,
+//! stopped, wrong and undecided runs.
 //!
-//! Wrong and loose runs have different words and colours everywhere: wrong equations are wrong for any end of their
-//! run, and a loose run has right equations.
+//! Wrong and loose runs have different words and colours everywhere. Wrong means that the equations
+//! are wrong, however the run ends. A loose run has right equations.
 
 use crate::page::content::{RunRow, Standing};
 use crate::page::markup::html::escape;
 use tripos_derive::plain::significant;
 
 impl Standing {
-    /// Short word for the result; `None` for right equations whose run is good.
+    /// Returns a short word for the standing; `None` for right equations whose run is good.
     pub fn word(&self) -> Option<&'static str> {
         match self {
             Self::Right => None,
@@ -19,7 +20,8 @@ impl Standing {
         }
     }
 
-    /// Remark below the row of a run; `None` if it needs none.
+    /// Returns the remark below the row of a run; `None` if it needs none. `t_end` is the time at
+    /// the end of the run, s.
     pub fn remark(&self, t_end: f64) -> Option<String> {
         match self {
             // Wrong equations are named once, above the printed equations.
@@ -39,7 +41,8 @@ impl Standing {
     }
 }
 
-/// HTML attribute with the classes of a run's row; `more` is another class, or empty.
+/// Returns the HTML attribute with the classes of a run's table row. `more` is a further class, or
+/// empty.
 pub fn class(run: &RunRow, more: &str) -> String {
     let printed = run.printed.as_ref().map(|_| "printed");
     let standing = run.standing.word();
@@ -47,7 +50,7 @@ pub fn class(run: &RunRow, more: &str) -> String {
     if list.is_empty() { String::new() } else { format!(" class=\"{}\"", list.join(" ")) }
 }
 
-/// HTML of the name of a run, with the word for its standing.
+/// Returns the HTML name of a run, with the word for its standing.
 pub fn name(run: &RunRow) -> String {
     let name = match &run.printed {
         Some(id) => format!("<code>printed:{}</code>", escape(id)),

@@ -1,4 +1,4 @@
-//! C99: a header and a source for each set of equations, and one header that all have in common.
+//! C99 as a target: a header and a source for each set of equations, and one header shared by all.
 //!
 //! The code allocates nothing, keeps nothing and calls only the mathematical functions of the standard library.
 
@@ -10,13 +10,14 @@ use crate::syntax::{Comments, Syntax, Writer, assigned, constant, firm};
 use std::fmt::Write;
 use tripos_derive::plain::{one_line, visible};
 
-/// Text of the header that all models have in common.
+/// Text of the header `tripos.h`, which all models share.
 const SHARED: &str = include_str!("tripos.h");
 
-/// Largest number of digits of a whole number that is written as an integer.
+/// Largest number of digits of a whole number that is written as a C integer. A longer number is
+/// written as a decimal.
 const MOST_DIGITS: usize = 9;
 
-/// The language C99.
+/// C99 as a language for formulas and as a target for modules.
 pub struct C;
 
 impl Syntax for C {
@@ -24,7 +25,8 @@ impl Syntax for C {
         "//"
     }
 
-    /// Text without a backslash, which could join lines, and without trigraphs.
+    /// Replaces backslashes, which could join lines, and breaks trigraphs, so that a text is safe
+    /// in a comment.
     fn harmless(&self, text: &str) -> String {
         visible(&one_line(text)).replace('\\', "/").replace("??", "? ?")
     }
@@ -34,7 +36,7 @@ impl Syntax for C {
     }
 
     fn decimal(&self, text: &str) -> String {
-        // A number that no double can have would be a warning.
+        // A literal beyond the range of doubles would cause a compiler warning.
         match text.parse::<f64>() {
             Ok(0.0) => "TRIPOS_C(0.0)".to_owned(),
             Ok(value) if value.is_infinite() => "TRIPOS_C(HUGE_VAL)".to_owned(),
@@ -106,12 +108,13 @@ impl Dialect for C {
     }
 }
 
-/// Beginning of the names of a module's files and functions.
+/// Returns the beginning of the names of a module's files and functions, such as `disk_kane`.
 fn stem(module: &Module<'_>) -> String {
     format!("{}_{}", module.model_word, module.equations_word)
 }
 
-/// Text of the header: lengths, places of the parameters, and declarations.
+/// Returns the text of the C header: lengths of arrays, indices of the parameters, and
+/// declarations.
 fn header(module: &Module<'_>) -> String {
     let (stem, mut writer) = (stem(module), Writer::new(&C, Comments::Written));
     let upper = stem.to_ascii_uppercase();
@@ -177,7 +180,8 @@ fn header(module: &Module<'_>) -> String {
     writer.out
 }
 
-/// Text of the source.
+/// Returns the text of the C source: default parameters, planned functions, and composite functions
+/// that call them.
 fn source(module: &Module<'_>) -> String {
     let (stem, mut writer) = (stem(module), Writer::new(&C, Comments::Written));
     writer.comment(&module.title());
@@ -214,7 +218,8 @@ fn source(module: &Module<'_>) -> String {
     writer.out
 }
 
-/// Names of the results of a function that returns arrays: one, or two for a pair.
+/// Returns name and length of each output array of a C function: none for a number, two for a pair,
+/// otherwise one.
 fn results(function: &Function) -> Vec<(&'static str, usize)> {
     let count = function.entries.len();
     match function.returns {
@@ -227,11 +232,11 @@ fn results(function: &Function) -> Vec<(&'static str, usize)> {
     }
 }
 
-/// Signature of a planned function, without a semicolon.
+/// Returns the C signature of a planned function, without a semicolon.
 fn signature(module: &Module<'_>, planned: &Function) -> String {
     let results = results(planned);
     let is_number = planned.returns == Returns::Number;
-    // Only arrays that are written need the promise that they lie apart.
+    // Only output arrays need `restrict`, the promise that they do not overlap other arrays.
     let mut arguments: Vec<String> = module
         .argument_lengths(planned)
         .iter()
@@ -247,6 +252,7 @@ fn signature(module: &Module<'_>, planned: &Function) -> String {
     format!("{returned} {}_{}({})", stem(module), planned.name, arguments.join(", "))
 }
 
+/// Writes the C definition of a planned function.
 fn function(writer: &mut Writer<'_>, module: &Module<'_>, planned: &Function) {
     writer.gap();
     writer.line(&signature(module, planned));
@@ -277,7 +283,7 @@ fn function(writer: &mut Writer<'_>, module: &Module<'_>, planned: &Function) {
     writer.raw("}");
 }
 
-/// Description and signature of a function that calls planned ones.
+/// Returns the description and the C signature of a function that calls planned functions.
 fn composite_signature(module: &Module<'_>, composite: Composite) -> (&'static str, String) {
     let (stem, v) = (stem(module), module.variables_argument());
     let solving = format!(
@@ -307,6 +313,8 @@ fn composite_signature(module: &Module<'_>, composite: Composite) -> (&'static s
     }
 }
 
+/// Writes the body of a C function that calls planned functions: a linear solve, or a projection
+/// onto constraints.
 fn composite_body(writer: &mut Writer<'_>, module: &Module<'_>, composite: Composite) {
     let (stem, v, e) = (stem(module), module.variables_argument(), module.equations());
     let mut text = String::new();

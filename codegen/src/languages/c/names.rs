@@ -1,11 +1,12 @@
-//! Names that no variable of generated C code can have.
+//! Names of C variables: reserved words and names that generated code cannot use.
 
 use crate::plan::Language;
 
-/// The language C, with C++ and the names that generated functions use for other purposes.
+/// Rules for names of C variables, which are also valid in C++.
 pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE, longest: usize::MAX };
 
-/// Names of arguments and working arrays of generated functions, and words that old dialects define as macros.
+/// Names of arguments and working arrays of generated functions, and words that old dialects define
+/// as macros. No variable may have them.
 const IN_SCOPE: [&str; 17] = [
     "p", "q", "u", "q_dot", "v_dot", "r", "t", "x", "out", "out_2", "work", "matrix", "right", "linux", "unix", "i386",
     "near",
@@ -150,8 +151,8 @@ const WORDS: [&str; 135] = [
     "M_SQRT1_2",
 ];
 
-/// True if a word may be the name of a C variable of generated code: letters, digits and underscores, no reserved word,
-/// and not an identifier that the standard keeps for itself.
+/// True if a word may be the name of a C variable of generated code: letters, digits and
+/// underscores. Reserved words and identifiers reserved for the implementation are refused.
 #[must_use]
 pub fn is_name(word: &str) -> bool {
     word.starts_with(|c: char| c.is_ascii_alphabetic())

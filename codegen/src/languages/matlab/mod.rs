@@ -1,4 +1,5 @@
-//! MATLAB and Octave: one file for each function of each set of equations, vectorised over columns.
+//! MATLAB and Octave as a target: one file for each function of a set of equations. The columns of
+//! its arguments are separate states.
 
 mod names;
 
@@ -10,16 +11,18 @@ use crate::syntax::{Comments, Syntax, WIDTH, Writer, constant};
 use std::fmt::Write;
 use tripos_derive::plain::{one_line, visible};
 
-/// Most bytes of the name of a function in MATLAB.
+/// Largest number of bytes in the name of a MATLAB function.
 const LONGEST: usize = 63;
 
-/// Bytes of the longest name of a function, with the underscore before it.
+/// Number of bytes reserved for the longest name of a planned function, with the underscore before
+/// it.
 const LONGEST_FUNCTION: usize = 24;
 
-/// Largest residual of a constraint that counts as rounding, over the sizes of its terms.
+/// Largest residual of a satisfied constraint, relative to the sizes of its terms. A larger
+/// residual makes the projected state NaN.
 const CLOSED: &str = "1e-12";
 
-/// The language of MATLAB and Octave.
+/// MATLAB and Octave as a language for formulas and as a target for modules.
 pub struct Matlab;
 
 impl Syntax for Matlab {
@@ -56,7 +59,7 @@ impl Syntax for Matlab {
     }
 
     fn declare(&self, out: &mut String, indent: &str, list: &[(String, String)]) {
-        // Short ones share lines.
+        // Short assignments share a line.
         let mut lines: Vec<String> = Vec::new();
         for (name, value) in list {
             let text = format!("{name} = {value};");
@@ -121,7 +124,8 @@ impl Dialect for Matlab {
     }
 }
 
-/// Beginning of the names of a module's functions. It is so short that MATLAB cuts none of these names.
+/// Returns the beginning of the names of a module's functions. A long beginning is cut and ends in
+/// a hash, so that no name is too long for MATLAB.
 fn stem(model: &str, equations: &str) -> String {
     let stem = format!("{model}_{equations}");
     let room = LONGEST - LONGEST_FUNCTION;
@@ -133,15 +137,15 @@ fn stem(model: &str, equations: &str) -> String {
     format!("{}_{hash:08x}", &stem[..room - 9])
 }
 
-/// String literal for a text.
+/// Returns the MATLAB string literal for a text.
 fn string(text: &str) -> String {
     format!("'{}'", visible(&one_line(text)).replace('\'', "''"))
 }
 
-/// Writer with the first line of a function file and its comments.
+/// Starts a function file: the origin, the first line with the signature, and comments.
 fn opened(module: &Module<'_>, signature: &str, comments: &[&str]) -> Writer<'static> {
     let mut writer = Writer::new(&Matlab, Comments::Written);
-    // The origin comes first, where it is found again; a function file may begin with comments.
+    // The origin comes first, so that programs find it. A function file may begin with comments.
     writer.origin(module.origin);
     writer.raw(&format!("function {signature}"));
     for text in comments {
@@ -153,6 +157,7 @@ fn opened(module: &Module<'_>, signature: &str, comments: &[&str]) -> Writer<'st
     writer
 }
 
+/// Returns the text of the function file that gives the values, names and units of the parameters.
 fn parameters(module: &Module<'_>, stem: &str) -> String {
     let about =
         "Parameters in their order, with the values of the model file (NaN where it states none), names and units.";
@@ -180,13 +185,14 @@ fn parameters(module: &Module<'_>, stem: &str) -> String {
     closed(writer)
 }
 
-/// Text of a function file, ended.
+/// Ends a function file and returns its text.
 fn closed(mut writer: Writer<'_>) -> String {
     writer.indent("");
     writer.raw("end");
     writer.out
 }
 
+/// Returns the text of the file of a planned function.
 fn function(module: &Module<'_>, stem: &str, planned: &Function) -> String {
     let names: Vec<&str> = planned.arguments.iter().map(Argument::name).collect();
     let is_pair = planned.returns.first().is_some();
@@ -230,7 +236,7 @@ fn function(module: &Module<'_>, stem: &str, planned: &Function) -> String {
     closed(writer)
 }
 
-/// Text of a function that calls planned ones.
+/// Returns the text of the file of a function that calls planned functions.
 fn composed(module: &Module<'_>, stem: &str, composite: Composite) -> String {
     let (v, e) = (module.variables_argument(), module.equations());
     let n = e.coordinates.len();
@@ -288,7 +294,7 @@ fn composed(module: &Module<'_>, stem: &str, composite: Composite) -> String {
     closed(writer)
 }
 
-/// Text of the script that runs a scene by `ode45`, and draws the states.
+/// Returns the text of the script that runs a scene by `ode45` and draws the states.
 fn script(module: &Module<'_>, stem: &str, run: &SceneRun) -> String {
     let mut writer = Writer::new(&Matlab, Comments::Written);
     writer.origin(module.origin);

@@ -1,11 +1,12 @@
-//! Names that no variable of generated MATLAB code can have.
+//! Names of MATLAB variables: reserved words and names that generated code cannot use.
 
 use crate::plan::Language;
 
-/// The language of MATLAB and Octave, with the names that generated functions use for other purposes.
+/// Rules for names of MATLAB and Octave variables, at most 63 bytes long.
 pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE, longest: 63 };
 
-/// Names of arguments and of functions that generated functions call; a variable would hide the function.
+/// Names of arguments and of called functions, which no variable may have: a variable would hide
+/// the function.
 const IN_SCOPE: [&str; 50] = [
     "p", "q", "u", "q_dot", "v_dot", "r", "t", "x", "out", "out_2", "N", "state", "pi", "NaN", "Inf", "i", "j", "e",
     "eps", "sin", "cos", "sqrt", "exp", "log", "asin", "acos", "atan", "sinh", "cosh", "tanh", "abs", "sign", "zeros",
@@ -13,7 +14,7 @@ const IN_SCOPE: [&str; 50] = [
     "units", "matrix",
 ];
 
-/// Reserved words of MATLAB and Octave.
+/// Reserved words of MATLAB and Octave, which cannot name variables.
 const WORDS: [&str; 51] = [
     "break",
     "case",

@@ -1,5 +1,5 @@
-//! Python: one module for each set of equations, over any array library with the interface of NumPy, and one module of
-//! helpers.
+//! Python as a target: one module for each set of equations, and one module of helpers. The arrays
+//! can be those of any library with the interface of NumPy.
 
 pub(super) mod names;
 pub(super) mod text;
@@ -10,13 +10,14 @@ use crate::plan::{Entry, Function, Language, Returns};
 use crate::syntax::{Comments, Syntax, Writer};
 use text::{array_of_entries, assign, docstring, float, names_and_values, value};
 
-/// Text of the module of helpers.
+/// Text of the Python module of helpers, `tripos_arrays.py`.
 const SHARED: &str = include_str!("tripos_arrays.py");
 
-/// Name of the module of helpers.
+/// Name of the Python module of helpers, without extension.
 const ARRAYS: &str = "tripos_arrays";
 
-/// The language Python, with arrays of the namespace `xp`.
+/// Python as a language for formulas and as a target. Generated functions take the array library as
+/// the argument `xp`.
 pub struct Python;
 
 impl Syntax for Python {
@@ -96,6 +97,8 @@ impl Dialect for Python {
     }
 }
 
+/// Returns the text of the Python module for one set of equations: names, default values and
+/// functions.
 fn module_text(module: &Module<'_>) -> String {
     let mut writer = Writer::new(&Python, Comments::Written);
     let usage = "Functions take parameters p, coordinates q and motion variables: arrays of shape (n,), or (n, N) for N states \
@@ -113,6 +116,7 @@ fn module_text(module: &Module<'_>) -> String {
     writer.out
 }
 
+/// Writes the Python definition of a planned function, with arrays as results.
 fn function(writer: &mut Writer<'_>, planned: &Function) {
     let arguments: Vec<&str> = planned.arguments.iter().map(crate::plan::Argument::name).collect();
     writer.raw("\n");
@@ -154,7 +158,8 @@ fn function(writer: &mut Writer<'_>, planned: &Function) {
     writer.indent("");
 }
 
-/// Writes a function that calls planned ones.
+/// Writes a Python function that calls planned functions: a linear solve, the state derivative, or
+/// a projection onto constraints.
 fn composed(writer: &mut Writer<'_>, module: &Module<'_>, composite: Composite) {
     let (v, e) = (module.variables_argument(), module.equations());
     let n = e.coordinates.len();
@@ -183,7 +188,8 @@ fn composed(writer: &mut Writer<'_>, module: &Module<'_>, composite: Composite) 
     writer.raw(&body);
 }
 
-/// Text of the script that runs a scene by SciPy, prints the last state, and draws the states if Matplotlib is there.
+/// Returns the text of the script that runs a scene by SciPy, prints the last state, and draws the
+/// states if Matplotlib is installed.
 fn script(module: &Module<'_>, run: &SceneRun) -> String {
     let mut writer = Writer::new(&Python, Comments::Written);
     let stem = format!("{}_{}", module.model_word, module.equations_word);

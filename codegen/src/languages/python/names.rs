@@ -1,15 +1,16 @@
-//! Names that no variable of generated Python code can have.
+//! Names of Python variables: reserved words and names that generated code cannot use.
 
 use crate::plan::Language;
 
-/// The language Python, with the names that generated functions use for other purposes.
+/// Rules for names of Python variables in generated code.
 pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE, longest: usize::MAX };
 
-/// Names of arguments, modules and working variables of generated functions.
+/// Names of arguments, modules and working variables of generated functions, which no variable may
+/// have.
 const IN_SCOPE: [&str; 15] =
     ["p", "q", "u", "q_dot", "v_dot", "r", "t", "x", "xp", "shape", "first", "second", "numpy", "casadi", "_arrays"];
 
-/// Reserved words of the language.
+/// Reserved words of Python, and `print`.
 const WORDS: [&str; 39] = [
     "False", "None", "True", "and", "as", "assert", "async", "await", "break", "case", "class", "continue", "def",
     "del", "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "match",

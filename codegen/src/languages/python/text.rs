@@ -1,4 +1,4 @@
-//! Text that Python modules have in common: comments, docstrings, literals and broken lines.
+//! Texts in Python modules: comments, docstrings, literals and broken lines.
 
 use super::super::Module;
 use crate::lines::wrap;
@@ -7,15 +7,18 @@ use std::fmt::Write;
 use tripos_derive::algebra::Rational;
 use tripos_derive::plain::{one_line, visible};
 
-/// Most digits of a whole number that is written without a decimal point.
+/// Largest number of digits of a whole number that is written as a Python integer. A longer number
+/// is written as a float.
 const MOST_DIGITS: usize = 15;
 
-/// Text of a comment. No comment is a declaration of an encoding, which Python would obey in the first two lines.
+/// Makes a text safe in a Python comment. The comment cannot declare an encoding, which Python
+/// would obey in the first two lines.
 pub fn harmless(text: &str) -> String {
     visible(&one_line(text)).replace("coding:", "coding :").replace("coding=", "coding =")
 }
 
-/// String literal for a text, with firm spaces.
+/// Returns the Python string literal for a text. Its spaces are replaced by a mark at which no line
+/// is broken.
 pub fn string(text: &str) -> String {
     let mut out = String::from("\"");
     for c in visible(text).chars() {
@@ -29,7 +32,7 @@ pub fn string(text: &str) -> String {
     firm(&out)
 }
 
-/// Docstring with this text, broken into lines.
+/// Returns a Python docstring with this text, broken into lines.
 pub fn docstring(text: &str) -> String {
     let lines: Vec<String> = text.split('\n').flat_map(|line| wrap(&visible(line), WIDTH - 10)).collect();
     let escaped = lines.join("\n").replace('\\', "\\\\").replace('"', "\\\"");
@@ -40,7 +43,8 @@ pub fn docstring(text: &str) -> String {
     }
 }
 
-/// Literal of a whole number; a decimal one if it is long, since long integers are not of machine size.
+/// Returns the Python literal of a whole number. A long number becomes a float, because arrays
+/// cannot hold long integers.
 pub fn float(digits: &str) -> String {
     if digits.len() <= MOST_DIGITS {
         return digits.to_owned();
@@ -49,14 +53,15 @@ pub fn float(digits: &str) -> String {
     if value.is_finite() { format!("{value:?}") } else { "1e999".to_owned() }
 }
 
-/// Writes the assignment of values to several variables at once.
+/// Writes one Python statement that assigns values to several variables.
 pub fn declare(out: &mut String, indent: &str, list: &[(String, String)]) {
     let names: Vec<&str> = list.iter().map(|(name, _)| name.as_str()).collect();
     let values: Vec<&str> = list.iter().map(|(_, value)| value.as_str()).collect();
     assign(out, indent, &names, &values.join(", "));
 }
 
-/// Writes the assignment of an expression to variables; many names get lines of their own.
+/// Writes a Python statement that assigns an expression to variables. A long list of names gets
+/// lines of its own.
 pub fn assign(out: &mut String, indent: &str, names: &[&str], expression: &str) {
     let list = names.join(", ");
     let is_long = indent.len() + list.len() + 3 + expression.len() > WIDTH;
@@ -71,7 +76,8 @@ pub fn assign(out: &mut String, indent: &str, names: &[&str], expression: &str) 
     }
 }
 
-/// Writes an expression after the beginning of its statement, in parentheses if it needs several lines.
+/// Writes a statement that begins with `beginning` and ends with an expression, in parentheses if
+/// it needs several lines.
 pub fn value(out: &mut String, indent: &str, beginning: &str, expression: &str) {
     if indent.len() + beginning.len() + expression.len() <= WIDTH {
         let _ = writeln!(out, "{indent}{beginning}{expression}");
@@ -82,13 +88,14 @@ pub fn value(out: &mut String, indent: &str, beginning: &str, expression: &str) 
     let _ = writeln!(out, "{indent})");
 }
 
+/// Writes a text in lines of limited width, indented by four more spaces.
 fn block(out: &mut String, indent: &str, text: &str) {
     for part in wrap(text, WIDTH - indent.len() - 4) {
         let _ = writeln!(out, "{indent}    {part}");
     }
 }
 
-/// Writes a list of entries between an opening and an ending, on as many lines as it needs.
+/// Writes a list of entries between an opening and an ending bracket, on as many lines as it needs.
 pub fn array_of_entries(writer: &mut Writer<'_>, opening: &str, entries: &[String], ending: &str) {
     let list = entries.join(", ");
     let soft = |text: &str| text.replace(FIRM_SPACE, " ");
@@ -103,8 +110,8 @@ pub fn array_of_entries(writer: &mut Writer<'_>, opening: &str, entries: &[Strin
     writer.raw(ending);
 }
 
-/// Writes the names of a module and the values that the model file states. `missing` is the value of a parameter
-/// without one.
+/// Writes the names and default values of a module as Python lists. `missing` is the text for a
+/// parameter whose value the model file does not state.
 pub fn names_and_values(writer: &mut Writer<'_>, module: &Module<'_>, missing: &str) {
     let (model, e) = (module.model(), module.equations());
     let list = |writer: &mut Writer<'_>, name: &str, entries: &[String]| {

@@ -1,4 +1,5 @@
-//! Statements of a generated function `taylor`: order 0, order 1, and the loop over the higher orders.
+//! Statements of the generated function `taylor`: coefficients of order 0, of order 1, and the loop
+//! over higher orders.
 
 use super::Text;
 use crate::plan::Explanation;
@@ -9,25 +10,28 @@ use quote::{format_ident, quote};
 use rustc_hash::FxHashMap;
 use tripos_derive::algebra::{Expr, Function as Elementary};
 
-/// Order of the coefficients that a line of a generated function `taylor` computes.
+/// Order of the coefficients that a generated statement computes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Stage {
-    /// Order 1, at which no convolution has inner terms.
+    /// Order 1, at which the convolutions have no inner terms.
     One,
-    /// Order k, above 1.
+    /// Any order k greater than 1.
     Later,
 }
 
-/// Factors of a convolution Σ a_j b_{k−j}, as indices of series.
+/// Factors a and b of a convolution Σ a_j b_{k−j}, as indices of series.
 struct Factors {
+    /// Index of the series a, the left factor of the convolution.
     left: usize,
+    /// Index of the series b, the right factor of the convolution.
     right: usize,
-    /// True if j times the left coefficient j is a factor.
+    /// True if each product also has the factor j, as in Σ j a_j b_{k−j}.
     weighted: bool,
 }
 
 impl Text<'_> {
-    /// Sum Σ weight · value + constant. Values that are computed late are added late.
+    /// Returns the expression Σ weight · value + constant. Values that are computed late are added
+    /// late, which shortens waiting.
     fn linear(
         &self,
         constant: Option<Expr>,
@@ -57,7 +61,8 @@ impl Text<'_> {
         sum.unwrap_or_else(|| quote!(S::int(0)))
     }
 
-    /// Statements that compute all series at order 0, and the inverses that higher orders need.
+    /// Returns the statements that compute all coefficients of order 0, and the reciprocals that
+    /// higher orders need.
     pub(super) fn start(&self) -> TokenStream {
         let mut tokens = comment("Order 0.");
         let mut angles: Vec<usize> = Vec::new();
@@ -113,7 +118,8 @@ impl Text<'_> {
         tokens
     }
 
-    /// Statement that computes the sine and the cosine of an angle at order 0.
+    /// Returns the statement that computes the sine and cosine of an angle at order 0. Adds the
+    /// angle to `angles`, those already done.
     fn circle(&self, of: usize, angles: &mut Vec<usize>) -> TokenStream {
         angles.push(of);
         let place = |f: Elementary| {
@@ -129,7 +135,7 @@ impl Text<'_> {
         quote!(let (#sine, #cosine) = #angle.sin_cos();)
     }
 
-    /// Statements that compute order 1, and the loop over the higher orders.
+    /// Returns the statements that compute order 1, and the loop over the higher orders.
     pub(super) fn orders(&self) -> TokenStream {
         let list = self.plan.list;
         let mut rates = [TokenStream::new(), TokenStream::new(), TokenStream::new()];
@@ -193,7 +199,7 @@ impl Text<'_> {
         }
     }
 
-    /// Factors of the convolution of a series; `None` for a series without convolution.
+    /// Returns the factors of the convolution of a series; `None` for a series without convolution.
     fn factors(&self, at: usize) -> Option<Factors> {
         let (left, right, weighted) = match self.plan.list.series[at].rule {
             Rule::Product(x, y) => (x, y, false),
@@ -206,8 +212,9 @@ impl Text<'_> {
         Some(Factors { left, right, weighted })
     }
 
-    /// Code that keeps the history of an order, in four places: the start of the first sums, the sums of the next
-    /// order, the factors of the convolutions, and the coefficients that the next order reads.
+    /// Returns four pieces of code for the convolutions: the start before the loop, and three for
+    /// each order. These three compute the sums, store the factors, and store coefficients for the
+    /// next order.
     fn history(&self) -> [TokenStream; 4] {
         if self.plan.slots.is_empty() {
             return Default::default();
@@ -278,8 +285,8 @@ impl Text<'_> {
         ]
     }
 
-    /// Convolution of a series at an odd order k: the prepared sum plus the terms with coefficients of orders 1 and k −
-    /// 1.
+    /// Returns the convolution of a series at an odd order k: the prepared sum plus the terms with
+    /// coefficients of orders 1 and k − 1.
     fn ends(&self, at: usize) -> TokenStream {
         let Some(Factors { left, right, weighted }) = self.factors(at) else { return TokenStream::new() };
         let slot = Literal::usize_unsuffixed(self.plan.slots[&at]);
@@ -292,7 +299,7 @@ impl Text<'_> {
         quote!(#left_1.mul_add(#right_last, #left_last.mul_add(#right_1, next[#slot])))
     }
 
-    /// Statement that computes the coefficient of one series at order 1 or at order k.
+    /// Returns the statement that computes the coefficient of a series at order 1 or at order k.
     fn coefficient(&self, at: usize, stage: Stage) -> TokenStream {
         let name = |x: usize| if stage == Stage::One { self.at_one(x) } else { self.now(x) };
         let z = name(at);
@@ -349,6 +356,7 @@ impl Text<'_> {
     }
 }
 
+/// Returns the entries of a map in ascending order of their keys.
 fn sorted(map: &FxHashMap<usize, String>) -> Vec<(&usize, &String)> {
     let mut list: Vec<_> = map.iter().collect();
     list.sort();

@@ -1,4 +1,4 @@
-//! Generated function `taylor`: one line for each series at order 0, and one line for its coefficient of order k.
+//! Generated Rust function `taylor`, which computes the Taylor coefficients of a motion in time.
 
 mod lines;
 
@@ -11,16 +11,17 @@ use rustc_hash::FxHashMap;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::text::view::view;
 
-/// File that has the text of the function `taylor`.
+/// Place of the text of the function `taylor`, as seen from a file that uses it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum TaylorText {
-    /// The text is in the file itself.
+    /// The file itself contains the text.
     Here,
-    /// Another file has the same text.
+    /// Another file contains the text, and this file imports the function.
     Elsewhere,
 }
 
-/// Items `use` of a file with the function `taylor`; only those of its `System` if the function is in another file.
+/// Returns the `use` items that a file with the function `taylor` needs. If the text is in another
+/// file, only the items for its `System` remain.
 pub fn imports(plan: &TaylorPlan<'_>, text: TaylorText) -> TokenStream {
     match plan.list.convolutions() {
         _ if text == TaylorText::Elsewhere => quote!(
@@ -38,7 +39,7 @@ pub fn imports(plan: &TaylorPlan<'_>, text: TaylorText) -> TokenStream {
     }
 }
 
-/// Rust function `taylor` that computes the coefficients. It gets its parameters in this struct.
+/// Returns the Rust function `taylor`. It receives the parameters in the struct `parameters`.
 pub fn function(plan: &TaylorPlan<'_>, parameters: &Parameters) -> TokenStream {
     let (list, text) = (plan.list, Text { plan });
     let (p, unpack_p) = (signature(&plan.parameters, parameters), unpack(&plan.parameters, parameters));
@@ -68,43 +69,43 @@ pub fn function(plan: &TaylorPlan<'_>, parameters: &Parameters) -> TokenStream {
     }
 }
 
-/// Text of a function `taylor`: the variables of its plan as tokens.
+/// Writer of the text of a function `taylor`, by the names in its plan.
 struct Text<'a> {
     plan: &'a TaylorPlan<'a>,
 }
 
 impl Text<'_> {
-    /// Variable of a series' coefficient of order 0.
+    /// Returns the variable of a series' coefficient of order 0.
     fn first(&self, at: usize) -> TokenStream {
         ident(&format!("{}_0", self.plan.names[at]))
     }
 
-    /// Variable of a series' coefficient of order 1.
+    /// Returns the variable of a series' coefficient of order 1.
     fn at_one(&self, at: usize) -> TokenStream {
         ident(&format!("{}_1", self.plan.names[at]))
     }
 
-    /// Variable of a series' coefficient of order k − 1.
+    /// Returns the variable of a series' coefficient of order k − 1.
     fn last(&self, at: usize) -> TokenStream {
         ident(&format!("{}_last", self.plan.names[at]))
     }
 
-    /// Variable of a series' coefficient of order k.
+    /// Returns the variable of a series' coefficient of order k.
     fn now(&self, at: usize) -> TokenStream {
         ident(&self.plan.names[at])
     }
 
-    /// Variable of the inverse of a series at order 0.
+    /// Returns the variable of the reciprocal of a series' coefficient of order 0.
     fn over(&self, at: usize) -> TokenStream {
         ident(&self.plan.over[&at])
     }
 
-    /// Variable of 1/(2 z) for a root z at order 0.
+    /// Returns the variable of 1/(2 z), where z is the coefficient of order 0 of a square root.
     fn over_twice(&self, at: usize) -> TokenStream {
         ident(&self.plan.over_twice[&at])
     }
 
-    /// Expression for a weight: its variable, or a number.
+    /// Returns the expression for a constant factor: its variable, or a number.
     fn weight(&self, e: Expr) -> TokenStream {
         match self.plan.weights.get(&e).or_else(|| self.plan.variables.of.get(&e)) {
             Some(name) => ident(name),

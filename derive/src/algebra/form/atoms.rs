@@ -1,22 +1,27 @@
-//! Sums of symbols that simplification treats as atoms: a sum of masses is as good as one mass.
+//! Atoms of simplification: sums of symbols that are treated like single symbols, such as a sum of
+//! masses.
 //!
-//! Expanding (m₁ + … + m₂₀) l₁ l₂ cos q to twenty terms and factoring them again gains nothing. It could gain only if
-//! two sums have the same cofactor, as in (a + b) x − a x. So sums of symbols are treated as atoms first. If the
-//! polynomial in these atoms shows such a case, they are expanded after all.
+//! Expanding (m₁ + … + m₂₀) l₁ l₂ cos q to twenty terms and factoring them again gains nothing. It
+//! could gain only if two sums have the same cofactor, as in (a + b) x − a x.
+//! So sums of symbols are treated as atoms first. If the polynomial in these atoms shows such a
+//! cofactor, they are expanded after all.
 
 use super::polynomial::{Monomial, Polynomial};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Sums of symbols that are treated as atoms, and the symbols in them.
+/// Sums of symbols that simplification treats as atoms.
 #[derive(Default)]
 pub struct SumAtoms {
+    /// Sums of symbols that simplification treats as single atoms.
     sums: FxHashSet<Expr>,
+    /// Symbols that occur in the sums treated as atoms.
     symbols: FxHashSet<Expr>,
 }
 
 impl SumAtoms {
-    /// Finds the sums of symbols that are factors with positive exponents in the products among `parts`.
+    /// Finds the sums of symbols that are factors with positive exponents in the products among the
+    /// terms `parts`.
     pub fn new(arena: &Arena, parts: &[Expr]) -> Self {
         let mut found = Self::default();
         for part in parts {
@@ -34,18 +39,19 @@ impl SumAtoms {
         found
     }
 
-    /// True if there are no sums of symbols.
+    /// True if no sum of symbols was found.
     pub fn is_empty(&self) -> bool {
         self.sums.is_empty()
     }
 
-    /// True if the term `e` is one of the sums of symbols.
+    /// True if the term `e` is a sum of symbols that is treated as an atom.
     pub fn contains(&self, e: Expr) -> bool {
         self.sums.contains(&e)
     }
 
-    /// True if expanding the sums cannot shorten the polynomial: any two of its terms that differ in the sums or their
-    /// symbols differ in other atoms too. Sines and cosines do not count as other atoms, since they are related.
+    /// True if expanding the sums cannot shorten the polynomial. This holds if any two of its terms
+    /// that differ in the sums or their symbols differ in other atoms too. Sines and cosines do not
+    /// count as other atoms, since they are related.
     pub fn stay_apart(&self, arena: &Arena, polynomial: &Polynomial) -> bool {
         let mut seen: FxHashMap<Monomial, Monomial> = FxHashMap::default();
         polynomial.terms.keys().all(|monomial| {
@@ -62,13 +68,13 @@ impl SumAtoms {
     }
 }
 
-/// True if an atom is a sine or a cosine.
+/// True if the term `e` is a sine or a cosine.
 pub fn is_circular(arena: &Arena, e: Expr) -> bool {
     matches!(arena.node(e), Node::Apply(Function::Sin | Function::Cos, _))
 }
 
-/// True if any two terms of a polynomial differ in more than sines and cosines, and no term divides by a sine or
-/// cosine. Then no trigonometric identity can join two terms.
+/// True if any two terms of the polynomial differ in more than sines and cosines, and no term
+/// divides by a sine or cosine. Then no trigonometric identity can combine two terms.
 pub fn differ_beside_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
     let mut seen: FxHashSet<Monomial> = FxHashSet::default();
     polynomial.terms.keys().all(|monomial| {
@@ -78,8 +84,9 @@ pub fn differ_beside_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
     })
 }
 
-/// True if `e` is a number times a product of symbols, sums of symbols, and sines and cosines of these, without
-/// divisors. Such a product is as short as it can be.
+/// True if `e` is a number times a product without divisors. The factors are symbols, at most one
+/// sum of symbols, and sines and cosines of symbols or of sums of symbols. Such a product cannot be
+/// shortened.
 pub fn is_plain_product(arena: &Arena, e: Expr) -> bool {
     let symbol = |e: Expr| arena.symbol_name(e).is_some();
     let sum_of_symbols = |e: Expr| match arena.node(e) {
@@ -88,7 +95,7 @@ pub fn is_plain_product(arena: &Arena, e: Expr) -> bool {
     };
     let is_plain = |e: Expr| match arena.node(e) {
         Node::Apply(Function::Sin | Function::Cos, argument) => match arena.node(*argument) {
-            // sin 2q may be shorter as a product.
+            // sin 2q may be shorter as a product, 2 sin q cos q.
             Node::Sum(_, terms) => terms.len() > 1 && sum_of_symbols(*argument),
             _ => symbol(*argument),
         },
@@ -109,7 +116,7 @@ pub fn is_plain_product(arena: &Arena, e: Expr) -> bool {
     }
 }
 
-/// Polynomial that consists of the single atom `e`.
+/// Creates the polynomial that consists of the single atom `e`.
 pub fn atom(e: Expr) -> Polynomial {
     Polynomial::monomial(vec![(e, 1)], &Rational::ONE)
 }

@@ -1,34 +1,36 @@
-//! Fractions of polynomials of a [`Ring`], over factored denominators.
+//! Fractions of polynomials of a [`Ring`], with factored denominators.
 //!
-//! Invariants: the denominator is a product of primitive polynomials that are not constant and do not divide the
-//! numerator. Some of them are single generators. A fraction is zero by meaning iff its numerator is. Two equal
-//! fractions may still have different denominators, since factors are found by trial and not by factorization.
+//! Invariants: the denominator is a product of primitive polynomials (integer coefficients without
+//! a common factor). They are not constant and do not divide the numerator. Some of them are single
+//! generators.
+//! A fraction is identically zero exactly if its numerator is zero. Two equal fractions may still
+//! have different denominators, since factors are found by trial division and not by factorization.
 
 use super::ring::{Poly, Ring};
 use crate::algebra::Rational;
 use std::rc::Rc;
 
-/// Fraction of polynomials, numerator / Π factor^exponent.
+/// Fraction of polynomials: numerator / Π factor^exponent.
 #[derive(Clone, PartialEq, Eq, Default)]
 pub struct Fraction {
-    /// Polynomial above the fraction bar.
+    /// Polynomial in the numerator of the fraction.
     pub numerator: Poly,
-    /// Factors of the denominator with their exponents, at least 1.
+    /// Factors of the denominator, as pairs (polynomial, exponent) with exponents of at least 1.
     pub denominator: Vec<(Poly, u32)>,
 }
 
 impl Fraction {
-    /// Fraction with this numerator and the denominator 1.
+    /// Creates the fraction with the given numerator and the denominator 1.
     pub fn whole(numerator: Poly) -> Self {
         Self { numerator, denominator: Vec::new() }
     }
 
-    /// True if the fraction is 0.
+    /// True if the fraction is 0: its numerator has no terms.
     pub fn is_zero(&self) -> bool {
         self.numerator.is_zero()
     }
 
-    /// Product of two fractions; `None` beyond the ring's budget.
+    /// Product of two fractions; `None` if the ring's budget of multiplications is used up.
     pub fn mul(&self, ring: &mut Ring, other: &Self) -> Option<Self> {
         let numerator = ring.mul(&self.numerator, &other.numerator)?;
         let mut denominator = self.denominator.clone();
@@ -40,13 +42,14 @@ impl Fraction {
         if whole { Some(product) } else { product.cancelled(ring) }
     }
 
-    /// Linear combination Σ k · fraction, over one common denominator; `None` beyond the ring's budget.
+    /// Linear combination Σ k · fraction over the pairs (fraction, k), with a common denominator.
+    /// `None` if the ring's budget of multiplications is used up.
     pub fn sum(ring: &mut Ring, parts: &[(&Self, Rational)]) -> Option<Self> {
         let common = common_denominator(parts.iter().map(|(part, _)| *part));
         if common.is_empty() {
             return Some(Self::whole(ring.sum(parts.iter().map(|(part, k)| (&part.numerator, k.clone())))?));
         }
-        // Parts over the same denominator are added first, so that few products are formed.
+        // Fractions with equal denominators are added first, so that few products are formed.
         let mut groups: Vec<Group<'_>> = Vec::new();
         for (part, k) in parts {
             match groups.iter_mut().find(|(denominator, _)| *denominator == part.denominator.as_slice()) {
@@ -63,7 +66,8 @@ impl Fraction {
         Self { numerator, denominator: common }.cancelled(ring)
     }
 
-    /// Power of the fraction; `None` beyond the ring's budget, or for a negative power of 0.
+    /// Power of the fraction with an exponent of either sign. `None` for a negative power of 0, or
+    /// if the ring's budget of multiplications is used up.
     pub fn pow(&self, ring: &mut Ring, n: i32) -> Option<Self> {
         let base = if n < 0 { self.inverse(ring)? } else { self.clone() };
         let n = n.unsigned_abs();
@@ -72,6 +76,8 @@ impl Fraction {
         Self { numerator, denominator }.cancelled(ring)
     }
 
+    /// Reciprocal of the fraction; `None` for 0, or if the ring's budget of multiplications is used
+    /// up.
     fn inverse(&self, ring: &mut Ring) -> Option<Self> {
         if self.is_zero() {
             return None;
@@ -101,8 +107,8 @@ impl Fraction {
         Self { numerator: numerator.scaled(&k), denominator }.cancelled(ring)
     }
 
-    /// Cancels common factors of numerator and denominator, as far as trial division finds them; `None` if the ring's
-    /// budget has ended.
+    /// Cancels common factors of numerator and denominator, as far as trial division finds them.
+    /// `None` if the ring's budget of multiplications is used up.
     fn cancelled(mut self, ring: &mut Ring) -> Option<Self> {
         if self.numerator.is_zero() {
             return Some(Self::default());
@@ -120,15 +126,17 @@ impl Fraction {
     }
 }
 
-/// Fractions with one denominator: the denominator, and the numerators with their coefficients.
+/// Fractions with equal denominators: the denominator, and pairs (numerator, coefficient).
 type Group<'a> = (&'a [(Poly, u32)], Vec<(&'a Poly, Rational)>);
 
-/// Numerators of fractions after all are brought over one common denominator; `None` beyond the ring's budget.
+/// Numerators of the given fractions over their common denominator, in the same order. `None` if
+/// the ring's budget of multiplications is used up.
 pub fn over_common_denominator(ring: &mut Ring, list: &[Rc<Fraction>]) -> Option<Vec<Poly>> {
     let common = common_denominator(list.iter().map(Rc::as_ref));
     list.iter().map(|part| raised(ring, &part.numerator, &part.denominator, &common)).collect()
 }
 
+/// Common denominator of fractions: each factor with its largest exponent.
 fn common_denominator<'a>(list: impl Iterator<Item = &'a Fraction>) -> Vec<(Poly, u32)> {
     let mut common: Vec<(Poly, u32)> = Vec::new();
     for (factor, n) in list.flat_map(|part| &part.denominator) {
@@ -140,7 +148,8 @@ fn common_denominator<'a>(list: impl Iterator<Item = &'a Fraction>) -> Vec<(Poly
     common
 }
 
-/// Numerator of a fraction over `common`, given its numerator over `denominator`; `None` beyond the ring's budget.
+/// Numerator of a fraction over the denominator `common`, given its numerator over `denominator`.
+/// `None` if the ring's budget of multiplications is used up.
 fn raised(ring: &mut Ring, numerator: &Poly, denominator: &[(Poly, u32)], common: &[(Poly, u32)]) -> Option<Poly> {
     let mut numerator = numerator.clone();
     for (factor, most) in common {
@@ -151,6 +160,7 @@ fn raised(ring: &mut Ring, numerator: &Poly, denominator: &[(Poly, u32)], common
     Some(numerator)
 }
 
+/// Multiplies a factored denominator by factor^n.
 fn add_factor(denominator: &mut Vec<(Poly, u32)>, factor: &Poly, n: u32) {
     match denominator.iter_mut().find(|(known, _)| known == factor) {
         Some((_, most)) => *most += n,

@@ -1,4 +1,4 @@
-//! Forms of terms: the normal form, and forms with fewer operations.
+//! Forms of terms: the normal form, forms with fewer operations, and readable forms.
 
 pub(super) mod atoms;
 pub(super) mod fraction;

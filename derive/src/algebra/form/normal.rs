@@ -1,9 +1,12 @@
-//! The normal form: fractions of polynomials over ℚ in symbols, sines and cosines of base angles, and roots.
+//! Normal form of terms: fractions of polynomials over ℚ in symbols, in sines and cosines of base
+//! angles, and in roots.
 //!
-//! Every angle is expanded to Σ k·atom. The base angle of an atom is the atom divided by the common denominator of its
-//! k. The addition theorems then give the sine and cosine of each angle in those of base angles. With sin² = 1 − cos²
-//! and √x² = x, no relation is left between the generators, unless roots or functions without rules occur. So a
-//! fraction is zero by meaning iff its numerator has no terms; [`Normalizer::zero`] says which case it is.
+//! Every angle is expanded to Σ k·atom. The base angle of an atom is the atom divided by the common
+//! denominator of its k. The addition theorems then give the sine and cosine of each angle in those
+//! of base angles.
+//! With sin² = 1 − cos² and √x² = x, no relation is left between the generators, unless roots or
+//! functions without rules occur. So a fraction is identically zero exactly if its numerator has no
+//! terms; [`Normalizer::zero`] says if this holds.
 
 use super::fraction::Fraction;
 use super::polynomial::{Monomial, Polynomial};
@@ -16,24 +19,28 @@ use num_integer::Integer;
 use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
-/// Answer of the normal form to the question whether an expression is zero.
+/// Answer of the normal form to the question if a term is identically zero.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Zero {
-    /// The expression is proved to be zero.
+    /// The term is proved to be identically zero.
     Yes,
-    /// The expression is proved not to be zero, since the generators are independent.
+    /// The term is proved not to be identically zero, since the generators of its normal form are
+    /// independent.
     No,
-    /// The normal form is not zero, but its roots or functions without rules may be related in unknown ways.
+    /// The normal form is not zero, but it has roots, exponentials or functions without rules,
+    /// which may be related in unknown ways.
     Unknown,
-    /// The expression has no normal form within the budget.
+    /// The term has no normal form within the budget, or it divides by zero.
     TooLarge,
 }
 
-/// Brings expressions to their normal form and remembers the forms that it has found.
+/// Converter of terms to their normal forms, which it remembers.
 pub struct Normalizer {
+    /// Polynomial ring in which all normal forms are written.
     ring: Ring,
+    /// Normal form of each term so far; `None` if the term has none within the budget.
     forms: FxHashMap<Expr, Option<Rc<Fraction>>>,
-    /// Divisor of each angle atom: the base angle is the atom divided by this number.
+    /// Divisor of each atom of angles: the base angle is the atom divided by this number.
     parts_of_turn: FxHashMap<Expr, i64>,
 }
 
@@ -44,16 +51,18 @@ impl Default for Normalizer {
 }
 
 impl Normalizer {
-    /// Largest number of multiplications of terms for one expression: about a second.
+    /// Largest number of multiplications of terms for one normal form; it takes about a second.
     pub const BUDGET: u64 = 2_000_000;
 
-    /// Creates a normalizer. The budget counts multiplications of terms in all its work.
+    /// Creates a normalizer. The budget is the number of multiplications of terms that are allowed
+    /// in all its work.
     #[must_use]
     pub fn new(budget: u64) -> Self {
         Self { ring: Ring::new(budget), forms: FxHashMap::default(), parts_of_turn: FxHashMap::default() }
     }
 
-    /// Sets the number of multiplications of terms that are still allowed.
+    /// Sets the number of multiplications of terms that are still allowed. A full ring is emptied
+    /// first.
     pub fn allow(&mut self, budget: u64) {
         if self.ring.size() == GENERATORS {
             self.ring = Ring::new(0);
@@ -65,7 +74,7 @@ impl Normalizer {
         self.ring.budget = budget;
     }
 
-    /// Tests if the expression `e` is zero by meaning.
+    /// Tests if the term `e` is identically zero, by its normal form.
     pub fn zero(&mut self, arena: &mut Arena, e: Expr) -> Zero {
         match self.fraction(arena, e) {
             None => Zero::TooLarge,
@@ -80,7 +89,8 @@ impl Normalizer {
         }
     }
 
-    /// Normal form of the expression `e`; `None` if it is too large, or divides by zero.
+    /// Normal form of the term `e`; `None` if it is too large for the budget, or if the term
+    /// divides by zero.
     pub fn fraction(&mut self, arena: &mut Arena, e: Expr) -> Option<Rc<Fraction>> {
         if let Some(done) = self.forms.get(&e) {
             return done.clone();
@@ -96,31 +106,34 @@ impl Normalizer {
         self.forms[&e].clone()
     }
 
-    /// Makes the base angles fine enough for all expressions of a list.
+    /// Divides the base angles until every angle in the listed terms is a whole multiple of them.
+    /// Then the normal forms of all terms are in the same ring.
     pub fn prepare(&mut self, arena: &Arena, list: &[Expr]) {
         let parts = arena.reachable(list);
         self.refine_angles(arena, &parts);
     }
 
-    /// Ring in which all normal forms so far are written.
+    /// Polynomial ring in which all normal forms found so far are written.
     pub fn ring(&mut self) -> &mut Ring {
         &mut self.ring
     }
 
-    /// Expression that a generator of the ring stands for.
+    /// Term that a generator (a variable of the ring, given by its number) stands for.
     #[must_use]
     pub fn expression_of(&self, generator: usize) -> Expr {
         self.ring.expression(generator)
     }
 
-    /// Numbers of the generators that depend on no symbols other than these.
+    /// Numbers of the generators (variables of the ring) that depend on no symbols other than
+    /// `symbols`.
     #[must_use]
     pub fn generators_in(&self, arena: &Arena, symbols: &[Expr]) -> Vec<usize> {
         let known = |e: &Expr| arena.symbol_name(*e).is_none() || symbols.contains(e);
         (0..self.ring.size()).filter(|at| arena.reachable(&[self.ring.expression(*at)]).iter().all(known)).collect()
     }
 
-    /// Makes base angles fine enough for the angles in `parts`. Normal forms over coarser base angles are forgotten.
+    /// Divides the base angles until every angle among the terms `parts` is a whole multiple of
+    /// them. If they change, all normal forms so far are dropped.
     fn refine_angles(&mut self, arena: &Arena, parts: &[Expr]) {
         let mut finer = false;
         for part in parts {
@@ -128,7 +141,8 @@ impl Normalizer {
                 for (atom, k) in angle_atoms(arena, *argument) {
                     let d = k.small().map_or(1, |(_, d)| d);
                     let known = self.parts_of_turn.get(&atom).copied().unwrap_or(1);
-                    // An angle divided beyond a machine word stays coarse; such a term has no normal form.
+                    // An angle whose divisor exceeds a machine word stays coarse; a term with it
+                    // has no normal form.
                     let common = (known / known.gcd(&d)).checked_mul(d).unwrap_or(known);
                     finer |= common != known;
                     self.parts_of_turn.insert(atom, common);
@@ -141,6 +155,8 @@ impl Normalizer {
         }
     }
 
+    /// Normal form of a term from the normal forms of its operands; `None` if it is too large or
+    /// divides by zero.
     fn one(&mut self, arena: &mut Arena, e: Expr) -> Option<Fraction> {
         match arena.node(e).clone() {
             Node::Number(value) => Some(Fraction::whole(Poly::constant(&value))),
@@ -177,7 +193,7 @@ impl Normalizer {
                     }
                     Node::Apply(..) => self.free(value),
                     _ => {
-                        // A value that resolved to a number or to a multiple of another function value.
+                        // The value is a number or a multiple of another function value.
                         let (content, rest) = arena.split_content(value);
                         let rest = if rest == Expr::ONE { None } else { Some(self.free(rest)?) };
                         let content = Fraction::whole(Poly::constant(&content));
@@ -188,12 +204,14 @@ impl Normalizer {
         }
     }
 
+    /// Normal form of a term that is an independent generator; `None` if the ring is full.
     fn free(&mut self, e: Expr) -> Option<Fraction> {
         let number = self.ring.generator(e, |_| Some(Square::Free))?;
         Some(Fraction::whole(Ring::variable(number)))
     }
 
-    /// Sine or cosine of the angle Σ k·atom, by the addition theorems; `None` if it is too large.
+    /// Normal form of the sine or cosine of the angle Σ k·atom, by the addition theorems; `None` if
+    /// it is too large.
     fn circular(&mut self, arena: &mut Arena, f: Function, argument: Expr) -> Option<Fraction> {
         let one = Poly::constant(&Rational::ONE);
         let mut total = (Poly::default(), one);
@@ -210,7 +228,8 @@ impl Normalizer {
         Some(Fraction::whole(if f == Function::Sin { total.0 } else { total.1 }))
     }
 
-    /// Angle as Σ k·atom with atoms that are products, so that equal angles have equal atoms.
+    /// Splits an angle into Σ k·atom with atoms that are products, so that equal angles have equal
+    /// atoms. `None` if the angle has no normal form.
     fn expanded_angle(&mut self, arena: &mut Arena, argument: Expr) -> Option<Vec<(Expr, Rational)>> {
         let atoms = angle_atoms(arena, argument);
         let plain = |e: &Expr| matches!(arena.node(*e), Node::Symbol(_) | Node::Number(_) | Node::Pi);
@@ -222,7 +241,7 @@ impl Normalizer {
         Some(angle_atoms(arena, expanded))
     }
 
-    /// (sin, cos) of n times a base angle.
+    /// Polynomials (sin, cos) of n times a base angle; `None` if they are too large.
     fn multiple(&mut self, arena: &mut Arena, base: Expr, n: i64) -> Option<(Poly, Poly)> {
         let (mut sine, mut cosine) = (arena.sin(base), arena.cos(base));
         let pi = arena.pi();
@@ -241,7 +260,8 @@ impl Normalizer {
         self.repeated(&unit, n)
     }
 
-    /// (sin, cos) of n times an angle, from its (sin, cos) `unit`.
+    /// Polynomials (sin, cos) of n times an angle, from the pair `unit` of the angle; `None` if
+    /// they are too large.
     fn repeated(&mut self, unit: &(Poly, Poly), n: i64) -> Option<(Poly, Poly)> {
         let mut result = (Poly::default(), Poly::constant(&Rational::ONE));
         for _ in 0..n.unsigned_abs() {
@@ -253,7 +273,8 @@ impl Normalizer {
         Some(result)
     }
 
-    /// Exact number as a polynomial in square roots; `None` if it is a fraction or too large.
+    /// Converts an exact number to a polynomial in square roots; `None` if it has a denominator or
+    /// is too large.
     fn whole(&mut self, arena: &mut Arena, e: Expr) -> Option<Poly> {
         for part in arena.reachable(&[e]) {
             if !self.forms.contains_key(&part) {
@@ -265,7 +286,8 @@ impl Normalizer {
         form.denominator.is_empty().then(|| form.numerator.clone())
     }
 
-    /// (sin, cos) of the sum of two angles.
+    /// Polynomials (sin, cos) of the sum of two angles, each given as (sin, cos); `None` if they
+    /// are too large.
     fn turned(&mut self, a: &(Poly, Poly), b: &(Poly, Poly)) -> Option<(Poly, Poly)> {
         let ring = &mut self.ring;
         let (sc, cs, cc, ss) =
@@ -275,7 +297,8 @@ impl Normalizer {
         Some((sine, cosine))
     }
 
-    /// Normal form as a term of the arena, with expanded numerator and denominator factors.
+    /// Converts a normal form to a term of the arena. The numerator and each factor of the
+    /// denominator are expanded.
     pub fn expression(&self, arena: &mut Arena, form: &Fraction) -> Expr {
         let above = self.polynomial(&form.numerator).expand(arena);
         let mut factors = vec![(above, 1)];
@@ -286,7 +309,7 @@ impl Normalizer {
         arena.try_product(&factors).expect("factors below are not zero")
     }
 
-    /// Polynomial of the ring as a polynomial with terms of the arena as atoms.
+    /// Converts a polynomial of the ring to a polynomial with terms of the arena as atoms.
     #[must_use]
     pub fn polynomial(&self, p: &Poly) -> Polynomial {
         let mut result = Polynomial::default();
@@ -302,7 +325,7 @@ impl Normalizer {
     }
 }
 
-/// sin and cos of π/12: √2 (√3 ∓ 1)/4.
+/// Exact sine and cosine of π/12: √2 (√3 ∓ 1)/4.
 fn twelfth_of_pi(arena: &mut Arena) -> (Expr, Expr) {
     let [two, three] = [2, 3].map(|n| arena.integer(n)).map(|n| arena.apply(Function::Sqrt, n));
     let quarter = arena.ratio(1, 4);

@@ -1,24 +1,28 @@
-//! Laurent polynomials over ℚ in arbitrary atoms: the working form of [`super::simplify`].
+//! Laurent polynomials over ℚ in arbitrary atoms: the form of terms in which [`super::simplify`]
+//! works.
 //!
-//! Invariant: no coefficient is zero; monomials are sorted by atom and have no zero exponents. These polynomials are
-//! separate from those of `ring`, whose generators are numbered and have known squares. Here every atom is independent
-//! and may have negative exponents.
+//! Invariant: no coefficient is zero; monomials are sorted by atom and have no zero exponents. An
+//! atom is any term that is not expanded, such as a symbol or a function value.
+//! These polynomials are separate from those of `ring`, whose generators are numbered and have
+//! known squares. Here every atom is independent and may have negative exponents.
 
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use std::collections::BTreeMap;
 
-/// Monomial Π atom^exponent, sorted by atom; the empty product is 1.
+/// Monomial Π atom^exponent as pairs (atom, exponent), sorted by atom. The empty list is 1;
+/// exponents may be negative.
 pub type Monomial = Vec<(Expr, i32)>;
 
-/// Laurent polynomial Σ coefficient · monomial.
+/// Laurent polynomial Σ coefficient · monomial with rational coefficients, in terms of the arena as
+/// atoms.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Polynomial {
-    /// Coefficients of the polynomial by monomial, none of them zero.
+    /// Rational coefficient of each monomial of the polynomial, never zero.
     pub terms: BTreeMap<Monomial, Rational>,
 }
 
 impl Polynomial {
-    /// Polynomial with the single term coefficient · monomial.
+    /// Creates the polynomial coefficient · monomial.
     #[must_use]
     pub fn monomial(monomial: Monomial, coefficient: &Rational) -> Self {
         let mut result = Self::default();
@@ -26,13 +30,13 @@ impl Polynomial {
         result
     }
 
-    /// Polynomial that is a constant.
+    /// Creates a constant polynomial.
     #[must_use]
     pub fn constant(value: &Rational) -> Self {
         Self::monomial(Vec::new(), value)
     }
 
-    /// Adds coefficient · monomial to the polynomial.
+    /// Adds the term coefficient · monomial to the polynomial.
     pub fn add_term(&mut self, monomial: Monomial, coefficient: &Rational) {
         if coefficient.is_zero() {
             return;
@@ -52,7 +56,7 @@ impl Polynomial {
         }
     }
 
-    /// Adds k · other to the polynomial.
+    /// Adds k · other to the polynomial, for a polynomial `other` and a number k.
     pub fn add_scaled(&mut self, other: &Self, k: &Rational) {
         for (monomial, coefficient) in &other.terms {
             self.add_term(monomial.clone(), &coefficient.mul(k));
@@ -74,8 +78,8 @@ impl Polynomial {
         Some(result)
     }
 
-    /// Power of the polynomial: n ≥ 0, or any n for a single term. `None` beyond `limit` terms or for a negative power
-    /// of a sum.
+    /// Power of the polynomial with the exponent n. A polynomial of several terms needs n ≥ 0.
+    /// `None` for a negative power of a sum, or if the result could have more than `limit` terms.
     #[must_use]
     pub fn pow(&self, n: i32, limit: usize) -> Option<Self> {
         if let (1, Some((monomial, k))) = (self.terms.len(), self.terms.first_key_value()) {
@@ -89,17 +93,18 @@ impl Polynomial {
         Some(result)
     }
 
-    /// The polynomial as an expression: the sum of its terms.
+    /// Converts the polynomial to an expression: the sum of its terms.
     pub fn expand(&self, arena: &mut Arena) -> Expr {
         let terms: Vec<_> = self.terms.iter().map(|(m, k)| (monomial_expr(arena, m), k.clone())).collect();
         arena.linear_combination(&terms)
     }
 
-    /// Replaces f^k for k ≥ 2 by (1 − g²)^⌊k/2⌋ · f^(k mod 2). `f` and `g` must be sine and cosine of one angle, in any
-    /// order. `None` beyond `limit` terms.
+    /// Replaces powers f^k, k ≥ 2, by (1 − g²)^⌊k/2⌋ · f^(k mod 2). `f` and `g` are the sine and
+    /// cosine of an angle, in either order. `None` if the result has more than `limit` terms.
     #[must_use]
     pub fn pythagoras(&self, f: Expr, g: Expr, limit: usize) -> Option<Self> {
-        // Each power becomes as many terms as half its exponent: high powers in many terms are left alone.
+        // A power becomes as many terms as half its exponent, so high powers in many terms are left
+        // alone.
         let halves = self.terms.keys().flatten().filter(|(e, _)| *e == f).map(|(_, n)| n.unsigned_abs() as usize / 2);
         if halves.sum::<usize>() > 10 * limit {
             return None;
@@ -126,19 +131,19 @@ impl Polynomial {
         Some(result)
     }
 
-    /// True if an atom has an exponent of 2 or more in some term.
+    /// True if the atom has an exponent of 2 or more in any term of the polynomial.
     #[must_use]
     pub fn has_square(&self, atom: Expr) -> bool {
         self.terms.keys().flatten().any(|(e, n)| *e == atom && *n >= 2)
     }
 
-    /// True if atom `a` or atom `b` has a negative exponent in some term.
+    /// True if atom `a` or atom `b` has a negative exponent in any term of the polynomial.
     #[must_use]
     pub fn divides_by(&self, a: Expr, b: Expr) -> bool {
         self.terms.keys().flatten().any(|(e, n)| (*e == a || *e == b) && *n < 0)
     }
 
-    /// Angles whose sine or cosine is among the atoms of the polynomial.
+    /// Angles whose sine or cosine is an atom of the polynomial, each once.
     #[must_use]
     pub fn angles(&self, arena: &Arena) -> Vec<Expr> {
         let mut angles: Vec<Expr> = self
@@ -156,7 +161,7 @@ impl Polynomial {
     }
 }
 
-/// Product of two monomials.
+/// Product of two monomials, each given as pairs (atom, exponent) sorted by atom.
 #[must_use]
 pub fn multiply(a: &[(Expr, i32)], b: &[(Expr, i32)]) -> Monomial {
     let mut result = Vec::with_capacity(a.len() + b.len());
@@ -184,7 +189,7 @@ pub fn multiply(a: &[(Expr, i32)], b: &[(Expr, i32)]) -> Monomial {
     result
 }
 
-/// A monomial as an expression.
+/// Converts a monomial to an expression.
 pub fn monomial_expr(arena: &mut Arena, monomial: &Monomial) -> Expr {
     arena.try_product(monomial).expect("atoms are not zero and exponents small")
 }

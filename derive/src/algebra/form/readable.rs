@@ -1,4 +1,4 @@
-//! Formulas for readers: named terms are written out where the whole stays short.
+//! Readable formulas: named terms are written out where the whole formula stays short.
 
 use super::simplify::Simplifier;
 use crate::algebra::term::calculus::without_names;
@@ -6,14 +6,14 @@ use crate::algebra::text::print::length;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 
-/// Most nodes of a formula that is written out, some ten lines of text.
+/// Largest number of nodes of a formula that is written out; it makes some ten lines of text.
 const MOST_READ: usize = 250;
 
-/// Most nodes of a formula that is simplified in the hope of a short one.
+/// Largest number of nodes of a written-out formula for which simplification is tried.
 const MOST_SIMPLIFIED: usize = 5_000;
 
-/// The formula with its named terms written out and simplified, if it then has at most some ten lines; else `e` itself.
-/// The result is proved equal to `e` modulo primes.
+/// Writes out the named terms of the formula `e` and simplifies it. Returns `e` itself if the
+/// result exceeds some ten lines. The result is proved equal to `e` modulo random primes.
 pub fn readable(arena: &mut Arena, simplifier: &mut Simplifier, e: Expr) -> Expr {
     let whole = without_names(arena, e);
     if whole == e || length(arena, whole) > MOST_SIMPLIFIED {

@@ -1,40 +1,44 @@
-//! Polynomials over ℚ in numbered generators, modulo the squares of sines and square roots.
+//! Polynomial ring over ℚ in numbered generators, modulo the known squares of sines and square
+//! roots.
 //!
-//! Invariant of every [`Poly`] of a [`Ring`]: terms stand in falling lexicographic order, no coefficient is zero, and
-//! no generator that has a known square (sin² = 1 − cos², √x² = x) stands with an exponent above 1.
-//! Over such a ring a polynomial is zero by meaning iff it has no terms, as long as the generators
-//! are otherwise independent; [`super::normal`] says when they are.
+//! Invariant of every [`Poly`] of a [`Ring`]: terms are in descending lexicographic order, and no
+//! coefficient is zero. A generator with a known square (sin² = 1 − cos², √x² = x) has no exponent
+//! above 1.
+//! In such a ring a polynomial is identically zero exactly if it has no terms, as long as the
+//! generators are otherwise independent. [`super::normal`] says when they are.
 //!
-//! These polynomials are separate from those of `polynomial`. Falling order and reduction by squares make forms normal
-//! and division exact, at a cost that [`super::simplify`] need not pay.
+//! These polynomials are separate from those of `polynomial`. Descending order and reduction by
+//! squares make forms normal and division exact, at a cost that [`super::simplify`] need not pay.
 //!
-//! Work is counted, not timed: after [`Ring::budget`] multiplications of terms the result is `None`, on every machine
-//! alike. Absent on purpose: greatest common divisors. Fractions cancel by trial division, which is exact here, and a
-//! zero test needs no more.
+//! Work is counted, not timed: after [`Ring::budget`] multiplications of terms the result is
+//! `None`, on every machine alike.
+//! Absent on purpose: greatest common divisors. Fractions cancel by trial division, which is exact
+//! here, and a zero test needs no more.
 
 use crate::algebra::{Expr, Rational};
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 
-/// Largest number of generators of a ring.
+/// Largest number of generators (variables) that a ring may have.
 pub const GENERATORS: usize = 64;
-/// Largest number of terms of a square root that is looked for.
+/// Largest number of terms of a polynomial that is searched as a square root.
 const MOST_ROOT_TERMS: usize = 60;
 
-/// Exponents of a monomial, one for each generator of the ring. They compare lexicographically, which is a monomial
-/// order.
+/// Exponents of a monomial, one for each generator (a variable of the polynomial ring). Their
+/// lexicographic order is a monomial order.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Powers([u8; GENERATORS]);
 
 impl Powers {
-    /// The monomial 1: all exponents are 0.
+    /// Exponents of the monomial 1: all are 0.
     pub const ONE: Self = Self([0; GENERATORS]);
 
-    /// Exponent of a generator in the monomial.
+    /// Exponent, in the monomial, of a generator: a variable of the ring, given by its number.
     pub fn of(&self, generator: usize) -> u8 {
         self.0[generator]
     }
 
+    /// Returns the monomial with the exponent of one generator (a variable of the ring) replaced.
     fn with(mut self, generator: usize, exponent: u8) -> Self {
         self.0[generator] = exponent;
         self
@@ -49,7 +53,7 @@ impl Powers {
         Some(result)
     }
 
-    /// Quotient of two monomials; `None` if it is no monomial.
+    /// Quotient of two monomials; `None` if an exponent would be negative.
     fn over(&self, other: &Self) -> Option<Self> {
         let mut result = *self;
         for (a, b) in result.0.iter_mut().zip(&other.0) {
@@ -58,7 +62,7 @@ impl Powers {
         Some(result)
     }
 
-    /// Square root of the monomial; `None` if it is no monomial.
+    /// Square root of the monomial; `None` if an exponent is odd.
     pub fn halved(&self) -> Option<Self> {
         let mut result = *self;
         for n in &mut result.0 {
@@ -70,7 +74,8 @@ impl Powers {
         Some(result)
     }
 
-    /// Splits the monomial into its part in these generators and the rest.
+    /// Splits the monomial into a factor in the given generators (variables of the ring) and a
+    /// factor in all others.
     pub fn split(&self, generators: &[usize]) -> (Self, Self) {
         let (mut inside, mut outside) = (Self::ONE, *self);
         for at in generators {
@@ -80,6 +85,7 @@ impl Powers {
         (inside, outside)
     }
 
+    /// Largest monomial that divides both monomials.
     fn common(&self, other: &Self) -> Self {
         let mut result = *self;
         for (a, b) in result.0.iter_mut().zip(&other.0) {
@@ -89,15 +95,15 @@ impl Powers {
     }
 }
 
-/// A polynomial of a [`Ring`].
+/// Polynomial of a [`Ring`], with rational coefficients.
 #[derive(Clone, PartialEq, Eq, Hash, Default)]
 pub struct Poly {
-    /// Terms as (exponents, coefficient), leading term first.
+    /// Terms as pairs (exponents, coefficient), in descending order: the leading term comes first.
     pub terms: Vec<(Powers, Rational)>,
 }
 
 impl Poly {
-    /// Polynomial that is a constant.
+    /// Creates a constant polynomial.
     pub fn constant(value: &Rational) -> Self {
         if value.is_zero() { Self::default() } else { Self { terms: vec![(Powers::ONE, value.clone())] } }
     }
@@ -107,7 +113,8 @@ impl Poly {
         self.terms.is_empty()
     }
 
-    /// Value of a constant polynomial; `None` for 0 and for polynomials that are not constant.
+    /// Value of a constant polynomial other than 0; `None` for 0 and for polynomials that are not
+    /// constant.
     pub fn as_constant(&self) -> Option<&Rational> {
         match self.terms.as_slice() {
             [(Powers::ONE, k)] => Some(k),
@@ -115,13 +122,13 @@ impl Poly {
         }
     }
 
-    /// The polynomial times a number other than 0.
+    /// Product of the polynomial and a number, which must not be 0.
     pub fn scaled(&self, k: &Rational) -> Self {
         Self { terms: self.terms.iter().map(|(m, c)| (*m, c.mul(k))).collect() }
     }
 
-    /// Splits the polynomial into content · primitive part. The primitive part has integer coefficients without common
-    /// factor, the first one positive.
+    /// Splits the polynomial into its content, a number, and its primitive part. The primitive part
+    /// has integer coefficients without a common factor, the first of them positive.
     pub fn split_content(&self) -> (Rational, Self) {
         let Some((_, first)) = self.terms.first() else { return (Rational::ONE, Self::default()) };
         let size = self.terms.iter().fold(Rational::ZERO, |g, (_, k)| g.common_content(k));
@@ -137,48 +144,56 @@ impl Poly {
         terms.fold(first, |common, (m, _)| common.common(m))
     }
 
+    /// True if the generator, a variable of the ring given by its number, occurs in the polynomial.
     fn mentions(&self, generator: usize) -> bool {
         self.terms.iter().any(|(m, _)| m.of(generator) > 0)
     }
 }
 
-/// Known square of a generator of a ring.
+/// Square of a generator (a variable of the polynomial ring), as far as it is known.
 #[derive(Clone)]
 pub enum Square {
-    /// The generator is independent: its square is not known.
+    /// The generator is independent: its square is not rewritten.
     Free,
-    /// The generator is a sine; the number is that of its cosine.
+    /// The generator is a sine; the number is that of the generator for its cosine, and sin²
+    /// becomes 1 − cos².
     Sine(usize),
-    /// The generator is a square root of this polynomial.
+    /// The generator is the square root of the polynomial, which replaces its square.
     Root(Poly),
 }
 
-/// Polynomial ring: its generators, and the work that it may still do.
+/// Polynomial ring over the rational numbers: its generators (the variables), and a budget of
+/// multiplications.
 #[derive(Clone)]
 pub struct Ring {
+    /// Generators by number: the expression of each, and its known square.
     generators: Vec<(Expr, Square)>,
+    /// Number of each generator, by its expression.
     numbers: FxHashMap<Expr, usize>,
-    /// Number of multiplications of terms that are still allowed.
+    /// Number of multiplications of terms that are still allowed. Results are `None` once it is
+    /// used up.
     pub budget: u64,
 }
 
 impl Ring {
-    /// Creates a ring without generators; the budget counts multiplications of terms.
+    /// Creates a ring without generators. The budget is the number of multiplications of terms that
+    /// are allowed.
     pub fn new(budget: u64) -> Self {
         Self { generators: Vec::new(), numbers: FxHashMap::default(), budget }
     }
 
-    /// Expression that a generator stands for.
+    /// Expression that a generator (a variable of the ring, given by its number) stands for.
     pub fn expression(&self, generator: usize) -> Expr {
         self.generators[generator].0
     }
 
-    /// Number of generators.
+    /// Number of generators: the variables of the ring.
     pub fn size(&self) -> usize {
         self.generators.len()
     }
 
-    /// Number of the generator that stands for `e`, which is added if it is new; `None` when the ring is full.
+    /// Number of the generator that stands for `e`. It is added if it is new, with the square that
+    /// `square` returns. `None` if the ring is full or `square` returns `None`.
     pub fn generator(&mut self, e: Expr, square: impl FnOnce(&mut Self) -> Option<Square>) -> Option<usize> {
         if let Some(&number) = self.numbers.get(&e) {
             return Some(number);
@@ -192,18 +207,21 @@ impl Ring {
         Some(self.generators.len() - 1)
     }
 
-    /// Polynomial that consists of one generator.
+    /// Creates the polynomial that is a single generator: a variable of the ring, given by its
+    /// number.
     pub fn variable(generator: usize) -> Poly {
         Poly { terms: vec![(Powers::ONE.with(generator, 1), Rational::ONE)] }
     }
 
+    /// Subtracts work from the budget; `None` if the budget does not suffice.
     fn spend(&mut self, work: usize) -> Option<()> {
         let left = self.budget.checked_sub(work as u64);
         self.budget = left.unwrap_or(0);
         left.map(|_| ())
     }
 
-    /// Linear combination Σ k · p of polynomials; `None` beyond the budget.
+    /// Linear combination Σ k · p over the pairs (p, k); `None` if the ring's budget of
+    /// multiplications is used up.
     pub fn sum<'a>(&mut self, parts: impl Iterator<Item = (&'a Poly, Rational)>) -> Option<Poly> {
         let mut sum: FxHashMap<Powers, Rational> = FxHashMap::default();
         for (part, k) in parts {
@@ -215,7 +233,8 @@ impl Ring {
         Some(sorted(sum))
     }
 
-    /// Product a · b; `None` beyond the budget.
+    /// Product a · b of two polynomials; `None` if the ring's budget of multiplications is used up
+    /// or an exponent exceeds 255.
     pub fn mul(&mut self, a: &Poly, b: &Poly) -> Option<Poly> {
         for (one, other) in [(a, b), (b, a)] {
             if let Some(k) = one.as_constant() {
@@ -232,7 +251,8 @@ impl Ring {
         Some(sorted(product))
     }
 
-    /// Adds the term k · powers to a sum, with known squares of generators replaced; `None` beyond the budget.
+    /// Adds the term k · powers to a sum, with known squares of generators replaced. `None` if the
+    /// ring's budget of multiplications is used up or an exponent exceeds 255.
     fn reduce_into(&mut self, sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) -> Option<()> {
         let mut pending = vec![(powers, k)];
         while let Some((powers, k)) = pending.pop() {
@@ -267,7 +287,8 @@ impl Ring {
         Some(())
     }
 
-    /// The power p^n; `None` beyond the budget.
+    /// Power p^n of a polynomial; `None` if the ring's budget of multiplications is used up or an
+    /// exponent exceeds 255.
     pub fn pow(&mut self, p: &Poly, n: u32) -> Option<Poly> {
         let (mut result, mut power, mut left) = (Poly::constant(&Rational::ONE), p.clone(), n);
         while left > 0 {
@@ -282,13 +303,15 @@ impl Ring {
         Some(result)
     }
 
-    /// Exact quotient a / b; `None` if it is no polynomial or the budget ends.
+    /// Exact quotient a / b of two polynomials; `None` if the quotient is not a polynomial or the
+    /// ring's budget of multiplications is used up.
     ///
-    /// Every polynomial is p + q · sin, with unique p and q that have no sine. So a / b is a polynomial iff a · b̄ is
-    /// divisible by the norm b · b̄, which has no sine left, term by term.
+    /// Every polynomial is p + q · sin, with unique p and q that contain no sine. So a / b is a
+    /// polynomial exactly if the norm b · b̄, which contains no sine, divides a · b̄ term by term.
     pub fn divide(&mut self, a: &Poly, b: &Poly) -> Option<Poly> {
         let (mut above, mut below) = (a.clone(), b.clone());
-        // Latest first: a root's radicand has only earlier generators.
+        // Generators are removed from the latest to the first: a root's radicand has only earlier
+        // generators.
         for at in (0..self.generators.len()).rev() {
             let known_square = !matches!(self.generators[at].1, Square::Free);
             if known_square && below.mentions(at) {
@@ -300,8 +323,9 @@ impl Ring {
         self.divide_plainly(above, &below)
     }
 
-    /// Polynomial p with p² = `square`, found leading term by leading term. `None` if no polynomial without sines and
-    /// roots has this square.
+    /// Square root of a polynomial: p with p² = `square`, found from the leading term on. `None` if
+    /// no polynomial without sines and roots has this square, or the ring's budget of
+    /// multiplications is used up.
     pub fn square_root(&mut self, square: &Poly) -> Option<Poly> {
         let (lead, k) = square.terms.first()?;
         let half = lead.halved()?;
@@ -318,7 +342,9 @@ impl Ring {
         None
     }
 
-    /// Exact division by a polynomial without known squares, leading term by leading term.
+    /// Exact quotient by a polynomial `below` without known squares, found from the leading term
+    /// on. `None` if the quotient is not a polynomial or the ring's budget of multiplications is
+    /// used up.
     fn divide_plainly(&mut self, mut above: Poly, below: &Poly) -> Option<Poly> {
         let (lead, k) = below.terms.first()?;
         let inverse = k.recip()?;
@@ -337,7 +363,8 @@ impl Ring {
     }
 }
 
-/// Square root of a number; `None` if it is not rational, or if the number is too large for 64 bits.
+/// Square root of a rational number; `None` if the root is not rational, or if the number does not
+/// fit 64 bits.
 fn root_of(k: &Rational) -> Option<Rational> {
     let root = |n: i64| {
         let near = u64::try_from(n).ok()?.isqrt();
@@ -348,12 +375,13 @@ fn root_of(k: &Rational) -> Option<Rational> {
     Rational::fraction(root(n)?, root(d)?)
 }
 
-/// The polynomial with the sign of one generator changed.
+/// Returns the polynomial with the sign of one generator (a variable of the ring) changed.
 fn conjugate(p: &Poly, generator: usize) -> Poly {
     let flip = |(m, k): &(Powers, Rational)| (*m, if m.of(generator) % 2 == 1 { k.neg() } else { k.clone() });
     Poly { terms: p.terms.iter().map(flip).collect() }
 }
 
+/// Adds the term k · powers to a sum of like terms.
 fn collect(sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) {
     match sum.entry(powers) {
         std::collections::hash_map::Entry::Vacant(place) => {
@@ -366,6 +394,7 @@ fn collect(sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) {
     }
 }
 
+/// Converts a sum of like terms to a polynomial with its terms in descending order.
 fn sorted(sum: FxHashMap<Powers, Rational>) -> Poly {
     let mut terms: Vec<_> = sum.into_iter().filter(|(_, k)| !k.is_zero()).collect();
     terms.sort_unstable_by_key(|(m, _)| Reverse(*m));

@@ -1,14 +1,17 @@
-//! Sharing of common sub-sums and sub-products among all values that one function computes, so that it needs fewer
-//! operations.
+//! Sharing of common sub-sums and sub-products among all values that a function computes, so that
+//! it needs fewer operations.
 //!
-//! The values become sums of monomials over atoms. Two kinds of common divisors are taken out, one at a time, the one
-//! that saves most first. The first is a sum of two terms, times any monomial: this is factoring if it occurs once, and
-//! sharing if it occurs more often. The second is a product of two factors. Longer divisors arise by repetition, so a
-//! sum along a chain is computed once along it. Reciprocals are atoms too: a divisor of many terms is inverted once.
+//! The values become sums of monomials over atoms. Two kinds of common divisors are taken out in
+//! sequence, the divisor that saves most operations first. The first kind is a sum of two terms,
+//! times any monomial. This is factoring if it occurs once, and sharing if it occurs more often.
+//! The second kind is a product of two factors.
+//! Longer divisors arise by repetition, so a sum along a chain is computed once along it.
+//! Reciprocals are atoms too: a divisor of many terms is inverted once.
 //!
-//! Invariant: the value of every step and output is the same function as before; only polynomial identities are used.
-//! Absent on purpose: names. New symbols are called `#1`, `#2`, …, or `#sin(q1 - q2)` after their values, which no
-//! model file can contain. The printers give them better names.
+//! Invariant: the value of every step and output is the same function as before; only polynomial
+//! identities are used.
+//! Absent on purpose: good names. New symbols are called `#1`, `#2`, …, or `#sin(q1 - q2)` after
+//! their values, which no model file can contain. The printers rename them.
 //!
 //! Source: greedy extraction of double-cube and single-cube divisors, J. Rajski & J. Vasudevamurthy, "The
 //! testability-preserving concurrent decomposition and factorization of Boolean expressions", IEEE Trans. CAD 11
@@ -31,42 +34,43 @@ use network::Network;
 pub use rebuild::{Shared, is_shared_symbol};
 pub use same::is_same;
 
-/// Preparation of the values before sharing looks for common divisors.
+/// Options for preparing values before the search for common divisors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reading {
-    /// Extent to which products are multiplied out.
+    /// Extent to which products in the values are multiplied out.
     pub products: Products,
-    /// Treatment of angles that are sums of other angles.
+    /// Treatment of sines and cosines whose angle is a sum of other angles.
     pub angles: Angles,
 }
 
-/// Treatment of sines and cosines of sums of angles.
+/// Treatment of sines and cosines of sums of angles, when shared values are prepared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Angles {
-    /// Sines and cosines of sums are computed directly.
+    /// Sines and cosines of sums of angles are computed directly, without addition theorems.
     Kept,
-    /// Sines and cosines of sums come from those of the parts by the addition theorems, if that saves sines and
-    /// cosines.
+    /// Sines and cosines of sums are computed from those of the parts by the addition theorems, if
+    /// that saves sines and cosines. Each gets a step of its own.
     Composed,
-    /// Angles are composed, and the addition theorems are multiplied out with the rest of the values.
+    /// Sines and cosines of sums are replaced by the addition theorems, which are multiplied out
+    /// with the rest of the values.
     Open,
 }
 
-/// Extent to which products are multiplied out.
+/// Extent to which products are multiplied out, when shared values are prepared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Products {
-    /// Products stay factored.
+    /// Products in the values stay factored.
     Factored,
     /// Products are multiplied out, as long as the value stays short.
     Expanded,
-    /// Products are multiplied out, with 1 − cos² for sin².
+    /// Products are multiplied out, and sin² is replaced by 1 − cos².
     Cosines,
-    /// Products are multiplied out, with 1 − sin² for cos².
+    /// Products are multiplied out, and cos² is replaced by 1 − sin².
     Sines,
 }
 
 impl Reading {
-    /// All readings: every treatment of products with every treatment of angles.
+    /// All twelve readings: every treatment of products with every treatment of angles.
     pub const ALL: [Self; 12] = {
         let mut all = [Self { products: Products::Factored, angles: Angles::Kept }; 12];
         let mut at = 0;
@@ -78,7 +82,7 @@ impl Reading {
         all
     };
 
-    /// Readings that most often give the fewest operations.
+    /// Three readings that most often give the fewest operations.
     pub const SAMPLE: [Self; 3] = [
         Self { products: Products::Factored, angles: Angles::Kept },
         Self { products: Products::Expanded, angles: Angles::Kept },
@@ -87,10 +91,11 @@ impl Reading {
 }
 
 impl Products {
-    /// Largest number of terms of a value that is multiplied out; a longer one stays factored.
+    /// Largest number of terms of a value that is multiplied out; a longer value stays factored.
     const LIMIT: usize = 60;
 
-    /// Multiplies a value out as far as this treatment says; a value that would become too long stays factored.
+    /// Multiplies the value `e` out to the extent of this option. A value that would become too
+    /// long is returned unchanged.
     fn read(self, arena: &mut Arena, simplifier: &mut Simplifier, e: Expr) -> Expr {
         if self == Self::Factored {
             return e;
@@ -109,9 +114,11 @@ impl Products {
     }
 }
 
-/// Takes common sub-sums and sub-products out of steps and values.
+/// Takes common sub-sums and sub-products out of the steps and values of a function. Returns the
+/// new steps and values.
 ///
-/// `None` if no angle can be composed as the reading asks, or if an exponent becomes too large for the arena.
+/// `None` if the reading asks for composed angles and no angle can be composed, or if an exponent
+/// becomes too large for the arena.
 pub fn share(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

@@ -1,9 +1,10 @@
-//! Shorter forms of the same meaning, for people and for generated code.
+//! Simplification: shorter forms of terms with equal meaning, for people and for generated code.
 //!
-//! An expression is expanded to a Laurent polynomial in its atoms. Squares of sines or cosines are traded by sin² +
-//! cos² = 1 where that leaves fewer terms, and the result is factored again, Horner-fashion. If it divides by sums, the
-//! normal form over one denominator is a candidate too. The shortest candidate wins and a tie keeps the input, so the
-//! result is never longer. An expression that would expand beyond [`Simplifier::LIMIT`] terms, or has more than
+//! A term is expanded to a Laurent polynomial in its atoms. Squares of sines or cosines are
+//! replaced by sin² + cos² = 1 where fewer terms remain. The result is factored again in Horner
+//! form. If it divides by sums, the normal form with one denominator is a candidate too.
+//! The shortest candidate is taken. The input is kept unless a candidate is shorter, so the result
+//! is never longer. A term that would expand beyond [`Simplifier::LIMIT`] terms, or has more than
 //! [`Simplifier::PARTS`] subterms, is returned unchanged.
 
 use super::atoms::{SumAtoms, atom, differ_beside_angles, is_circular, is_plain_product};
@@ -14,23 +15,27 @@ use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
-/// Simplifies expressions and remembers the results.
+/// Simplifier of terms; it remembers its results.
 #[derive(Clone, Default)]
 pub struct Simplifier {
+    /// Short form of each term simplified so far.
     memo: FxHashMap<Expr, Expr>,
 }
 
 impl Simplifier {
-    /// Number of terms of an expanded polynomial above which an expression is left alone.
+    /// Number of terms of an expanded polynomial above which simplification gives up and keeps the
+    /// term.
     pub const LIMIT: usize = 600;
-    /// Largest number of multiplications of terms for bringing an expression over one denominator.
+    /// Largest number of multiplications of terms for bringing a term over a common denominator.
     pub const FRACTION_BUDGET: u64 = 50_000;
-    /// Largest number of multiplications of terms for rewriting multiple angles and sums of angles in single angles.
+    /// Largest number of multiplications of terms for expanding sines of multiple angles and sums
+    /// of angles.
     pub const ANGLE_BUDGET: u64 = 5_000;
-    /// Number of different subterms above which an expression is returned unchanged.
+    /// Number of different subterms above which simplification returns a term unchanged.
     pub const PARTS: usize = 5000;
 
-    /// Shortest form of the expression `e` that is found.
+    /// Returns the shortest form of the term `e` that simplification finds; it is never longer than
+    /// `e`.
     pub fn simplify(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         if let Some(&done) = self.memo.get(&e) {
             return done;
@@ -44,6 +49,7 @@ impl Simplifier {
         result
     }
 
+    /// Shortest of all candidate forms of a term, the term itself included.
     fn shortest(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         let Some(expanded) = self.expanded(arena, e) else { return e };
         let reduced = reduce(arena, &expanded);
@@ -73,8 +79,8 @@ impl Simplifier {
         }
     }
 
-    /// The expression `e` as a Laurent polynomial in symbols, function values and inverse sums; `None` beyond
-    /// [`Self::LIMIT`] terms or [`Self::PARTS`] subterms.
+    /// Expands the term `e` to a Laurent polynomial in symbols, function values and inverse sums.
+    /// `None` beyond `LIMIT` terms or `PARTS` subterms.
     pub fn polynomial(&mut self, arena: &mut Arena, e: Expr) -> Option<Polynomial> {
         let parts = arena.shown(&[e]);
         if parts.len() > Self::PARTS {
@@ -83,8 +89,8 @@ impl Simplifier {
         self.polynomial_over(arena, &parts, &SumAtoms::default())
     }
 
-    /// Multiplies an expression out, but keeps sums of symbols whose expansion cannot cancel a term; `None` beyond the
-    /// limits.
+    /// Expands a term to a polynomial, but keeps sums of symbols whose expansion cannot cancel a
+    /// term. `None` beyond `LIMIT` terms or `PARTS` subterms.
     fn expanded(&mut self, arena: &mut Arena, e: Expr) -> Option<Polynomial> {
         let parts = arena.shown(&[e]);
         if parts.len() > Self::PARTS {
@@ -100,8 +106,9 @@ impl Simplifier {
         self.polynomial_over(arena, &parts, &SumAtoms::default())
     }
 
-    /// Last expression of `parts` as a Laurent polynomial in symbols, function values, inverse sums and the sums in
-    /// `sums`. `parts` must hold all its subterms, operands first. `None` beyond [`Self::LIMIT`] terms.
+    /// Expands the last term of `parts` to a Laurent polynomial in symbols, function values,
+    /// inverse sums and the atoms `sums`. `parts` must hold all its subterms, operands first.
+    /// `None` beyond [`Self::LIMIT`] terms.
     fn polynomial_over(&mut self, arena: &mut Arena, parts: &[Expr], sums: &SumAtoms) -> Option<Polynomial> {
         let mut forms: FxHashMap<Expr, Polynomial> = FxHashMap::default();
         for &part in parts {
@@ -142,6 +149,8 @@ impl Simplifier {
         forms.remove(parts.last()?)
     }
 
+    /// Short form of a polynomial as a term: squares are reduced and common factors taken out, if
+    /// that saves operations.
     fn shorten(&mut self, arena: &mut Arena, polynomial: &Polynomial) -> Expr {
         let e = polynomial.expand(arena);
         if let Some(&done) = self.memo.get(&e) {
@@ -154,22 +163,26 @@ impl Simplifier {
         result
     }
 
-    /// A negative power of a sum: the simplified sum becomes an atom.
+    /// Negative power of a polynomial with several terms, whose simplified sum becomes an atom.
+    /// `None` if the sum is the number 0.
     fn inverse_power(&mut self, arena: &mut Arena, base: &Polynomial, n: i32) -> Option<Polynomial> {
         let base = self.shorten(arena, base);
-        // A divisor that is zero after all: nothing to simplify, the caller's zero test will tell.
+        // The divisor is identically zero: nothing can be simplified, and the zero test of the
+        // caller will find it.
         let power = arena.pow(base, n).ok()?;
         Some(as_monomials(arena, power))
     }
 }
 
-/// True if a polynomial of several terms divides by a sum. One common denominator may then be shorter.
+/// True if a polynomial of several terms divides by a sum. A common denominator may then be
+/// shorter.
 fn divides_by_sums(arena: &Arena, polynomial: &Polynomial) -> bool {
     let inverse_sum = |(e, n): &(Expr, i32)| *n < 0 && matches!(arena.node(*e), Node::Sum(..));
     polynomial.terms.len() > 1 && polynomial.terms.keys().flatten().any(inverse_sum)
 }
 
-/// True if an angle occurs both by itself and in a multiple or a sum: sin 2q beside sin q may cancel.
+/// True if an angle of the polynomial occurs both alone and in a multiple or a sum. Terms with sin
+/// 2q and sin q, for example, may cancel.
 fn mixes_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
     let mut seen: BTreeMap<Expr, Expr> = BTreeMap::new();
     polynomial
@@ -178,7 +191,8 @@ fn mixes_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
         .any(|angle| angle_atoms(arena, angle).into_iter().any(|(atom, _)| *seen.entry(atom).or_insert(angle) != angle))
 }
 
-/// Normal form of `e` with its numerator and the factors of its denominator in short form; `None` beyond the budget.
+/// Normal form of the term `e` as a fraction, with numerator and factors of the denominator in
+/// short form. `None` if the budget of multiplications is used up.
 fn as_fraction(arena: &mut Arena, e: Expr, budget: u64) -> Option<Expr> {
     let mut normalizer = Normalizer::new(budget);
     let form = normalizer.fraction(arena, e)?;
@@ -194,7 +208,7 @@ fn as_fraction(arena: &mut Arena, e: Expr, budget: u64) -> Option<Expr> {
     arena.try_product(&factors).ok()
 }
 
-/// Reads an expression as a sum of monomials in its factors, without expanding it.
+/// Reads a term as a sum of monomials in its factors, without expanding it.
 fn as_monomials(arena: &Arena, e: Expr) -> Polynomial {
     let monomial = |e: Expr| match arena.node(e) {
         Node::Product(factors) => factors.to_vec(),
@@ -213,8 +227,8 @@ fn as_monomials(arena: &Arena, e: Expr) -> Polynomial {
     }
 }
 
-/// Trades sin² or cos² where it leaves a shorter polynomial, angle by angle. A polynomial that is
-/// zero by sin² + cos² = 1 reduces to no terms.
+/// Replaces sin² or cos² by 1 − cos² or 1 − sin² where a shorter polynomial results, angle by
+/// angle. A polynomial that is zero by sin² + cos² = 1 becomes empty.
 fn reduce(arena: &mut Arena, polynomial: &Polynomial) -> Polynomial {
     let mut best = polynomial.clone();
     if !polynomial.terms.keys().flatten().any(|(e, n)| *n >= 2 && is_circular(arena, *e)) {
@@ -241,14 +255,16 @@ fn reduce(arena: &mut Arena, polynomial: &Polynomial) -> Polynomial {
     if canonical.terms.len() < best.terms.len() { canonical } else { best }
 }
 
-/// Size that trading squares should lessen: number of terms, then number of different sines and cosines.
+/// Measure that replacing squares should lessen: number of terms, then number of different sines
+/// and cosines.
 fn size(arena: &Arena, polynomial: &Polynomial) -> (usize, usize) {
     let circular: std::collections::BTreeSet<Expr> =
         polynomial.terms.keys().flatten().map(|(e, _)| *e).filter(|e| is_circular(arena, *e)).collect();
     (polynomial.terms.len(), circular.len())
 }
 
-/// Factors a sum of monomials: takes out common factors, then the atom that most terms share, repeatedly.
+/// Factors a sum of monomials: takes out common factors, then the atom that most terms share,
+/// repeatedly. Returns the product as a term.
 fn factor(arena: &mut Arena, terms: &BTreeMap<Monomial, Rational>) -> Expr {
     let polynomial = Polynomial { terms: terms.clone() };
     let (monomial, content, rest) = extract_common(&polynomial);
@@ -265,19 +281,22 @@ fn factor(arena: &mut Arena, terms: &BTreeMap<Monomial, Rational>) -> Expr {
     join(arena, &monomial, &content, inner)
 }
 
+/// Takes the common factor out of a polynomial and expands the rest. Returns the product as a term.
 fn common_factor_only(arena: &mut Arena, polynomial: &Polynomial) -> Expr {
     let (monomial, content, rest) = extract_common(polynomial);
     let inner = rest.expand(arena);
     join(arena, &monomial, &content, inner)
 }
 
+/// Product monomial · content · inner as a term.
 fn join(arena: &mut Arena, monomial: &Monomial, content: &Rational, inner: Expr) -> Expr {
     let outer = monomial_expr(arena, monomial);
     let product = arena.mul(outer, inner);
     arena.scale(product, content)
 }
 
-/// Splits a polynomial into monomial · content · rest, where the terms of the rest have no common factor.
+/// Splits a polynomial into monomial · content · rest, where the terms of the rest have no common
+/// factor.
 fn extract_common(polynomial: &Polynomial) -> (Monomial, Rational, Polynomial) {
     let Some(first) = polynomial.terms.keys().next() else {
         return (Vec::new(), Rational::ONE, Polynomial::default());
@@ -288,7 +307,7 @@ fn extract_common(polynomial: &Polynomial) -> (Monomial, Rational, Polynomial) {
         content = content.common_content(k);
         for (atom, n) in &mut common {
             let m = monomial.iter().find(|(e, _)| e == atom).map_or(0, |(_, m)| *m);
-            // The part of the exponent that both monomials share, from zero outwards.
+            // The part of the exponent that both monomials share, with the sign of the exponent.
             *n = if *n > 0 { (*n).min(m).max(0) } else { (*n).max(m).min(0) };
         }
     }
@@ -308,8 +327,8 @@ fn extract_common(polynomial: &Polynomial) -> (Monomial, Rational, Polynomial) {
     (common, content, rest)
 }
 
-/// Atom, and true for a positive exponent, that most terms share: the first of several. `None` if no two terms share
-/// one.
+/// Atom that most terms of the polynomial share, and true if they share it with positive exponents.
+/// Ties take the first. `None` if no two terms share an atom.
 fn most_shared(polynomial: &Polynomial) -> Option<(Expr, bool)> {
     let mut counts: BTreeMap<(Expr, bool), usize> = BTreeMap::new();
     for (atom, n) in polynomial.terms.keys().flatten() {
@@ -319,14 +338,15 @@ fn most_shared(polynomial: &Polynomial) -> Option<(Expr, bool)> {
     counts.into_iter().find(|(_, count)| *count == most).map(|(key, _)| key)
 }
 
-/// Number of operations in an expression: the measure of short forms. A shared term counts once, a named term not at
-/// all.
+/// Number of arithmetic operations in a term, the measure of short forms; a function counts as 4. A
+/// shared subterm counts once, a named term not at all.
 #[must_use]
 pub fn cost(arena: &Arena, e: Expr) -> usize {
     cost_of_all(arena, &[e])
 }
 
-/// Number of operations in several expressions together. A shared term counts once, a named term not at all.
+/// Number of arithmetic operations in several terms together; a function counts as 4. A shared
+/// subterm counts once, a named term not at all.
 #[must_use]
 pub fn cost_of_all(arena: &Arena, list: &[Expr]) -> usize {
     arena

@@ -1,4 +1,5 @@
-//! Comparison of two terms by meaning: equal, different or undecided.
+//! Comparison of two terms by meaning, in whatever form they are written: they are equal,
+//! different, or the question is undecided.
 //!
 //! ```
 //! use tripos_derive::algebra::Arena;
@@ -11,15 +12,17 @@
 //! assert!(matches!(Comparer::default().compare(&mut arena, a, b), Verdict::Equal(_)));
 //! ```
 //!
-//! A [`Comparer`] compares in all states, or in permitted states only ([`super::permitted`]): those on constraints and
-//! in a domain.
+//! A [`Comparer`] compares terms in all states, or only in permitted states ([`super::permitted`]):
+//! those on constraints and in a domain.
 //!
-//! Two engines decide. [`crate::algebra::value::modular`] evaluates exactly at random points of random prime fields:
-//! one value other than zero proves that the sides differ. If it finds zeros only, [`crate::algebra::form::normal`]
-//! proves equality. Terms that are too large for it are equal with the error bound of the first engine. Floating point
-//! decides nothing: it only finds a state that shows a difference which is proved already. With roots or functions
-//! without rules, a difference counts only if a real state proves it, by intervals rounded outwards (module
-//! `interval`): √x² is x for some x and not for others.
+//! Two engines decide. [`crate::algebra::value::modular`] evaluates exactly at random points of
+//! random prime fields: a single non-zero value proves that the sides differ. If it finds zeros
+//! only, [`crate::algebra::form::normal`] proves equality. Terms that are too large for the normal
+//! form are equal with the error bound of the first engine.
+//! Floating point decides nothing: it only finds a state that shows a difference which is already
+//! proved. With roots or functions without rules, a difference counts only if a real state proves
+//! it, by intervals rounded outwards (module `interval`). For example, √x² is x for some x and not
+//! for others.
 
 use super::permitted::{Holds, Permitted, View};
 use super::signs::Signs;
@@ -35,12 +38,13 @@ use std::fmt;
 
 pub use super::witness::Witness;
 
-/// Engine that proved an equality.
+/// Engine that proved an equality of two terms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Engine {
-    /// The difference has the normal form 0.
+    /// The difference of the terms has the normal form 0.
     NormalForm,
-    /// The difference is 0 at random points of random prime fields; wrong with a probability below 2^−exponent.
+    /// The difference of the terms is 0 at random points of random prime fields. The result is
+    /// wrong with a probability below 2^−exponent.
     Modular {
         /// Exponent of the error bound 2^−exponent.
         exponent: f64,
@@ -58,43 +62,50 @@ impl fmt::Display for Engine {
     }
 }
 
-/// Result of comparing two terms by meaning.
+/// Verdict on two terms: equal, different or undecided, in whatever form they are written.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// The two terms are equal; with the proof.
+    /// The two terms are equal wherever both have a value; the engine proved it.
     Equal(Engine),
-    /// The two terms differ; with a state that shows it.
+    /// The two terms differ; the witness is a state that shows it.
     Different(Witness),
-    /// The question is not decided; with the reason.
+    /// The question is not decided; the text is the reason.
     Undecided(String),
 }
 
 impl Verdict {
-    /// True if the two terms are equal.
+    /// True if the verdict is that the two terms are equal.
     #[must_use]
     pub fn is_equal(&self) -> bool {
         matches!(self, Self::Equal(_))
     }
 }
 
-/// Largest number of multiplications of terms for the angles of one comparison.
+/// Largest number of multiplications of terms for expanding the angles of one comparison.
 const ANGLES: u64 = 100_000;
 
-/// Answer of exact algebra to the question whether a difference is zero.
+/// Answer of exact algebra to the question if a difference of terms is zero.
 #[derive(Clone, Copy)]
 enum Answer {
+    /// The difference is proved to be zero, by the engine.
     Zero(Engine),
+    /// The difference is proved not to be zero as a formula.
     NonZero,
+    /// Neither engine decides if the difference is zero.
     Unknown,
-    /// The two engines contradict each other.
+    /// The two engines contradict each other, which shows a defect of the program.
     Disputed,
 }
 
-/// Compares terms of one arena and remembers their normal forms.
+/// Comparer of terms, which decides if they are equal in whatever form they are written. It
+/// remembers their normal forms.
 pub struct Comparer {
+    /// Converter of terms to normal forms, which it remembers.
     normalizer: Normalizer,
-    /// Budget left for all normal forms together: many large comparisons must not add up to hours.
+    /// Number of multiplications left for all normal forms together, so that many large comparisons
+    /// do not add up to hours.
     budget: u64,
+    /// Permitted states, in which the terms are compared.
     permitted: Permitted,
 }
 
@@ -105,24 +116,26 @@ impl Default for Comparer {
 }
 
 impl Comparer {
-    /// Creates a comparer for permitted states: equal terms are equal in all of them, and different terms differ in at
-    /// least one.
+    /// Creates a comparer for permitted states. Equal terms are equal in all permitted states, and
+    /// different terms differ in at least one.
     #[must_use]
     pub fn within(permitted: Permitted) -> Self {
         Self { normalizer: Normalizer::default(), budget: 10 * Normalizer::BUDGET, permitted }
     }
 
-    /// Permitted states in which terms are compared.
+    /// Permitted states in which the comparer compares terms.
     pub fn permitted(&mut self) -> &mut Permitted {
         &mut self.permitted
     }
 
-    /// Compares two terms by meaning: are they equal wherever both have values, in permitted states?
+    /// Compares two terms, in whatever form they are written: they are equal if they agree in all
+    /// permitted states in which both have values.
     pub fn compare(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> Verdict {
         self.compare_where(arena, left, right).0
     }
 
-    /// Compares two terms like [`Self::compare`], and says in which states an equality holds.
+    /// Compares two terms like [`Self::compare`], and also returns the states in which an equality
+    /// holds.
     pub fn compare_where(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> (Verdict, Holds) {
         let (everywhere, difference) = self.settle(arena, left, right);
         if let Answer::Zero(engine) = everywhere {
@@ -143,8 +156,9 @@ impl Comparer {
         }
     }
 
-    /// Compares two sides, which are not proved equal in all states, in permitted states. The error is the verdict if
-    /// they are not proved equal there either.
+    /// Compares two sides, which are not proved equal in all states, in permitted states. Returns
+    /// the engine and the states of an equality. The error is the verdict if they are not proved
+    /// equal.
     fn where_permitted(
         &mut self,
         arena: &mut Arena,
@@ -169,7 +183,8 @@ impl Comparer {
         }
         let defined = arena.restrictions().to_vec();
         let defined = defined.into_iter().map(|e| self.permitted.put(arena, e)).collect();
-        // A state also shows the symbols that its dependent symbols depend on, so that a reader can check it.
+        // A state also shows the free symbols on which its dependent symbols depend, so that a
+        // reader can check it.
         let mentioned = symbols_in(arena, &[left, right]);
         let values: Vec<Expr> = mentioned.iter().map(|s| self.permitted.put(arena, *s)).collect();
         let free = if self.permitted.is_told() { symbols_in(arena, &values) } else { Vec::new() };
@@ -181,7 +196,8 @@ impl Comparer {
         Err(shown(arena, &Asked { sides, defined, positive, signs, shown: shown_symbols }, answer))
     }
 
-    /// Answer of exact algebra about left − right, and the difference, with plain angles.
+    /// Decides by exact algebra if left − right is zero. Returns the answer and the difference with
+    /// expanded angles.
     fn settle(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> (Answer, Expr) {
         let difference = arena.sub(left, right);
         if difference == Expr::ZERO {
@@ -206,14 +222,16 @@ impl Comparer {
         (answer, difference)
     }
 
-    /// Compares a term with zero by meaning.
+    /// Compares the term `e` with zero, in whatever form the term is written.
     pub fn is_zero(&mut self, arena: &mut Arena, e: Expr) -> Verdict {
         self.compare(arena, e, Expr::ZERO)
     }
 
-    /// Writes angles such as (a + b)² as sums of products, so that equal angles are equal terms.
+    /// Expands angles such as (a + b)² in a term to sums of products, so that equal angles are
+    /// equal terms.
     ///
-    /// This step has a budget of its own: without it there is no answer, and angles are short.
+    /// The step has its own budget, since no comparison is possible without it, and angles are
+    /// short.
     pub(crate) fn with_plain_angles(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         self.normalizer.allow(ANGLES);
         let mut pairs = Vec::new();
@@ -232,12 +250,12 @@ impl Comparer {
     }
 }
 
-/// Symbols that occur in terms.
+/// Symbols that occur in the given terms.
 fn symbols_in(arena: &Arena, terms: &[Expr]) -> Vec<Expr> {
     arena.reachable(terms).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect()
 }
 
-/// Reason why a comparison is undecided, in words.
+/// Reason, in words, why it is undecided if a difference is zero.
 fn reason(arena: &Arena, difference: Expr) -> String {
     let parts = arena.reachable(&[difference]);
     let divisors = parts.iter().flat_map(|p| match arena.node(*p) {
@@ -261,7 +279,8 @@ fn reason(arena: &Arena, difference: Expr) -> String {
     }
 }
 
-/// Verdict on two sides that are not proved equal: a state that shows their difference, or the reason why none decides.
+/// Verdict on two sides that are not proved equal: a state that shows their difference, or the
+/// reason why the question is undecided.
 fn shown(arena: &Arena, asked: &Asked<'_>, zero: Answer) -> Verdict {
     let roots = has_roots(arena, &arena.reachable(&[asked.sides[2]]));
     if let Answer::Disputed = zero {
@@ -270,7 +289,7 @@ fn shown(arena: &Arena, asked: &Asked<'_>, zero: Answer) -> Verdict {
     match (witness(arena, asked), zero) {
         (Some((witness, true)), _) => Verdict::Different(witness),
         (Some((witness, false)), Answer::NonZero) if !roots => Verdict::Different(witness),
-        // Where exact arithmetic decides nothing, only a real state does: its interval excludes 0.
+        // If exact arithmetic does not decide, only a real state does whose interval excludes 0.
         (_, Answer::Unknown) => Verdict::Undecided(reason(arena, asked.sides[2])),
         (Some(_), _) => Verdict::Undecided(
             "the two sides differ as formulas, but are equal at every real state that was tried".to_owned(),

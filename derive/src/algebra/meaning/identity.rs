@@ -1,26 +1,28 @@
-//! Identities as values: two terms that a proof finds equal, and the evidence for it.
+//! Identities: pairs of terms that a proof finds equal, with the evidence for it.
 //!
-//! A proof returns its identities as data, and whoever shows or checks them makes text of them. The terms belong to the
-//! store in which they were compared.
+//! A proof returns its identities as data, and the code that shows or checks them makes text of
+//! them. The terms belong to the arena in which they were compared.
 
 use super::compare::Engine;
 use crate::algebra::value::modular::{Trial, trials};
 use crate::algebra::{Arena, Expr};
 
-/// Two terms that are equal for all values of their symbols for which both have a value.
+/// Two terms that are equal for all values of their symbols for which both have a value, with the
+/// evidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Identity {
     /// Left side of the identity.
     pub left: Expr,
     /// Right side of the identity.
     pub right: Expr,
-    /// Engine that proved the identity.
+    /// Engine that proved the identity, with its error bound if it has any.
     pub engine: Engine,
 }
 
 impl Identity {
-    /// Points of prime fields at which left − right is zero, for a second evaluation elsewhere. Empty if both sides are
-    /// the same term. They follow from the terms, so they are the same on every machine.
+    /// Points of prime fields at which left − right is zero, for a second evaluation elsewhere.
+    /// They follow from the terms, so they are the same on every machine. Empty if both sides are
+    /// the same term.
     #[must_use]
     pub fn trials(&self, arena: &mut Arena) -> Vec<Trial> {
         let difference = arena.sub(self.left, self.right);

@@ -1,9 +1,11 @@
-//! Permitted states: those in which equations hold and conditions are fulfilled.
+//! Permitted states: states of a mechanism in which its equations hold and its conditions are
+//! fulfilled.
 //!
-//! Permitted states are described by free symbols. A *dependent* symbol has a value in terms of the free symbols, such
-//! as a rate in terms of speeds, or a length in terms of the coordinates that it ties. A statement about all values of
-//! the free symbols then holds in all permitted states, except where a divisor is 0. It is proved by exact algebra, as
-//! everywhere else, and nothing is approximated.
+//! Permitted states are described by free symbols. A *dependent* symbol has a value in terms of the
+//! free symbols. Examples are a rate in terms of speeds, or a length that a constraint ties to
+//! coordinates.
+//! A statement about all values of the free symbols then holds in all permitted states, except
+//! where a divisor is 0. It is proved by exact algebra, and nothing is approximated.
 
 use super::signs::Signs;
 use crate::algebra::term::calculus::{Substitution, without_names};
@@ -11,20 +13,21 @@ use crate::algebra::term::elementary::single_angles;
 use crate::algebra::{Arena, Expr};
 use std::ops::BitOr;
 
-/// States in which an equality holds: all states, or permitted ones only.
+/// States in which an equality holds: all states, or permitted states only.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Holds {
-    /// True if the equality needs the equations that permitted states fulfil.
+    /// True if the equality holds only where the constraint equations of permitted states hold.
     pub on_constraints: bool,
-    /// True if the equality needs the conditions that permitted states fulfil.
+    /// True if the equality holds only where the conditions of permitted states are fulfilled.
     pub in_domain: bool,
 }
 
 impl Holds {
-    /// The equality holds in every state.
+    /// Value for an equality that holds in every state.
     pub const EVERYWHERE: Self = Self { on_constraints: false, in_domain: false };
 
-    /// Permitted states in words, such as "on the constraints"; `None` for an equality in all states.
+    /// Describes the states in words, such as "on the constraints"; `None` for an equality in all
+    /// states.
     #[must_use]
     pub const fn words(self) -> Option<&'static str> {
         match (self.on_constraints, self.in_domain) {
@@ -43,38 +46,46 @@ impl BitOr for Holds {
     }
 }
 
-/// Permitted states of a mechanism; by default all states.
+/// Permitted states of a mechanism. By default all states are permitted.
 #[derive(Clone, Default)]
 pub struct Permitted {
+    /// Substitution of the values in free symbols for the dependent terms.
     put: Substitution,
-    /// True if sines and cosines are among the dependent terms.
+    /// True if sines or cosines are among the terms that depend on free symbols.
     has_angles: bool,
+    /// Dependent terms, each with its value in free symbols.
     dependent: Vec<(Expr, Expr)>,
-    /// Signs that follow from the conditions, in the symbols as written.
+    /// Signs of terms that follow from the conditions on permitted states, in the symbols as
+    /// written.
     signs: Signs,
-    /// Signs that follow from the conditions, in free symbols.
+    /// Signs of terms that follow from the conditions on permitted states, in free (independent)
+    /// symbols.
     free_signs: Signs,
+    /// Terms that are positive in permitted states, in the symbols as written.
     conditions: Vec<Expr>,
+    /// Terms that are positive in permitted states, in free symbols.
     free_conditions: Vec<Expr>,
-    /// True if results say that an equality needs the dependent symbols, and states show their values.
+    /// True if results mention the constraints, and witnesses show the values of free symbols.
     is_told: bool,
-    /// Shorter terms that replace sums to which the equations make them equal.
+    /// Substitution of shorter terms for sums that the equations make equal to them.
     shorter: Substitution,
-    /// Reason why an equation is solved for no symbol; `None` if all equations are solved.
+    /// Message about an equation that is not solved for any symbol; `None` if all equations are
+    /// solved.
     open: Option<String>,
 }
 
-/// Two sides of a comparison, rewritten for permitted states.
+/// Two sides of a comparison, rewritten with facts about permitted states.
 pub struct View {
-    /// Constraints and conditions of the permitted states that were used.
+    /// States in which the rewritten sides equal the original sides.
     pub holds: Holds,
-    /// Left and right side, rewritten.
+    /// Left and right side of the comparison, rewritten for permitted states.
     pub sides: (Expr, Expr),
 }
 
 impl Permitted {
-    /// Creates the states in which each term of `dependent` has its value and all `conditions` are positive. The values
-    /// must not contain dependent symbols. The sine and the cosine of a dependent angle may be given beside it.
+    /// Creates the states in which each term of `dependent` equals its value and all `conditions`
+    /// are positive. `dependent` has pairs (term, value); the values must not contain dependent
+    /// symbols. The sine and cosine of a dependent angle may be given too.
     pub fn new(arena: &mut Arena, dependent: Vec<(Expr, Expr)>, conditions: Vec<Expr>) -> Self {
         let mut put = Substitution::new(&dependent);
         let has_angles = dependent.iter().any(|(e, _)| arena.symbol_name(*e).is_none());
@@ -84,7 +95,7 @@ impl Permitted {
         };
         let mut free_conditions: Vec<Expr> = conditions.iter().map(|e| free(arena, *e)).collect();
         let (signs, free_signs) = (Signs::new(arena, &conditions), Signs::new(arena, &free_conditions));
-        // A positive symbol that depends on others is positive where they permit it.
+        // A positive dependent symbol is positive only where the free symbols permit it.
         free_conditions.extend(dependent.iter().filter(|(s, _)| arena.is_positive(*s)).map(|(_, value)| *value));
         Self {
             put,
@@ -99,13 +110,15 @@ impl Permitted {
         }
     }
 
-    /// Adds the reason why some of these states may not be permitted: an equation that is solved for no symbol.
+    /// Adds a message about an equation that is not solved for any symbol, so that some described
+    /// states may not be permitted.
     #[must_use]
     pub fn with_open(self, open: Option<String>) -> Self {
         Self { open, ..self }
     }
 
-    /// Leaves the dependent symbols out of results: readers need not know of symbols such as the rate of time.
+    /// Leaves the constraints and the free symbols out of results, for symbols that readers need
+    /// not know, such as the rate of time.
     #[must_use]
     pub fn untold(self) -> Self {
         Self { is_told: false, ..self }
@@ -117,41 +130,43 @@ impl Permitted {
         Self { shorter: Substitution::new(shorter), ..self }
     }
 
-    /// Replaces sums in a term by shorter terms that are equal in permitted states. A term without such sums is
-    /// returned unchanged.
+    /// Replaces sums in a term by shorter terms that are equal in permitted states. A term without
+    /// sums of this kind is returned unchanged.
     pub fn shortened(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         let whole = without_names(arena, e);
         let short = self.shorter.apply(arena, whole);
         if short == whole { e } else { short }
     }
 
-    /// True if a state that shows a difference also shows the symbols that its dependent symbols depend on.
+    /// True if a witness also shows the free symbols on which its dependent symbols depend.
     #[must_use]
     pub const fn is_told(&self) -> bool {
         self.is_told
     }
 
-    /// True if every state is permitted.
+    /// True if every state of the mechanism is permitted: there are no equations and no conditions.
     #[must_use]
     pub fn is_everything(&self) -> bool {
         self.dependent.is_empty() && self.conditions.is_empty() && self.open.is_none()
     }
 
-    /// Reason why an equation is solved for no symbol, so that no difference is proved; `None` if all equations are
-    /// solved.
+    /// Message about an equation that is not solved for any symbol, so that no difference can be
+    /// proved. `None` if all equations are solved.
     #[must_use]
     pub fn open(&self) -> Option<&str> {
         self.open.as_deref()
     }
 
-    /// Writes a term in free symbols. A part whose divisor would become 0 stays as it is.
+    /// Writes a term in the free (independent) symbols of permitted states. A quotient whose
+    /// divisor would become 0 stays unchanged.
     pub fn put(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         let e = if self.has_angles { single_angles(arena, e) } else { e };
         self.put.apply(arena, e)
     }
 
-    /// Views of two sides in permitted states, in the order of more and more facts used. Views that change nothing are
-    /// left out. `None` if the sides divide by a term that is 0 in all permitted states.
+    /// Rewritten forms of two sides in permitted states; each uses more facts than the form before
+    /// it. Forms that change nothing are left out. `None` if the sides divide by a term that is 0
+    /// in all permitted states.
     pub fn views(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> Option<Vec<View>> {
         let mut list: Vec<View> = Vec::new();
         let told = self.is_told;

@@ -1,18 +1,19 @@
-//! Values of terms at random permitted states, in doubles.
+//! Samples: values of terms at random permitted states, in doubles.
 //!
-//! Numbers reject, and prove no equality.
+//! Such values can show that terms differ. They never prove an equality.
 
 use super::permitted::Permitted;
 use crate::algebra::value::evaluate::Tape;
 use crate::algebra::value::field::Generator;
 use crate::algebra::{Arena, Expr};
 
-/// Number of states that are drawn; those that are not permitted are left out.
+/// Number of random states that are drawn; states that are not permitted are left out.
 const DRAWN: usize = 200;
 
 impl Permitted {
-    /// Values of terms at random permitted states at which all are finite, state by state. The same states are drawn
-    /// each time. `None` if a term cannot be evaluated.
+    /// Values of the given terms at random permitted states: for each state, a list in the order of
+    /// the terms. States at which a value is not finite are left out. Every call draws the same
+    /// states. `None` if a term cannot be evaluated.
     pub fn samples(&mut self, arena: &mut Arena, terms: &[Expr]) -> Option<impl Iterator<Item = Vec<f64>> + use<>> {
         let mut outputs: Vec<Expr> = terms.iter().map(|e| self.put(arena, *e)).collect();
         let count = outputs.len();
@@ -33,7 +34,7 @@ impl Permitted {
     }
 }
 
-/// Random number whose size is 0.3 to 1.7, of either sign unless it must be positive.
+/// Random number of size 0.3 to 1.7, of random sign unless it must be positive.
 fn drawn(generator: &mut Generator, is_positive: bool) -> f64 {
     let size = 0.3 + (generator.next() % 1_400_000) as f64 * 1e-6;
     if is_positive || generator.next().is_multiple_of(2) { size } else { -size }

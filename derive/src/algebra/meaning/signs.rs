@@ -1,7 +1,9 @@
-//! Signs of terms where some terms are known to be positive, and roots and absolute values that such signs resolve.
+//! Signs of terms, derived from terms that are known to be positive. They resolve square roots and
+//! absolute values.
 //!
-//! Exact: a sign is claimed only where it follows from the form of a term, from positive symbols and from terms known
-//! to be positive. Any other sign is [`Sign::Unknown`], and the term stays as it was written.
+//! The method is exact. A sign is claimed only if it follows from the form of a term, from positive
+//! symbols and from terms known to be positive. Any other sign is [`Sign::Unknown`], and the term
+//! stays as it was written.
 
 use crate::algebra::form::normal::Normalizer;
 use crate::algebra::term::calculus::Substitution;
@@ -9,28 +11,28 @@ use crate::algebra::value::interval::{Interval, enclose};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 
-/// Known sign of a term.
+/// Sign of the values of a term, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
-    /// The term is above 0.
+    /// The value of the term is always above 0.
     Positive,
-    /// The term is 0 or above.
+    /// The value of the term is always 0 or above.
     NotNegative,
-    /// The term is below 0.
+    /// The value of the term is always below 0.
     Negative,
-    /// The term is 0 or below.
+    /// The value of the term is always 0 or below.
     NotPositive,
-    /// The term may have any value.
+    /// The sign of the term is not known.
     Unknown,
 }
 
 impl Sign {
-    /// True if the sign excludes 0.
+    /// True if the sign excludes the value 0.
     pub const fn is_strict(self) -> bool {
         matches!(self, Self::Positive | Self::Negative)
     }
 
-    /// Sign of the term multiplied by −1.
+    /// Sign of the negative of the term.
     pub const fn negated(self) -> Self {
         match self {
             Self::Positive => Self::Negative,
@@ -41,15 +43,17 @@ impl Sign {
         }
     }
 
+    /// True if the sign excludes values below 0.
     const fn is_not_negative(self) -> bool {
         matches!(self, Self::Positive | Self::NotNegative)
     }
 
-    /// Sign of k times the term, for k other than 0.
+    /// Sign of k times the term, for a number k other than 0.
     fn scaled(self, k: &Rational) -> Self {
         if k.is_negative() { self.negated() } else { self }
     }
 
+    /// Sign of the product of two terms.
     fn times(self, other: Self) -> Self {
         match (self, other) {
             (Self::Unknown, _) | (_, Self::Unknown) => Self::Unknown,
@@ -61,6 +65,7 @@ impl Sign {
         }
     }
 
+    /// Sign of a rational number; 0 counts as not negative.
     fn of_number(value: &Rational) -> Self {
         match (value.is_zero(), value.is_negative()) {
             (true, _) => Self::NotNegative,
@@ -70,29 +75,31 @@ impl Sign {
     }
 }
 
-/// Constant bounds of a term, which it does not reach; `None` where there is no bound.
+/// Constant bounds of a term. The term never reaches them; a bound is `None` if it is not known.
 #[derive(Clone, Debug)]
 pub struct Bounds {
-    /// Term that is bounded, often a symbol.
+    /// Term that the bounds restrict, often a symbol.
     pub of: Expr,
-    /// Constant that the term exceeds.
+    /// Lower bound: a constant that the term always exceeds; `None` if not known.
     pub low: Option<Expr>,
-    /// Constant that the term stays below.
+    /// Upper bound: a constant that the term always stays below; `None` if not known.
     pub high: Option<Expr>,
 }
 
-/// Terms that are known to be positive, and the bounds of terms that follow from them.
+/// Facts about signs: terms that are known to be positive, and the bounds that follow from them.
 #[derive(Clone, Debug, Default)]
 pub struct Signs {
+    /// Terms that are known to be positive in the states considered.
     positive: Vec<Expr>,
+    /// Bounds of terms that follow from the positive terms.
     bounds: Vec<Bounds>,
 }
 
-/// Largest number of multiplications of terms for finding the square root of a radicand.
+/// Largest number of multiplications of terms in the search for the square root of a sum.
 const ROOT: u64 = 50_000;
 
 impl Signs {
-    /// Creates the signs in states where each term of `positive` is positive.
+    /// Creates the facts about signs in states where each term of `positive` is positive.
     pub fn new(arena: &mut Arena, positive: &[Expr]) -> Self {
         let mut signs = Self { positive: positive.to_vec(), bounds: Vec::new() };
         for term in positive {
@@ -106,12 +113,12 @@ impl Signs {
         self.positive.is_empty()
     }
 
-    /// Known bounds of a term; `None` if there are none.
+    /// Constant bounds of the term `e`; `None` if no bound is known.
     pub fn bounds_of(&self, e: Expr) -> Option<&Bounds> {
         self.bounds.iter().find(|b| b.of == e)
     }
 
-    /// Adds the bound of a term that follows from constant + k · term > 0.
+    /// Adds the bound of a term that follows from a positive sum of the form constant + k · term.
     fn bound(&mut self, arena: &mut Arena, positive: Expr) {
         let (constant, terms) = match arena.node(positive).clone() {
             Node::Sum(constant, terms) => (constant, terms.to_vec()),
@@ -120,7 +127,7 @@ impl Signs {
         let (fixed, moving): (Vec<_>, Vec<_>) = terms.into_iter().partition(|(term, _)| *arena.node(*term) == Node::Pi);
         let [(term, k)] = moving.as_slice() else { return };
         let Some(inverse) = k.recip() else { return };
-        // term > −constant/k, or below it if k is negative.
+        // The bound is term > −constant/k, or term < −constant/k if k is negative.
         let constant = arena.number(constant);
         let fixed: Vec<_> = fixed.into_iter().chain([(constant, Rational::ONE)]).collect();
         let sum = arena.linear_combination(&fixed);
@@ -135,6 +142,7 @@ impl Signs {
         }
     }
 
+    /// Adds bounds of a term; a bound that is already known is kept.
     fn narrow(&mut self, of: Expr, low: Option<Expr>, high: Option<Expr>) {
         match self.bounds.iter_mut().find(|b| b.of == of) {
             Some(known) => {
@@ -145,8 +153,8 @@ impl Signs {
         }
     }
 
-    /// Rewrites a term: roots of squares, absolute values and signs are resolved where the sign of their argument is
-    /// known.
+    /// Rewrites a term by known signs: roots of squares, absolute values and sign functions are
+    /// resolved if the sign of their argument is known.
     pub fn resolved(&self, arena: &mut Arena, e: Expr) -> Expr {
         let is_bent = |f: Function| matches!(f, Function::Sqrt | Function::Abs | Function::Sign);
         let bent: Vec<Expr> = arena.reachable(&[e]);
@@ -163,7 +171,8 @@ impl Signs {
         put.apply(arena, e)
     }
 
-    /// Value of f(argument), where f is a root, an absolute value or a sign.
+    /// Value of f(argument) by known signs, where f is a square root, an absolute value or a sign
+    /// function.
     fn value(&self, arena: &mut Arena, f: Function, argument: Expr) -> Expr {
         match (f, self.sign(arena, argument)) {
             (Function::Sqrt, _) => self.root(arena, argument),
@@ -175,7 +184,8 @@ impl Signs {
         }
     }
 
-    /// Square root of an argument, with its squares taken out as far as the signs of their bases are known.
+    /// Square root of an argument. Squares are taken out of the root if the signs of their bases
+    /// are known.
     fn root(&self, arena: &mut Arena, argument: Expr) -> Expr {
         let (content, primitive) = arena.split_content(argument);
         let (content, primitive) = match arena.node(argument) {
@@ -214,7 +224,7 @@ impl Signs {
         arena.try_product(&outside).unwrap_or_else(|_| arena.apply(Function::Sqrt, argument))
     }
 
-    /// Absolute value |e|; `None` if the sign of e is unknown.
+    /// Absolute value |e| as `e` or −`e`; `None` if the sign of `e` is unknown.
     fn size(&self, arena: &mut Arena, e: Expr) -> Option<Expr> {
         match self.sign(arena, e) {
             Sign::Positive | Sign::NotNegative => Some(e),
@@ -223,7 +233,7 @@ impl Signs {
         }
     }
 
-    /// Sign of the term `e`, as far as it follows from the known signs.
+    /// Sign of the values of the term `e`, as far as it follows from the known facts.
     pub fn sign(&self, arena: &mut Arena, e: Expr) -> Sign {
         let roots: Vec<Expr> = self.positive.iter().copied().chain([e]).collect();
         let mut known: FxHashMap<Expr, Sign> = FxHashMap::default();
@@ -237,7 +247,7 @@ impl Signs {
         known[&e]
     }
 
-    /// Sign of a term that follows from the signs of its operands.
+    /// Sign of a term that follows from the signs of its operands; `known` has these signs.
     fn by_form(&self, arena: &mut Arena, e: Expr, known: &FxHashMap<Expr, Sign>) -> Sign {
         match arena.node(e).clone() {
             Node::Number(value) => Sign::of_number(&value),
@@ -266,6 +276,7 @@ impl Signs {
         }
     }
 
+    /// Sign of a term that follows from its constant bounds.
     fn by_bounds(&self, arena: &Arena, e: Expr) -> Sign {
         let Some(bounds) = self.bounds_of(e) else { return Sign::Unknown };
         if bounds.low.is_some_and(|low| is_at_least(arena, low, Expr::ZERO)) {
@@ -277,7 +288,8 @@ impl Signs {
         Sign::Unknown
     }
 
-    /// Sign of the cosine of an angle between −π/2 and π/2, or of the sine of an angle between 0 and π or −π and 0.
+    /// Sign of a cosine or a sine from the bounds of its angle. It is known for a cosine between
+    /// −π/2 and π/2, and for a sine between 0 and π or between −π and 0.
     fn of_wave(&self, arena: &mut Arena, f: Function, argument: Expr) -> Sign {
         let Some(Bounds { low: Some(low), high: Some(high), .. }) = self.bounds_of(argument).cloned() else {
             return Sign::Unknown;
@@ -294,7 +306,8 @@ impl Signs {
         }
     }
 
-    /// Sign of a term that is a multiple of a positive term plus a rest of the same sign.
+    /// Sign of a term that is a multiple of a positive term plus a rest of the same sign; unknown
+    /// for other terms.
     fn by_known(&self, arena: &mut Arena, e: Expr, known: &FxHashMap<Expr, Sign>) -> Sign {
         for positive in &self.positive {
             let Some(k) = common_multiple(arena, e, *positive) else { continue };
@@ -315,7 +328,7 @@ impl Signs {
     }
 }
 
-/// Sign of the sum constant + Σ k · term if all its parts have one sign; unknown otherwise.
+/// Sign of the sum constant + Σ k · term if all its parts have the same sign; unknown otherwise.
 fn sign_of_sum(constant: &Rational, terms: &[(Expr, Rational)], known: &FxHashMap<Expr, Sign>) -> Sign {
     let mut parts: Vec<Sign> = terms.iter().map(|(term, k)| known[term].scaled(k)).collect();
     if !constant.is_zero() {
@@ -330,8 +343,8 @@ fn sign_of_sum(constant: &Rational, terms: &[(Expr, Rational)], known: &FxHashMa
     if parts.iter().all(is_not_positive) { sign.negated() } else { Sign::Unknown }
 }
 
-/// Quotient of the coefficients, in `e` and in `positive`, of the first term that both sums have; `None` if they share
-/// none.
+/// Ratio of the coefficients, in the sum `e` over that in the sum `positive`, of the first term
+/// that both sums contain. `None` if they have no common term.
 fn common_multiple(arena: &Arena, e: Expr, positive: Expr) -> Option<Rational> {
     let terms = |e: Expr| match arena.node(e) {
         Node::Sum(_, terms) => terms.to_vec(),
@@ -344,7 +357,7 @@ fn common_multiple(arena: &Arena, e: Expr, positive: Expr) -> Option<Rational> {
     })
 }
 
-/// True if constant `a` is proved to be at least constant `b`.
+/// True if the constant `a` is proved to be at least the constant `b`. False proves nothing.
 fn is_at_least(arena: &Arena, a: Expr, b: Expr) -> bool {
     if a == b {
         return true;
@@ -354,7 +367,8 @@ fn is_at_least(arena: &Arena, a: Expr, b: Expr) -> bool {
     Interval::is_above(a, b)
 }
 
-/// Polynomial p with p² = e, of either sign; `None` if none is found.
+/// Square root of a sum as a polynomial p with p² = e, of either sign; `None` if no such polynomial
+/// is found.
 fn square_root(arena: &mut Arena, e: Expr) -> Option<Expr> {
     if !matches!(arena.node(e), Node::Sum(..)) {
         return None;

@@ -1,4 +1,5 @@
-//! Witnesses: states at which two sides differ, in numbers that people can type.
+//! Witnesses of differences: states at which two sides have different values, in numbers that
+//! people can type.
 
 use super::signs::{Bounds, Signs};
 use crate::algebra::value::evaluate::Tape;
@@ -7,42 +8,44 @@ use crate::algebra::value::interval::{Interval, enclose};
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashMap;
 
-/// A state where two sides have different values.
+/// State at which the two sides of a comparison have different values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Witness {
-    /// Symbols that occur, as (name, value).
+    /// Values of the symbols at the state, as pairs (name, value).
     pub at: Vec<(String, f64)>,
-    /// Value of the left side at the state.
+    /// Value of the left side of the comparison at the state.
     pub left: f64,
-    /// Value of the right side at the state.
+    /// Value of the right side of the comparison at the state.
     pub right: f64,
     /// Value of left − right at the state, evaluated as one expression.
     pub difference: f64,
 }
 
-/// Number of states tried for a witness.
+/// Number of states that are tried for a clear witness.
 const STATES: usize = 100;
-/// Number of states tried until one has values, since roots and conditions may exclude many states.
+/// Number of states that are tried until the sides have values at one, since roots and conditions
+/// may exclude many.
 const MOST_STATES: usize = 2000;
 
-/// Requirements on a witness.
+/// Requirements on a witness: a state at which the two sides of a comparison differ.
 #[derive(Clone, Debug)]
 pub struct Asked<'a> {
-    /// Left side, right side, and their difference.
+    /// Left side, right side, and their difference, as terms.
     pub sides: [Expr; 3],
-    /// Terms that must have a value at the state.
+    /// Terms that must have a value at the witness state.
     pub defined: Vec<Expr>,
-    /// Terms that must be positive at the state.
+    /// Terms that must be positive at the witness state.
     pub positive: &'a [Expr],
-    /// Known signs of terms.
+    /// Known signs of terms, which limit the values of symbols.
     pub signs: &'a Signs,
-    /// Symbols shown in a state, with their values in the symbols that the sides are written in.
+    /// Symbols whose values the witness shows, each with its value as a term in free symbols.
     pub shown: Vec<(Expr, Expr)>,
 }
 
-/// Finds a state where the sides differ. The second value is true if an interval of the difference that excludes 0
-/// proves it. All terms of `defined` have a value there, so terms that cancelled are respected. `None` if no state was
-/// found.
+/// Finds a state at which the two sides differ. The flag is true if an interval of the difference
+/// that excludes 0 proves that they differ.
+/// All terms of `defined` have a value at the state, including terms that cancelled. `None` if no
+/// state was found.
 pub fn witness(arena: &Arena, asked: &Asked<'_>) -> Option<(Witness, bool)> {
     let symbols_of = |roots: &[Expr]| {
         let parts = arena.reachable(roots).into_iter();
@@ -58,7 +61,7 @@ pub fn witness(arena: &Arena, asked: &Asked<'_>) -> Option<(Witness, bool)> {
     let outputs = [&asked.sides, positive.as_slice(), values_shown.as_slice(), asked.defined.as_slice()].concat();
     let tape = Tape::new(arena, &symbols, &outputs).ok()?;
     let (after, count) = (3 + positive.len(), asked.shown.len());
-    // Ranked by whether the difference is proved, then by the share of the sides that it makes.
+    // States are ranked by a proved difference first, then by the relative size of the difference.
     let mut best: Option<((bool, f64), Witness)> = None;
     for tried in 0..MOST_STATES {
         if tried >= STATES && best.is_some() {
@@ -82,7 +85,7 @@ pub fn witness(arena: &Arena, asked: &Asked<'_>) -> Option<(Witness, bool)> {
             let at = names.zip(found[after..after + count].iter().copied()).collect();
             best = Some(((proved, share), Witness { at, left, right, difference }));
         }
-        // A difference that anyone can see.
+        // A relative difference above 5% is clear to any reader.
         if proved && share > 0.05 {
             break;
         }
@@ -90,7 +93,7 @@ pub fn witness(arena: &Arena, asked: &Asked<'_>) -> Option<(Witness, bool)> {
     best.map(|((proved, _), witness)| (witness, proved))
 }
 
-/// Random value for a symbol, within its bounds if there are some.
+/// Random value for a symbol, within the symbol's bounds if it has any.
 fn value_of(arena: &Arena, signs: &Signs, symbol: Expr, generator: &mut Generator) -> f64 {
     let size = handy_size(generator);
     let is_positive = arena.is_positive(symbol) || generator.next().is_multiple_of(2);
@@ -113,7 +116,7 @@ fn value_of(arena: &Arena, signs: &Signs, symbol: Expr, generator: &mut Generato
     }
 }
 
-/// True if a term mentions one of these symbols, which are sorted.
+/// True if the term `e` contains any of the given symbols, which must be sorted.
 fn mentions_any(arena: &Arena, e: Expr, symbols: &[Expr]) -> bool {
     arena.reachable(&[e]).iter().any(|part| symbols.binary_search(part).is_ok())
 }

@@ -1,10 +1,12 @@
-//! Linear systems solved block by block, dividing by nothing but the determinant of each block.
+//! Linear systems solved block by block, with divisions by the determinants of blocks only.
 //!
-//! Elimination divides by pivots that may vanish where the system is regular: a rotation matrix has determinant 1, and
-//! each of its entries vanishes in some pose. A small block is therefore solved by its cofactors, and its determinant
-//! is simplified before it divides. In a larger block, entries that are zero nowhere serve as pivots first, and the
-//! rest is such a small block. The module `elimination` is separate: it is for systems whose pivots are known not to
-//! vanish, and it shares subexpressions.
+//! Elimination divides by pivots that may vanish where the system is regular. A rotation matrix,
+//! for example, has determinant 1, but each of its entries vanishes in some pose. A small block is
+//! therefore solved by its cofactors, and its determinant is simplified before it divides. In a
+//! larger block, entries that are never zero serve as pivots first; the rest is solved like a small
+//! block.
+//! The module `elimination` is separate: it is for systems whose pivots are known not to vanish,
+//! and it shares subexpressions.
 
 use super::linear::{Singular, solve};
 use crate::algebra::form::simplify::Simplifier;
@@ -15,15 +17,16 @@ use petgraph::algo::{maximum_matching, tarjan_scc};
 use petgraph::graph::{DiGraph, UnGraph};
 use rustc_hash::FxHashMap;
 
-/// Largest number of rows of a block that is solved by cofactors directly.
+/// Largest number of rows of a block that is solved directly by cofactors.
 const LARGEST: usize = 4;
-/// Largest number of rows of the rest of a block, after elimination, that is solved by cofactors.
+/// Largest number of rows that are solved by cofactors after the elimination in a larger block.
 const LARGEST_LEFT: usize = 6;
 
-/// Solves A x = b with a square matrix A, block by block. Returns x and the divisors.
+/// Solves A x = b with a square matrix A, block by block. Returns x and the divisors, in most cases
+/// determinants of blocks.
 ///
 /// # Errors
-/// [`Singular`] if A is singular identically.
+/// [`Singular`] if A is singular for all values of its symbols.
 pub fn solve_blocks(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -54,8 +57,9 @@ pub fn solve_blocks(
     Ok((x, divisors))
 }
 
-/// Solves a block: eliminates with entries that are zero nowhere, and solves the rest by cofactors if it is small.
-/// Returns the solution and the divisors.
+/// Solves a large block: eliminates with entries that are never zero, and solves the rest by
+/// cofactors if it is small enough. Returns the solution and the divisors. Error if the block is
+/// singular.
 fn by_parts(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -114,8 +118,8 @@ fn by_parts(
     Ok((x, divisors))
 }
 
-/// Row and column of the shortest entry that is zero nowhere, among rows and columns without a pivot; `None` if there
-/// is none.
+/// Row and column of the shortest entry that is proved never to be zero, among rows and columns
+/// without a pivot. `None` if there is no entry of that kind.
 fn sure_pivot(arena: &Arena, rows: &[Vec<Expr>], order: &[(usize, usize)], n: usize) -> Option<(usize, usize)> {
     let mut best: Option<(usize, usize, usize)> = None;
     for (r, row) in rows.iter().enumerate().filter(|(r, _)| !order.iter().any(|(row, _)| row == r)) {
@@ -132,7 +136,8 @@ fn sure_pivot(arena: &Arena, rows: &[Vec<Expr>], order: &[(usize, usize)], n: us
     best.map(|(_, r, c)| (r, c))
 }
 
-/// Connected blocks of a matrix: the rows and columns that share nonzero entries.
+/// Connected blocks of a square matrix, as (rows, columns): rows and columns of different blocks
+/// share no non-zero entry.
 fn blocks(a: &[Vec<Expr>]) -> Vec<(Vec<usize>, Vec<usize>)> {
     let n = a.len();
     let (mut row_seen, mut result) = (vec![false; n], Vec::new());
@@ -164,9 +169,10 @@ fn blocks(a: &[Vec<Expr>]) -> Vec<(Vec<usize>, Vec<usize>)> {
     result
 }
 
-/// Splits a large connected block into blocks that can be solved one after another, each with the unknowns of the
-/// blocks before it put in. They are the strongly connected components of the graph of rows, once each row is matched
-/// with an unknown. A. L. Dulmage & N. S. Mendelsohn, Canadian Journal of Mathematics 10 (1958) 517-534.
+/// Splits a large connected block into blocks that can be solved in sequence, each with the
+/// unknowns of earlier blocks known. The blocks are the strongly connected components of the graph
+/// of rows, after each row is matched with an unknown. A. L. Dulmage & N. S. Mendelsohn, Canadian
+/// Journal of Mathematics 10 (1958) 517-534.
 fn one_after_another(a: &[Vec<Expr>], rows: Vec<usize>, columns: Vec<usize>) -> Vec<(Vec<usize>, Vec<usize>)> {
     if rows.len() <= LARGEST || rows.len() != columns.len() {
         return vec![(rows, columns)];
@@ -191,7 +197,7 @@ fn one_after_another(a: &[Vec<Expr>], rows: Vec<usize>, columns: Vec<usize>) -> 
             needs.add_edge(nodes[row], nodes[other], ());
         }
     }
-    // A component comes after all components that it needs.
+    // A component comes after all components that it depends on.
     let parts = tarjan_scc(&needs).into_iter().map(|part| {
         let mut part_rows: Vec<usize> = part.iter().map(|node| rows[node.index()]).collect();
         let mut part_columns: Vec<usize> = part.iter().map(|node| columns[own[node.index()]]).collect();
@@ -202,7 +208,8 @@ fn one_after_another(a: &[Vec<Expr>], rows: Vec<usize>, columns: Vec<usize>) -> 
     parts.collect()
 }
 
-/// Right-hand side of a row for the unknowns in `columns`, with the values of all other unknowns put in.
+/// Right-hand side of a row for the unknowns in `columns`, after the values `x` of all other
+/// unknowns are inserted.
 fn right_side(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -225,7 +232,8 @@ fn right_side(
     simplifier.simplify(arena, sum)
 }
 
-/// Solves A x = b by cofactors, x = adj(A) b / det A. Returns x and the determinant as its divisor.
+/// Solves A x = b by cofactors, x = adj(A) b / det A. Returns x, and the determinant as the only
+/// divisor.
 fn by_cofactors(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr>], b: &[Expr]) -> (Vec<Expr>, Vec<Expr>) {
     let n = a.len();
     let all: Vec<usize> = (0..n).collect();
@@ -239,7 +247,8 @@ fn by_cofactors(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr>],
             let columns: Vec<usize> = all.iter().copied().filter(|c| *c != column).collect();
             let cofactor = minors.minor(arena, simplifier, &rows, &columns);
             let signed = if (row + column) % 2 == 0 { cofactor } else { arena.neg(cofactor) };
-            // Each quotient is simplified by itself: a cofactor often cancels the determinant where their sum hides it.
+            // Each quotient is simplified by itself: a cofactor often cancels with the determinant,
+            // which their sum would hide.
             let factor = arena.div(signed, determinant).expect("the rank is full, so the determinant is not 0");
             let factor = simplifier.simplify(arena, factor);
             terms.push(arena.mul(factor, *right));
@@ -250,14 +259,17 @@ fn by_cofactors(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr>],
     (x, vec![determinant])
 }
 
-/// Minors of a matrix, each computed once.
+/// Minors (determinants of submatrices) of a matrix; each is computed once.
 struct Minors<'a> {
+    /// Matrix whose minors are computed, by rows.
     a: &'a [Vec<Expr>],
+    /// Minors computed so far, by their rows and columns.
     known: FxHashMap<(Vec<usize>, Vec<usize>), Expr>,
 }
 
 impl Minors<'_> {
-    /// Determinant of the chosen rows and columns of the matrix, by expansion along the first row.
+    /// Determinant of the submatrix of the given rows and columns, by expansion along the first
+    /// row.
     fn minor(&mut self, arena: &mut Arena, simplifier: &mut Simplifier, rows: &[usize], columns: &[usize]) -> Expr {
         let Some((first, rest)) = rows.split_first() else { return Expr::ONE };
         if let Some(known) = self.known.get(&(rows.to_vec(), columns.to_vec())) {

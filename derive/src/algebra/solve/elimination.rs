@@ -1,12 +1,15 @@
-//! Linear systems with symmetric or general matrices, solved in the arena for generated code. Separate from `blocks`,
-//! which divides by determinants alone, from `linear`, which only reads coefficients, and from `reduce::pivots`, which
-//! solves rows for some columns.
+//! Elimination: linear systems with symmetric or general matrices, solved in the arena for
+//! generated code. The module is separate from `blocks`, which divides by determinants alone, and
+//! from `linear`, which solves systems without names. It is also separate from `reduce::pivots`,
+//! which solves rows for some columns.
 //!
-//! The method is Gaussian elimination in an order that keeps the fill-in low, with every entry in its short form. Short
-//! entries are written out, so that terms that are zero by meaning disappear: a small system ends in a closed form. An
-//! entry that grows gets a name, and later entries mention that name: a large system ends in the shared arithmetic of a
-//! sparse L D Lᵀ factorization. Absent on purpose: choosing pivots by value. A pivot of a symmetric positive definite
-//! matrix is never zero. In other matrices, pivots that are proved never to be zero go first, if there are any.
+//! The method is Gaussian elimination in an order that keeps the fill-in low, with every entry in
+//! its short form. Short entries are written out, so that terms that are identically zero
+//! disappear: a small system ends in a closed form. An entry that grows gets a name, and later
+//! entries mention that name. So a large system ends in the shared arithmetic of a sparse L D Lᵀ
+//! factorization. Absent on purpose: choosing pivots by value. A pivot of a symmetric positive
+//! definite matrix is never zero. In other matrices, pivots that are proved never to be zero go
+//! first, if there are any.
 
 use super::linear::Singular;
 use crate::algebra::form::sharing::{Reading, share};
@@ -16,38 +19,40 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::value::range::never_zero;
 use crate::algebra::{Arena, Expr, Node};
 
-/// Number of operations above which an entry gets a name of its own, for each trial. The first trial keeps long
-/// entries, which may cancel some pivots later. The last trial names every entry.
+/// Number of operations above which an entry gets its own name, for each trial. The first trial
+/// keeps long entries, which may cancel pivots later. The last trial names every entry.
 const LONGEST: [usize; 3] = [150, 40, 0];
 
-/// Linear system A x = b with a square matrix A.
+/// Linear system A x = b with a square matrix A (n × n).
 #[derive(Clone, Copy)]
 pub struct LinearSystem<'a> {
-    /// Matrix A, row by row.
+    /// Matrix A, as a list of rows.
     pub matrix: &'a [Vec<Expr>],
-    /// The right-hand side b.
+    /// Right-hand side b, with n entries.
     pub right: &'a [Expr],
-    /// Symbols of the unknowns x.
+    /// Symbols of the n unknowns x.
     pub unknowns: &'a [Expr],
     /// True if A is symmetric, and positive definite wherever it is regular.
     pub symmetric: bool,
-    /// True if every entry gets a name at once, without the search for entries that cancel.
+    /// True if every entry gets a name at once, without the search for entries that cancel. Meant
+    /// for large systems.
     pub is_large: bool,
 }
 
-/// The solution of a linear system, step by step.
+/// Solution of a linear system as a sequence of computation steps.
 #[derive(Clone, Debug, Default)]
 pub struct Elimination {
-    /// Definitions of named entries and of all unknowns, in the order of computation.
+    /// Steps that define named entries and all unknowns, in the order of computation.
     pub steps: Vec<Definition>,
-    /// Divisors of the steps, each base once, in order of appearance, without plain numbers.
+    /// Divisors of the steps, each base once, in the order in which they occur; plain numbers are
+    /// left out.
     pub divisors: Vec<Expr>,
 }
 
-/// Solves a linear system by the cheapest of several eliminations.
+/// Solves a linear system by the cheapest of up to three eliminations, counted in operations.
 ///
 /// # Errors
-/// [`Singular`] if the matrix is singular identically.
+/// [`Singular`] if the matrix is singular for all values of its symbols.
 pub fn eliminate(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -60,7 +65,7 @@ pub fn eliminate(
     }
     let mut best: Option<(usize, Arena, Simplifier, Vec<Definition>)> = None;
     for longest in LONGEST {
-        // Each trial has an arena of its own, so that the names of a trial that loses stay free.
+        // Each trial has its own arena, so that the names of rejected trials stay free.
         let (mut arena, mut simplifier) = (arena.clone(), simplifier.clone());
         let steps = solve(&mut arena, &mut simplifier, system, longest)?;
         let total = least_cost(&arena, &steps, system.unknowns);
@@ -68,7 +73,8 @@ pub fn eliminate(
         if best.as_ref().is_none_or(|(least, ..)| total < *least) {
             best = Some((total, arena, simplifier, steps));
         }
-        // If no entry was long enough for a name, lower limits are not tried: they are for larger systems.
+        // If no entry was long enough for a name, lower limits are not tried: they are meant for
+        // larger systems.
         if !has_names {
             break;
         }
@@ -79,7 +85,7 @@ pub fn eliminate(
     Ok(Elimination { steps, divisors })
 }
 
-/// Number of operations of a solution after common parts are shared, as they will be in the generated code.
+/// Number of operations of a solution after common parts are shared, as in the generated code.
 fn least_cost(arena: &Arena, steps: &[Definition], unknowns: &[Expr]) -> usize {
     let counts = Reading::SAMPLE.into_iter().filter_map(|reading| {
         let mut arena = arena.clone();
@@ -90,7 +96,8 @@ fn least_cost(arena: &Arena, steps: &[Definition], unknowns: &[Expr]) -> usize {
     counts.min().unwrap_or(0)
 }
 
-/// Steps of one elimination, in which entries of more than `longest` operations get names.
+/// Solves a system by a single elimination, in which entries of more than `longest` operations get
+/// names. Error if the matrix is singular.
 fn solve(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -109,25 +116,32 @@ fn solve(
     Ok(work.steps)
 }
 
-/// State of an elimination between two pivots.
+/// State of an elimination after some of its pivots.
 struct Work<'a> {
+    /// Arena of the terms.
     arena: &'a mut Arena,
+    /// Simplifier of the entries.
     simplifier: &'a mut Simplifier,
+    /// Matrix A as eliminated so far, by rows.
     matrix: Vec<Vec<Expr>>,
+    /// Right-hand side b as eliminated so far.
     right: Vec<Expr>,
+    /// True if the matrix A is symmetric, and positive definite wherever it is regular.
     symmetric: bool,
-    /// True for each row that had no pivot yet.
+    /// True for each row that has not been a pivot row yet.
     rows: Vec<bool>,
-    /// True for each column that had no pivot yet.
+    /// True for each column that has not been a pivot column yet.
     columns: Vec<bool>,
-    /// Pivots so far, as (row, column).
+    /// Pivots chosen so far, as pairs (row, column).
     order: Vec<(usize, usize)>,
+    /// Steps so far, which define the named entries.
     steps: Vec<Definition>,
     /// Number of operations above which an entry gets a name.
     longest: usize,
 }
 
 impl<'a> Work<'a> {
+    /// Prepares the elimination of a system, with every entry in short form.
     fn new(arena: &'a mut Arena, simplifier: &'a mut Simplifier, system: LinearSystem<'_>, longest: usize) -> Self {
         let n = system.right.len();
         let mut work = Self {
@@ -150,14 +164,15 @@ impl<'a> Work<'a> {
         work
     }
 
-    /// Short form of an entry; the literal 0 if it is 0 by meaning.
+    /// Short form of an entry; the literal 0 if the entry is identically 0.
     fn short(&mut self, e: Expr) -> Expr {
         let e = self.simplifier.simplify(self.arena, e);
         let zero = matches!(self.arena.node(e), Node::Sum(..)) && zero_test(self.arena, e) == ZeroTest::Zero;
         if zero { Expr::ZERO } else { e }
     }
 
-    /// Returns the entry `e`, or a new name for it if it is long.
+    /// Returns the entry `e`, or a new symbol for it, defined by a step, if `e` has more than
+    /// `longest` operations.
     fn named(&mut self, e: Expr, name: &str) -> Expr {
         if cost(self.arena, e) <= self.longest {
             return e;
@@ -167,7 +182,8 @@ impl<'a> Work<'a> {
         symbol
     }
 
-    /// Best pivot as (row, column): proved never to be zero, then with least fill-in, then the shortest.
+    /// Row and column of the best pivot: proved never to be zero, then with the least fill-in, then
+    /// the shortest. `None` if no pivot is left.
     fn pivot(&self) -> Option<(usize, usize)> {
         let n = self.right.len();
         let active = |flags: &[bool]| -> Vec<usize> { (0..n).filter(|i| flags[*i]).collect() };
@@ -189,8 +205,8 @@ impl<'a> Work<'a> {
         best.map(|(.., row, column)| (row, column))
     }
 
-    /// Eliminates the pivot's column from all remaining rows: a_ij becomes a_ij − (a_ic / d) a_rj, with pivot d in row
-    /// r.
+    /// Eliminates the pivot's column c from all remaining rows: a_ij becomes a_ij − (a_ic / d)
+    /// a_rj, with the pivot d in row r.
     fn clear(&mut self, row: usize, column: usize) {
         let n = self.right.len();
         let d = self.named(self.matrix[row][column], "d");
@@ -224,7 +240,8 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Adds the steps of the unknowns, the last pivot's first, each in terms of the unknowns before it.
+    /// Adds the steps that define the unknowns, from the last pivot to the first. Each uses the
+    /// unknowns already defined.
     fn substitute_back(&mut self, unknowns: &[Expr]) {
         // Term that stands for an unknown in other steps: its symbol, or 0 if its value is 0.
         let mut known: Vec<Option<Expr>> = vec![None; unknowns.len()];
@@ -245,7 +262,7 @@ impl<'a> Work<'a> {
     }
 }
 
-/// Divisors in terms: the bases of negative powers, each once.
+/// Divisors in the given terms: the bases of negative powers, each once.
 #[must_use]
 pub fn divisors(arena: &Arena, values: &[Expr]) -> Vec<Expr> {
     let mut found = Vec::new();

@@ -1,19 +1,21 @@
-//! The unknowns at which a quadratic form in named terms is least, in time proportional to the number of names and not
-//! to its square.
+//! Least value of a quadratic form in named terms: the unknowns at which it is taken. The time is
+//! proportional to the number of names, not to its square.
 //!
-//! The terms are linear in the unknowns by way of other named terms. The accelerations of bodies, for example, are
-//! linear in those of joints, each body's by way of the body before it. The form is carried back through the names, the
-//! last first: each named term is replaced by the terms that it is made of. An unknown that no remaining name depends
-//! on is eliminated at once, while few terms stand beside it. On a chain this is the recursion of articulated bodies
-//! (A. F. Vereshchagin, 1974; R. Featherstone, Int. J. Robotics Research 2 (1983) 13–30), found as an elimination in
-//! the order of the names. The form that is least is then that of Gauss's principle.
+//! The terms are linear in the unknowns through other named terms. The accelerations of bodies, for
+//! example, are linear in those of joints, each body's through that of the body before it. The
+//! names are removed from the form, the last first: each named term is replaced by the terms in its
+//! definition. An unknown that no remaining name depends on is eliminated at once, while few terms
+//! are coupled to it.
+//! On a chain this is the recursion of articulated bodies (A. F. Vereshchagin, 1974; R.
+//! Featherstone, Int. J. Robotics Research 2 (1983) 13–30), found as an elimination in the order of
+//! the names. The form that is minimized is then that of Gauss's principle.
 //!
-//! An unknown may occur in one name only, as the rate of a relative angle does in the angular acceleration of its body.
-//! Then the name may take the place of the unknown. This avoids terms that cancel later, and the unknown follows from
-//! the name at the end.
+//! An unknown may occur in one name only, as the rate of a relative angle does in the angular
+//! acceleration of its body. Then the name may replace the unknown. This avoids terms that cancel
+//! later, and the unknown follows from the name at the end.
 //!
-//! Invariant: a pivot is the value of the form along one unknown, with all others chosen best. It is positive where the
-//! form is positive definite.
+//! Invariant: a pivot is the second derivative of the form along one unknown, minimized over the
+//! unknowns already eliminated. It is positive where the form is positive definite.
 
 mod form;
 
@@ -25,60 +27,69 @@ use form::{Form, Part, Replaced, turn};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Part of a quadratic form: ½ Σ K_ij e_i e_j + Σ b_i e_i, with K symmetric.
+/// Block of a quadratic form: ½ Σ K_ij e_i e_j + Σ b_i e_i over three components e, with K
+/// symmetric.
 #[derive(Clone, Debug)]
 pub struct Block {
-    /// Components e of the block, linear in the unknowns by way of names.
+    /// Components e of the block, linear in the unknowns through named terms.
     pub components: [Expr; 3],
-    /// Symmetric matrix K of the block.
+    /// Symmetric 3 × 3 matrix K of the block.
     pub tensor: [[Expr; 3]; 3],
-    /// Coefficients b of the block's linear part.
+    /// Coefficients b of the linear part, one for each component.
     pub linear: [Expr; 3],
 }
 
-/// Quadratic form: the sum of blocks and of a linear form in the unknowns.
+/// Quadratic form in the unknowns: the sum of blocks and of a linear form.
 #[derive(Clone, Debug)]
 pub struct Sum {
-    /// Blocks of the quadratic form.
+    /// Blocks whose sum is the quadratic part.
     pub blocks: Vec<Block>,
-    /// Factor of each unknown in the linear form.
+    /// Coefficient of each unknown in the linear form.
     pub linear: Vec<Expr>,
 }
 
-/// Order in which terms are taken out of the quadratic form.
+/// Order in which named terms and unknowns are eliminated from the quadratic form.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Order {
-    /// First the term that depends on most unknowns, and among equals the one with most names between it and the
-    /// unknowns. On an arm these are all terms of its last body, then all of the body before it.
+    /// First the term that depends on most unknowns; among equals, the term with most names between
+    /// it and the unknowns. On an arm these are all terms of its last body, then all of the body
+    /// before it.
     Farthest,
-    /// First the term with fewest terms beside it: good on a chain whose angles are all measured from one frame.
+    /// First the term that is coupled to fewest others. This is good on a chain whose angles are
+    /// all measured from one frame.
     Fewest,
 }
 
-/// Kind of terms that the quadratic form is solved for.
+/// Kind of terms that are the variables of the minimization.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum SolvedFor {
-    /// The unknowns themselves.
+    /// The form is minimized over the unknowns themselves.
     Unknowns,
-    /// Names that take the place of single unknowns, where an unknown occurs in one name only.
+    /// The form is minimized over names that replace unknowns, where an unknown occurs in a single
+    /// name only.
     Names,
 }
 
-/// Attempt to solve the quadratic form: its order of elimination, and its limit.
+/// Settings of an attempt to minimize the form: order of elimination, variables, and limit of work.
 #[derive(Clone, Copy)]
 struct Attempt {
+    /// Order in which terms are eliminated from the form.
     order: Order,
+    /// Variables over which the form is minimized: unknowns or names.
     solved_for: SolvedFor,
-    /// Number of new terms beyond which the attempt is given up.
+    /// Number of new terms in the arena beyond which the attempt is given up.
     most: usize,
 }
 
-/// Number of unknowns that a name depends on, and number of names between the name and the unknowns.
+/// Depth of a name: number of unknowns that it depends on, and number of names between it and the
+/// unknowns.
 type Depth = (usize, usize);
 
-/// Unknowns that make a quadratic form least, in terms of names and of earlier unknowns, in the order of computation.
-/// The cheapest of several orders of elimination is chosen. Some steps may define names, from which unknowns follow.
-/// `None` if a component is not linear in the unknowns, or if they are not determined.
+/// Computes the unknowns that minimize a quadratic form. Returns the steps that define them, in the
+/// order of computation, in terms of names and of earlier unknowns. Steps may also define names,
+/// from which unknowns follow.
+/// The cheapest of several orders of elimination is returned. `None` if a component is not linear
+/// in the unknowns, or if the unknowns are not determined.
 pub fn least(arena: &mut Arena, simplifier: &mut Simplifier, sum: &Sum, unknowns: &[Expr]) -> Option<Vec<Definition>> {
     let mut both = Vec::new();
     let mut most = usize::MAX;
@@ -87,7 +98,7 @@ pub fn least(arena: &mut Arena, simplifier: &mut Simplifier, sum: &Sum, unknowns
             let before = arena.len();
             if let Some(solved) = least_in(arena, simplifier, sum, unknowns, Attempt { order, solved_for, most }) {
                 both.push((cost_with_names(arena, &solved), solved));
-                // An order that makes more terms than another is not followed to its end.
+                // An order that makes more new terms than a finished order is abandoned.
                 most = most.min(arena.len() - before);
             }
         }
@@ -95,7 +106,8 @@ pub fn least(arena: &mut Arena, simplifier: &mut Simplifier, sum: &Sum, unknowns
     both.into_iter().min_by_key(|(cost, _)| *cost).map(|(_, solved)| solved)
 }
 
-/// Number of operations of steps and of all named terms that they use, except the names that the steps define.
+/// Number of operations of the given steps and of all named terms that they use, except names that
+/// the steps define.
 fn cost_with_names(arena: &Arena, steps: &[Definition]) -> usize {
     let stated: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
     let values: Vec<Expr> = steps.iter().map(|step| step.value).collect();
@@ -104,6 +116,7 @@ fn cost_with_names(arena: &Arena, steps: &[Definition]) -> usize {
     names.chain(values.iter().copied()).map(|e| cost(arena, e)).sum()
 }
 
+/// Minimizes the form with the given settings. `None` if the attempt fails or exceeds its limit.
 fn least_in(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -151,7 +164,8 @@ fn least_in(
         let part = parts.remove(&by)?;
         following.push(form.replace(unknown, by, sign, &part));
     }
-    // Number of remaining names that contain each end. An end that none contains can be taken out.
+    // Number of remaining names that contain each unknown or name. Those contained in none can be
+    // eliminated.
     let mut left: FxHashMap<Expr, usize> = FxHashMap::default();
     for (of, _) in parts.values().flat_map(|part| &part.terms) {
         *left.entry(*of).or_default() += 1;
@@ -191,8 +205,8 @@ fn least_in(
     is_whole.then_some(solved)
 }
 
-/// Depth of each name: number of unknowns that it depends on, and number of names between. Both are 0 for an order that
-/// does not use them.
+/// Depth of each name: number of unknowns that it depends on, and number of names between. Both
+/// numbers are 0 for the order `Fewest`, which does not use them.
 fn depths(order: Order, named: &[Expr], parts: &FxHashMap<Expr, Part>, unknowns: &[Expr]) -> FxHashMap<Expr, Depth> {
     let mut reach: FxHashMap<Expr, BTreeSet<Expr>> = unknowns.iter().map(|e| (*e, BTreeSet::from([*e]))).collect();
     let mut depth: FxHashMap<Expr, Depth> = FxHashMap::default();

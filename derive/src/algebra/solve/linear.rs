@@ -1,29 +1,34 @@
-//! Linearity: coefficients of given symbols, and exact solution of linear systems.
+//! Linear forms and linear systems: coefficients of given symbols in an expression, and exact
+//! solution by elimination.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node};
 
-/// An expression that is not linear in the stated symbols.
+/// Error: an expression is not linear in the given symbols.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct NotLinear {
     /// Symbol in which the expression is not linear.
     pub symbol: Expr,
-    /// Derivative that depends on the symbols, though it should not; or the whole expression.
+    /// Coefficient that depends on the symbols, though it should not; or the whole expression.
     pub coefficient: Expr,
 }
 
-/// Extracts linear coefficients of many expressions in the same symbols.
+/// Splitter of expressions into linear forms in fixed symbols. Reuse a value for many expressions.
 pub struct LinearForm {
+    /// Symbols in which expressions are split into linear forms.
     symbols: Vec<Expr>,
+    /// Derivatives of expressions with respect to all symbols, computed in one pass.
     gradient: Gradient,
+    /// Partial derivative operator for each symbol, for expressions that are not linear by form.
     partials: Vec<Differential>,
+    /// Substitution of 0 for all symbols, which gives the rest of a linear form.
     at_zero: Substitution,
 }
 
 impl LinearForm {
-    /// Creates the extraction of coefficients of these symbols.
+    /// Creates a splitter into linear forms in the given symbols.
     #[must_use]
     pub fn new(symbols: &[Expr]) -> Self {
         let zeros: Vec<_> = symbols.iter().map(|s| (*s, Expr::ZERO)).collect();
@@ -35,16 +40,17 @@ impl LinearForm {
         }
     }
 
-    /// Symbols whose coefficients are extracted.
+    /// Symbols in which expressions are split into linear forms, in order.
     #[must_use]
     pub fn symbols(&self) -> &[Expr] {
         &self.symbols
     }
 
-    /// Splits e = Σ coefficient_i · symbol_i + rest: returns the coefficients and the rest.
+    /// Splits an expression into e = Σ coefficientᵢ · symbolᵢ + rest. Returns the coefficients, in
+    /// the order of the symbols, and the rest.
     ///
-    /// # Errors
-    /// [`NotLinear`] if a coefficient depends on one of the symbols by meaning.
+    /// # Errors [`NotLinear`] if the expression is not linear in the symbols, in whatever form it
+    /// is written.
     pub fn coefficients(&mut self, arena: &mut Arena, e: Expr) -> Result<(Vec<Expr>, Expr), NotLinear> {
         let parts = arena.reachable(&[e]);
         if !self.symbols.iter().any(|s| parts.binary_search(s).is_ok()) {
@@ -56,8 +62,8 @@ impl LinearForm {
         self.linear_by_meaning(arena, e)
     }
 
-    /// Coefficients of the symbols, and the rest, of an expression whose derivatives mention none of the symbols. Such
-    /// an expression is linear by form and needs no further proof. `None` if it is not, or if it contains a sign
+    /// Splits an expression that is linear by form: its derivatives contain none of the symbols,
+    /// which needs no further proof. `None` if it is not linear by form, or if it contains a sign
     /// function, which jumps and has no derivative.
     fn linear_by_form(&mut self, arena: &mut Arena, e: Expr, parts: &[Expr]) -> Option<(Vec<Expr>, Expr)> {
         if parts.iter().any(|part| matches!(arena.node(*part), Node::Apply(Function::Sign, _))) {
@@ -74,6 +80,8 @@ impl LinearForm {
         (!mentioned).then_some((coefficients, rest))
     }
 
+    /// Splits an expression that is linear after simplification only, as proved by zero tests.
+    /// Error if it is not linear.
     fn linear_by_meaning(&mut self, arena: &mut Arena, e: Expr) -> Result<(Vec<Expr>, Expr), NotLinear> {
         let mut coefficients = Vec::with_capacity(self.symbols.len());
         for at in 0..self.symbols.len() {
@@ -84,7 +92,7 @@ impl LinearForm {
                     return Err(NotLinear { symbol: self.symbols[at], coefficient: slope });
                 }
             }
-            // |u| has no second derivative and still is not linear: its slope sign(u) is not its slope at 0.
+            // |u| has no second derivative and still is not linear: its slope sign(u) differs from its slope at 0.
             let at_zero = self.at_zero.apply(arena, slope);
             let change = arena.sub(slope, at_zero);
             if zero_test(arena, change) != ZeroTest::Zero {
@@ -93,7 +101,8 @@ impl LinearForm {
             coefficients.push(at_zero);
         }
         let rest = self.at_zero.apply(arena, e);
-        // Decisive test: is the linear form equal to the expression? Jumps such as sign(u) have no slope.
+        // Decisive test: the linear form must equal the expression, since jumps such as sign(u)
+        // have no slope.
         let mut terms: Vec<Expr> = coefficients.iter().zip(&self.symbols).map(|(c, s)| arena.mul(*c, *s)).collect();
         terms.push(rest);
         let form = arena.sum(&terms);
@@ -108,30 +117,32 @@ impl LinearForm {
     }
 }
 
-/// Row of a linear system as one term: Σ entry · unknown − right. The right-hand side is the last entry of the row.
+/// Writes a row of a linear system as the term Σ entry · unknown − right, which must vanish. The
+/// right-hand side is the last entry of the row.
 pub fn row_term(arena: &mut Arena, unknowns: &[Expr], row: &[Expr]) -> Expr {
     let mut terms: Vec<Expr> = row.iter().zip(unknowns).map(|(a, x)| arena.mul(*a, *x)).collect();
     terms.push(arena.neg(row[row.len() - 1]));
     arena.sum(&terms)
 }
 
-/// A linear system whose matrix has no full rank.
+/// Error: the matrix of a linear system does not have full rank.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Singular {
-    /// Number of independent rows of the matrix.
+    /// Number of independent rows of the singular matrix.
     pub rank: usize,
-    /// First row of the matrix that depends on the rows before it.
+    /// Index of the first row of the matrix that depends on the rows before it.
     pub row: usize,
 }
 
-/// Solves A x = b for several right-hand sides (the columns of `b`), A square, exactly.
+/// Solves A X = B exactly, for a square matrix A (n × n) and several right-hand sides, the columns
+/// of B. Returns X and the pivots that it was divided by.
 ///
-/// Gaussian elimination; a pivot is taken only where it is proved not to be zero by meaning, plain
-/// numbers first, short terms next, so that divisors stay simple. Entries are simplified as they
-/// are formed. The solution and the pivots that it was divided by are returned.
+/// The method is Gaussian elimination. An entry that the zero test finds identically zero is never
+/// a pivot. Plain numbers are taken first, then short terms, so that divisors stay simple. Entries
+/// are simplified as they are formed.
 ///
 /// # Errors
-/// [`Singular`] if A is singular identically.
+/// [`Singular`] if A is singular for all values of its symbols.
 pub fn solve(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -174,9 +185,11 @@ pub fn solve(
     Ok((x, pivots))
 }
 
-/// The determinant of a square matrix, simplified; 0 if it is singular identically.
+/// Determinant of a square matrix, simplified; 0 if the matrix is singular for all values of its
+/// symbols.
 ///
-/// It eliminates with simple pivots, as [`solve`] does; their divisions cancel in the product.
+/// The method is elimination with simple pivots, as in [`solve`]; their divisions cancel in the
+/// product.
 pub fn determinant(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr>]) -> Expr {
     let n = a.len();
     let mut rows = a.to_vec();
@@ -205,7 +218,8 @@ pub fn determinant(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr
     if is_odd(&order) { arena.neg(product) } else { product }
 }
 
-/// True if the (row, column) pairs make an odd permutation.
+/// True if the (row, column) pairs form an odd permutation, which changes the sign of a
+/// determinant.
 fn is_odd(order: &[(usize, usize)]) -> bool {
     let inversions = |list: Vec<usize>| {
         (0..list.len()).map(|i| list[i + 1..].iter().filter(|later| **later < list[i]).count()).sum::<usize>()
@@ -215,7 +229,8 @@ fn is_odd(order: &[(usize, usize)]) -> bool {
     (rows + columns) % 2 == 1
 }
 
-/// Row and column of the simplest entry that is proved not to be zero, where no pivot is yet; `None` if there is none.
+/// Row and column of the simplest entry that the zero test does not find identically zero, among
+/// rows and columns without a pivot. `None` if there is no entry of that kind.
 fn best_pivot(
     arena: &Arena,
     rows: &[Vec<Expr>],

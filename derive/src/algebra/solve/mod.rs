@@ -1,4 +1,5 @@
-//! Solvers of equations: linear systems, least quadratic forms, relations, closed forms, antiderivatives.
+//! Solvers of equations: linear systems, minimization of quadratic forms, linear relations, closed
+//! forms, antiderivatives.
 
 pub mod blocks;
 pub mod closed;

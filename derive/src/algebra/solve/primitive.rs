@@ -1,25 +1,30 @@
-//! Primitives: functions with given partial derivatives, found by rules of integration.
+//! Primitives (antiderivatives): functions with given partial derivatives, found by rules of
+//! integration.
 //!
-//! Each rule is sound by itself. The result is still differentiated and compared with the slopes by meaning: a field
-//! with curl has no primitive, whatever the rules say. Absent on purpose: a procedure that decides whether a primitive
-//! is elementary. If no rule applies, the result is `None`.
+//! Each rule is sound by itself. The result is still differentiated and compared with the given
+//! derivatives by zero tests. A field with curl has no primitive, whatever the rules give. Absent
+//! on purpose: a procedure that decides if a primitive is elementary. If no rule applies, the
+//! result is `None`.
 
 use crate::algebra::form::simplify::{Simplifier, cost};
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::value::modular::{ZeroTest, count_roots, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 
-/// Largest depth of integrations by parts and expansions of products inside one another.
+/// Largest depth of nested integrations by parts and expansions of products.
 const DEEPEST: usize = 8;
-/// Largest number of operations of all terms that are examined for one primitive. Rules lead to other rules, and the
-/// slope of a long product is longer by far.
+/// Largest number of operations, over all terms that are examined for one primitive. Rules lead to
+/// other rules, and the derivative of a long product is much longer.
 const MOST_WORK: usize = 200_000;
 
-/// Function F with ∂F/∂xᵢ = `slopes`ᵢ, up to a constant; `None` if the rules find none.
+/// Finds a function F with the partial derivatives ∂F/∂xᵢ = `slopes`ᵢ, up to a constant. `None` if
+/// the rules find no such function.
 ///
-/// Rules for one variable x, where r does not depend on it: r; r bⁿ b′ and r √bⁿ b′, logarithms of |b| among them, as ½
-/// log b²; r f(b) b′ for each function f with an elementary primitive; squares and products of sines and cosines of
-/// terms linear in x; xⁿ g by parts; products of sums by terms.
+/// The rules for one variable x follow; r does not depend on x.
+/// Powers: r, r bⁿ b′ and r √bⁿ b′, including logarithms of |b| as ½ log b². Functions: r f(b) b′
+/// for each function f with an elementary primitive.
+/// Waves: squares and products of sines and cosines of terms linear in x. Products: xⁿ g by parts,
+/// and products with sums, term by term.
 pub fn primitive(arena: &mut Arena, simplifier: &mut Simplifier, variables: &[Expr], slopes: &[Expr]) -> Option<Expr> {
     let mut rest = slopes.to_vec();
     let (mut parts, mut left) = (Vec::new(), MOST_WORK);
@@ -43,14 +48,14 @@ pub fn primitive(arena: &mut Arena, simplifier: &mut Simplifier, variables: &[Ex
     })
 }
 
-/// Powers of a square root that are tried: those in laws of springs, and of forces that fall with the distance or its
-/// square.
+/// Powers of a square root that are tried: those in laws of springs, and in forces that decrease
+/// with the distance or its square.
 const ROOTS: [i32; 3] = [-1, 1, -3];
 
-/// Number of points of a zero test that are not counted as work.
+/// Number of points of a zero test that do not count as work.
 const FREE_POINTS: usize = 32;
 
-/// Number of multiplications of terms for expanding the powers of sums in a product.
+/// Number of multiplications of terms that expanding the powers of sums in a product takes.
 fn expansion(arena: &Arena, e: Expr) -> usize {
     let Node::Product(factors) = arena.node(e) else { return 0 };
     let of_power = |(base, n): &(Expr, i32)| match arena.node(*base) {
@@ -60,18 +65,21 @@ fn expansion(arena: &Arena, e: Expr) -> usize {
     factors.iter().map(of_power).fold(0, usize::saturating_add)
 }
 
-/// Integration of terms along one variable.
+/// Integration of terms along one variable, with a limit of work.
 struct Integration<'a> {
+    /// Arena of the terms.
     arena: &'a mut Arena,
+    /// Simplifier of intermediate results.
     simplifier: &'a mut Simplifier,
+    /// Variable of integration.
     x: Expr,
-    /// Number of operations that may still be examined.
+    /// Number of operations that the integration may still examine.
     left: &'a mut usize,
 }
 
 impl Integration<'_> {
-    /// Primitive of a term along x, inside `depth` other integrations; `None` if no rule applies or the work is used
-    /// up.
+    /// Primitive of a term with respect to x. `depth` is the number of enclosing integrations.
+    /// `None` if no rule applies or the work is used up.
     fn of(&mut self, e: Expr, depth: usize) -> Option<Expr> {
         *self.left = self.left.checked_sub(1)?;
         if depth > DEEPEST {
@@ -89,11 +97,12 @@ impl Integration<'_> {
             .or_else(|| self.by_parts(e, depth))
     }
 
+    /// True if the term contains the variable x.
     fn depends(&self, e: Expr) -> bool {
         self.arena.mentions(e, self.x)
     }
 
-    /// Short form of a term; `None` if that is more work than is left.
+    /// Short form of a term; `None` if simplification takes more work than is left.
     fn short(&mut self, e: Expr) -> Option<Expr> {
         let parts = self.arena.reachable(&[e]);
         let powers: usize = parts.iter().map(|part| expansion(self.arena, *part)).fold(0, usize::saturating_add);
@@ -101,12 +110,14 @@ impl Integration<'_> {
         Some(self.simplifier.simplify(self.arena, e))
     }
 
+    /// Derivative of a term with respect to x, in short form; `None` if the work is used up.
     fn slope(&mut self, e: Expr) -> Option<Expr> {
         let slope = Differential::partial(self.x).apply(self.arena, e);
         self.short(slope)
     }
 
-    /// True if a term does not change with x, even if it mentions x.
+    /// True if the term does not change with x, even if it contains x. False also if the test takes
+    /// more work than is left.
     fn is_constant(&mut self, e: Expr) -> bool {
         if !self.depends(e) {
             return true;
@@ -114,8 +125,8 @@ impl Integration<'_> {
         self.slope(e).and_then(|slope| self.is_zero(slope)).unwrap_or(false)
     }
 
-    /// True if a term is zero by meaning; `None` if the test costs more work than is left. The cost doubles with each
-    /// square root, which has no value at half of all random points.
+    /// True if the term is identically zero; `None` if the test takes more work than is left. The
+    /// cost doubles with each square root, which has no value at half of all random points.
     fn is_zero(&mut self, e: Expr) -> Option<bool> {
         let parts = self.arena.reachable(&[e]);
         let points = 1_usize.checked_shl(count_roots(self.arena, &parts))? / FREE_POINTS;
@@ -123,13 +134,14 @@ impl Integration<'_> {
         Some(zero_test(self.arena, e) == ZeroTest::Zero)
     }
 
-    /// Quotient a/b in its short form if it does not change with x; `None` otherwise.
+    /// Quotient a/b in short form if it does not change with x; `None` otherwise.
     fn constant_quotient(&mut self, a: Expr, b: Expr) -> Option<Expr> {
         let quotient = self.arena.div(a, b)?;
         let quotient = self.short(quotient)?;
         self.is_constant(quotient).then_some(quotient)
     }
 
+    /// Primitive of the sum constant + Σ k · term, term by term.
     fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], depth: usize) -> Option<Expr> {
         let mut parts = vec![(self.x, constant.clone())];
         for (term, k) in terms {
@@ -138,6 +150,8 @@ impl Integration<'_> {
         Some(self.arena.linear_combination(&parts))
     }
 
+    /// Factors of a product, as pairs (base, exponent); a term that is not a product is its only
+    /// factor.
     fn factors(&self, e: Expr) -> Vec<(Expr, i32)> {
         match self.arena.node(e) {
             Node::Product(factors) => factors.to_vec(),
@@ -157,8 +171,8 @@ impl Integration<'_> {
                 _ => None,
             };
             let found = match under_root {
-                // A radicand beside its own root makes one power with it, counted in halves. The radicand may stand
-                // there in another form, or with a number taken out.
+                // A radicand next to its own root makes one power with it, counted in halves. The
+                // radicand may be written in another form, or with a number taken out.
                 Some(argument) => {
                     let beside = factors.iter().find(|(other, _)| *other == argument).map_or(0, |(_, n)| *n);
                     let own = n + 2 * beside;
@@ -174,8 +188,9 @@ impl Integration<'_> {
         None
     }
 
-    /// True if a slope may be zero over a whole range of x: signs of terms with x add up in it. A quotient by this
-    /// slope has no value there, although both sides of the rule have.
+    /// True if the derivative `slope` may be zero over a whole range of x, because signs of terms
+    /// with x are added in it. A quotient by it has no value there, although both sides of the rule
+    /// have a value.
     fn has_plateau(&self, slope: Expr) -> bool {
         let is_jump = |e: Expr| match *self.arena.node(e) {
             Node::Apply(Function::Sign, argument) => self.depends(argument),
@@ -186,7 +201,8 @@ impl Integration<'_> {
         self.arena.reachable(&sums).into_iter().any(is_jump)
     }
 
-    /// Primitive of r wⁿ b′ with b = wᵈ: r d wⁿ⁺ᵈ/(n + d), or r log |b| if n + d = 0.
+    /// Primitive of r wⁿ b′ with b = wᵈ: r d wⁿ⁺ᵈ/(n + d), or r log |b| if n + d = 0. `None` if the
+    /// term `e` does not have this form.
     fn power(&mut self, e: Expr, w: Expr, b: Expr, n: i32, d: i32) -> Option<Expr> {
         let slope = self.slope(b)?;
         if slope == Expr::ZERO || self.has_plateau(slope) {
@@ -207,7 +223,8 @@ impl Integration<'_> {
         Some(self.arena.scale(product, &Rational::fraction(i64::from(d), i64::from(raised))?))
     }
 
-    /// Primitive of r f(b) b′, where `call` is f(b).
+    /// Primitive of the term e = r f(b) b′, where `call` is f(b) and n its exponent. `None` unless
+    /// n is 1 and r does not change with x.
     fn function(&mut self, e: Expr, call: Expr, n: i32) -> Option<Expr> {
         let Node::Apply(f, b) = *self.arena.node(call) else { return None };
         let slope = self.slope(b)?;
@@ -220,7 +237,8 @@ impl Integration<'_> {
         Some(self.arena.mul(r, whole))
     }
 
-    /// Primitive ∫ f(b) db, where `call` is f(b).
+    /// Primitive ∫ f(b) db of an elementary function, where `call` is f(b); `None` if no formula is
+    /// known.
     fn of_function(&mut self, f: Function, b: Expr, call: Expr) -> Option<Expr> {
         let arena = &mut *self.arena;
         let half = Rational::fraction(1, 2)?;
@@ -262,8 +280,9 @@ impl Integration<'_> {
         })
     }
 
-    /// Primitive of a product with two sines or cosines of terms linear in x, or with the square of one. The product
-    /// becomes sines or cosines of sums.
+    /// Primitive of a product with two sines or cosines of terms linear in x, or with the square of
+    /// one. The product becomes a sum of sines or cosines. `None` if the term does not have this
+    /// form.
     fn waves(&mut self, e: Expr, depth: usize) -> Option<Expr> {
         let mut list = Vec::new();
         for (base, n) in self.factors(e) {
@@ -300,8 +319,9 @@ impl Integration<'_> {
         Some(self.arena.linear_combination(&parts))
     }
 
-    /// Primitive of a product with a sum, which is multiplied out. The sums are tried in turn, until one gives a
-    /// primitive: the slope of a radicand must not be multiplied out.
+    /// Primitive of a product with a sum, which is multiplied out. The sums are tried in turn until
+    /// one gives a primitive, since the derivative of a radicand must not be multiplied out. `None`
+    /// if none does.
     fn by_terms(&mut self, e: Expr, depth: usize) -> Option<Expr> {
         let factors = self.factors(e);
         let sums = factors.iter().filter(|(base, n)| *n > 0 && self.depends(*base)).map(|(base, _)| *base);
@@ -309,6 +329,8 @@ impl Integration<'_> {
         sums.into_iter().find_map(|sum| self.by_terms_of(e, sum, depth))
     }
 
+    /// Primitive of a product with the given sum, which is multiplied out; `None` if a part has no
+    /// primitive.
     fn by_terms_of(&mut self, e: Expr, sum: Expr, depth: usize) -> Option<Expr> {
         let Node::Sum(constant, terms) = self.arena.node(sum).clone() else { return None };
         let rest = self.arena.div(e, sum)?;
@@ -323,7 +345,8 @@ impl Integration<'_> {
         Some(self.arena.linear_combination(&parts))
     }
 
-    /// Primitive by parts: ∫ xⁿ g = xⁿ G − n ∫ xⁿ⁻¹ G, where G is a primitive of g.
+    /// Primitive by parts: ∫ xⁿ g = xⁿ G − n ∫ xⁿ⁻¹ G, where G is a primitive of g. `None` if x is
+    /// not a factor or a part has no primitive.
     fn by_parts(&mut self, e: Expr, depth: usize) -> Option<Expr> {
         let (_, n) = *self.factors(e).iter().find(|(base, n)| *base == self.x && *n > 0)?;
         let power = self.arena.pow(self.x, n).ok()?;

@@ -1,4 +1,5 @@
-//! Linear relations with constant coefficients between expressions: exact, and decidable by the normal form.
+//! Linear relations with constant coefficients between expressions, found exactly by the normal
+//! form.
 
 use super::linear::solve;
 use crate::algebra::form::fraction::over_common_denominator;
@@ -9,12 +10,13 @@ use crate::algebra::value::rank::echelon;
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashMap;
 
-/// Basis of all vectors c with Σ c_k e_k = 0 identically, where e_k are the expressions of `list`, and c depends on no
-/// symbols but `constants`.
+/// Finds all linear relations Σ cₖ eₖ = 0 between the expressions eₖ of `list`. Returns a basis of
+/// the vectors c, which depend on no symbols except `constants`.
 ///
-/// The expressions are brought over one denominator. Each monomial in the other symbols gives one linear equation for
-/// c. Independence of the chosen equations is tested modulo a random prime. The caller must prove that the vectors are
-/// relations. `None` if an expression has no normal form within the budget.
+/// The expressions are brought over a common denominator. Each monomial in the other symbols gives
+/// one linear equation for c. Independence of the chosen equations is tested modulo a random prime,
+/// so the caller must prove the relations.
+/// `None` if an expression has no normal form within the budget.
 pub fn relations(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -47,8 +49,9 @@ pub fn relations(
     Some(basis)
 }
 
-/// Marks the coefficients that a row with a single entry makes zero, repeatedly. These rows and columns are cleared,
-/// which leaves little to eliminate.
+/// Finds the coefficients that must be zero because a row has a single entry, repeatedly. Their
+/// columns are cleared and empty rows removed, so that little is left to eliminate. Returns true
+/// for each such coefficient.
 fn forced_zeros(matrix: &mut Vec<Vec<Expr>>, columns: usize) -> Vec<bool> {
     let mut forced = vec![false; columns];
     loop {
@@ -72,15 +75,16 @@ fn forced_zeros(matrix: &mut Vec<Vec<Expr>>, columns: usize) -> Vec<bool> {
     }
 }
 
-/// Matrix of the equations for the coefficients: a row for each monomial in symbols that are not constant, a column for
-/// each expression. `None` beyond the budget.
+/// Matrix of the linear equations for the coefficients: a row for each monomial in symbols that are
+/// not constant, a column for each expression. `None` if the budget of multiplications is used up.
 fn coefficients(
     arena: &mut Arena,
     normalizer: &mut Normalizer,
     list: &[Expr],
     constants: &[Expr],
 ) -> Option<Vec<Vec<Expr>>> {
-    // All angles first: finer base angles would make earlier forms void.
+    // All angles are prepared first, because finer base angles would invalidate earlier normal
+    // forms.
     normalizer.prepare(arena, list);
     let forms: Option<Vec<_>> = list.iter().map(|e| normalizer.fraction(arena, *e)).collect();
     let numerators = over_common_denominator(normalizer.ring(), &forms?)?;

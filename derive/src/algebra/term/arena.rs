@@ -1,8 +1,9 @@
 //! Expressions as a hash-consed graph.
 //!
-//! Invariants: two [`Expr`] of one arena are equal iff they are the same term, so comparing costs one integer
-//! comparison. Operands have smaller handles than the terms that are built from them, so every pass is a loop over
-//! handles and none can overflow the stack. This is equality of *form*; equality of *meaning* is
+//! Invariants: two [`Expr`] of one arena are equal exactly if they are the same term, so a
+//! comparison of terms compares two integers. Operands have smaller handles than the terms built
+//! from them, so every pass is a loop over handles and cannot overflow the stack.
+//! Equal handles mean equal form. If terms of different form are identically equal is decided in
 //! [`crate::algebra::value::modular`].
 //!
 //! The constructors keep a light canonical form: like terms are collected, powers of one base are
@@ -15,43 +16,44 @@ use hashbrown::HashTable;
 use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
 use std::hash::{Hash, Hasher};
 
-/// A term of an [`Arena`]: a copyable handle.
+/// Handle of a term in an [`Arena`]: a small integer that is copied freely. Two handles of one
+/// arena are equal exactly if they are the same term.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub struct Expr(u32);
 
 impl Expr {
-    /// The number 0, in every arena.
+    /// Handle of the number 0, the same in every arena.
     pub const ZERO: Self = Self(0);
-    /// The number 1, in every arena.
+    /// Handle of the number 1, the same in every arena.
     pub const ONE: Self = Self(1);
-    /// The number −1, in every arena.
+    /// Handle of the number −1, the same in every arena.
     pub const MINUS_ONE: Self = Self(2);
 
-    /// Position of the term in the arena; operands come before the terms that are built from them.
+    /// Position of the term in its arena. Operands come before the terms built from them.
     #[must_use]
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 }
 
-/// A function of one argument.
+/// Elementary function of one argument, such as sine or square root.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub enum Function {
     /// Sine of an angle in radians.
     Sin,
     /// Cosine of an angle in radians.
     Cos,
-    /// Square root.
+    /// Square root of a number that is not negative.
     Sqrt,
-    /// Exponential.
+    /// Exponential function eˣ.
     Exp,
-    /// Natural logarithm.
+    /// Natural logarithm of a positive number.
     Log,
-    /// Inverse sine.
+    /// Inverse sine, an angle from −π/2 to π/2 rad.
     Asin,
-    /// Inverse cosine.
+    /// Inverse cosine, an angle from 0 to π rad.
     Acos,
-    /// Inverse tangent.
+    /// Inverse tangent, an angle between −π/2 and π/2 rad.
     Atan,
     /// Hyperbolic sine.
     Sinh,
@@ -59,14 +61,14 @@ pub enum Function {
     Cosh,
     /// Hyperbolic tangent.
     Tanh,
-    /// Absolute value.
+    /// Absolute value |x|.
     Abs,
-    /// Sign: −1, 0 or 1. It is the derivative of the absolute value, and 0 at 0.
+    /// Sign function: −1, 0 or 1. It is the derivative of the absolute value, and 0 at 0.
     Sign,
 }
 
 impl Function {
-    /// Every function, with the name used in model files.
+    /// Pairs of every function and its name in model files, in the order of the variants.
     pub const ALL: [(Self, &'static str); 13] = [
         (Self::Sin, "sin"),
         (Self::Cos, "cos"),
@@ -83,7 +85,7 @@ impl Function {
         (Self::Sign, "sign"),
     ];
 
-    /// Name of the function in model files.
+    /// Name of the function as model files write it, such as `sin`.
     #[must_use]
     pub fn name(self) -> &'static str {
         Self::ALL[self as usize].1
@@ -93,68 +95,87 @@ impl Function {
 /// Node of the expression graph: a number, a symbol, π, a sum, a product, a function value or a named term.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub enum Node {
-    /// An exact number.
+    /// An exact rational number.
     Number(Rational),
-    /// A named quantity, by its position in [`Arena::symbol_names`].
+    /// A symbol, as the position of its name in [`Arena::symbol_names`].
     Symbol(u32),
     /// The number π.
     Pi,
-    /// Sum constant + Σ coefficient · term. Terms are neither numbers nor sums, sorted, coefficients not zero; a single
-    /// term stands only with a constant or with a coefficient other than 1.
+    /// Sum constant + Σ coefficient · term. The terms are neither numbers nor sums; they are sorted
+    /// and have no zero coefficients.
+    /// A single term occurs only with a constant or with a coefficient other than 1.
     Sum(Rational, Box<[(Expr, Rational)]>),
-    /// Product Π base^exponent. Bases are neither numbers nor products, sorted, exponents not zero; a single base
-    /// stands only with an exponent other than 1. A sum as base has content 1.
+    /// Product Π base^exponent. The bases are neither numbers nor products; they are sorted and
+    /// have no zero exponents.
+    /// A single base occurs only with an exponent other than 1. A sum as base has content 1: no
+    /// rational number can be factored out.
     Product(Box<[(Expr, i32)]>),
-    /// A function of its argument.
+    /// Value of an elementary function at the argument, a term.
     Apply(Function, Expr),
-    /// A named term, as its label and the term itself. Terms that mention it show the name, and no rewriting looks
-    /// behind it; by meaning it equals the term.
+    /// A named term: number of its label, and the term that the name abbreviates. Larger terms show
+    /// only the name, and no rewriting looks behind it. Its value is that of the abbreviated term.
     Named(u32, Expr),
 }
 
-/// A power that cannot be built: a negative power of zero, or an exponent or number too large.
+/// Reason why a power cannot be built: a negative power of zero, or an exponent or number that is
+/// too large.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum PowerError {
-    /// The number 0 to a negative power.
+    /// Division by zero: the number 0 to a negative power.
     DivisionByZero,
-    /// An exponent beyond ±[`Arena::MAX_EXPONENT`], or a number with too many digits.
+    /// An exponent beyond ±[`Arena::MAX_EXPONENT`], or a number with too many digits to compute.
     TooLarge,
 }
 
-/// Names of terms: labels, handles of named terms, and the symbols of names that were written down.
+/// Names of the terms of an arena: labels, handles of named terms, and the symbols with which names
+/// were written.
 #[derive(Clone, Default)]
 pub(in crate::algebra) struct Names {
+    /// Labels of named terms, each once, in the order of creation. Several terms may share a label.
     pub(in crate::algebra) labels: Vec<String>,
+    /// Position of each label in `labels`.
     pub(in crate::algebra) label_index: FxHashMap<String, u32>,
-    /// Handle of the [`Node::Named`] for each term that has a name.
+    /// Handle of the [`Node::Named`] for each term that has a name, by the handle of the
+    /// abbreviated term.
     pub(in crate::algebra) stands: FxHashMap<Expr, Expr>,
-    /// Symbol of each named term that was written down.
+    /// Symbol with which a document shows a named term, by the handle of the named term. Terms that
+    /// no document has defined are missing.
     pub(in crate::algebra) symbols: FxHashMap<Expr, NameSymbol>,
-    /// Number of named terms written down so far under each wanted name; it numbers terms that are called alike.
+    /// Number of named terms written so far under each label. It numbers terms that share a label.
     pub(in crate::algebra) written: FxHashMap<String, usize>,
-    /// Part of a document that names are written for; `None` for names that all documents have.
+    /// Part of a document that names are written for at present; it is appended to them. `None` for
+    /// names that all documents share.
     pub(in crate::algebra) part: Option<String>,
-    /// Names by which documents show symbols, for symbols that have another name in documents than in files.
+    /// Name in documents for each symbol whose name there differs from its name in files.
     pub(in crate::algebra) printed: FxHashMap<String, String>,
 }
 
-/// The symbol that a named term is written with.
+/// Symbol with which documents show a named term.
 #[derive(Clone, Copy)]
 pub(in crate::algebra) struct NameSymbol {
+    /// Symbol that documents show in place of the term.
     pub(in crate::algebra) symbol: Expr,
-    /// True if the name was written for no part of a document: then all documents about the model use this name.
+    /// True if all documents about the model use this symbol; false if it was made for one part of
+    /// a document.
     pub(in crate::algebra) everywhere: bool,
 }
 
-/// The store of all terms of one model.
+/// Store of all terms of one model. Each term is stored once, and handles (`Expr`) refer to it.
 #[derive(Clone)]
 pub struct Arena {
+    /// Nodes of all terms, indexed by handle.
     nodes: Vec<Node>,
+    /// Hash table that finds the handle of a node.
     table: HashTable<u32>,
+    /// Names of all symbols, in the order of declaration.
     symbols: Vec<String>,
+    /// Handle of each symbol, by name.
     symbol_index: FxHashMap<String, Expr>,
+    /// Symbols that were declared positive.
     positive: FxHashSet<Expr>,
+    /// Terms that must have a value wherever the written formulas are valid.
     restrictions: Vec<Expr>,
+    /// Names that abbreviate terms, and their symbols in documents.
     pub(in crate::algebra) names: Names,
 }
 
@@ -164,6 +185,7 @@ impl Default for Arena {
     }
 }
 
+/// Hash of a node, for the table that keeps each term once.
 fn hash_of(node: &Node) -> u64 {
     let mut hasher = FxHasher::default();
     node.hash(&mut hasher);
@@ -171,13 +193,14 @@ fn hash_of(node: &Node) -> u64 {
 }
 
 impl Arena {
-    /// The largest exponent that a power may have. The parser limits exponents that people write to
-    /// [`Self::MAX_WRITTEN_EXPONENT`], so that no derivation gets near.
+    /// Largest absolute exponent that a power may have; larger exponents are refused. The parser
+    /// limits written exponents to [`Self::MAX_WRITTEN_EXPONENT`], so that derivations stay far
+    /// below.
     pub const MAX_EXPONENT: i32 = 1_000_000;
-    /// The largest exponent that the parser lets a term have.
+    /// Largest absolute exponent that the parser accepts in a formula.
     pub const MAX_WRITTEN_EXPONENT: i32 = 1000;
 
-    /// Creates an arena that holds only the numbers 0, 1 and −1.
+    /// Creates an arena that contains only the numbers 0, 1 and −1.
     #[must_use]
     pub fn new() -> Self {
         let mut arena = Self {
@@ -195,6 +218,8 @@ impl Arena {
         arena
     }
 
+    /// Handle of a node: that of the stored node if the arena already has it, else that of a new
+    /// entry.
     pub(in crate::algebra) fn intern(&mut self, node: Node) -> Expr {
         let hash = hash_of(&node);
         let nodes = &self.nodes;
@@ -208,31 +233,31 @@ impl Arena {
         Expr(at)
     }
 
-    /// Node that the handle `e` stands for.
+    /// Node of the term `e`: its kind and its operands.
     #[must_use]
     pub fn node(&self, e: Expr) -> &Node {
         &self.nodes[e.index()]
     }
 
-    /// Nodes of all terms built so far, in the order of handles.
+    /// Iterates over the nodes of all terms built so far, in the order of the handles.
     pub fn nodes(&self) -> impl Iterator<Item = &Node> {
         self.nodes.iter()
     }
 
-    /// Number of different terms built so far.
+    /// Number of different terms in the arena.
     #[must_use]
     pub fn len(&self) -> usize {
         self.nodes.len()
     }
 
-    /// True if the arena holds no term. Always false: 0, 1 and −1 are built at the start.
+    /// True if the arena contains no term. Always false, because a new arena contains 0, 1 and −1.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
     }
 
-    /// Symbol of this name, created if it is new. The order of first use is the order of declaration, which all printed
-    /// output follows.
+    /// Symbol with the given name; created if the name is new. The order of first use is the order
+    /// of declaration, which all printed output follows.
     pub fn symbol(&mut self, name: &str) -> Expr {
         if let Some(&e) = self.symbol_index.get(name) {
             return e;
@@ -244,19 +269,19 @@ impl Arena {
         e
     }
 
-    /// Symbol of this name; `None` if there is none.
+    /// Symbol with the given name; `None` if the arena has no symbol of that name.
     #[must_use]
     pub fn find_symbol(&self, name: &str) -> Option<Expr> {
         self.symbol_index.get(name).copied()
     }
 
-    /// All symbol names, in order of declaration.
+    /// Names of all symbols, in the order of declaration.
     #[must_use]
     pub fn symbol_names(&self) -> &[String] {
         &self.symbols
     }
 
-    /// The name of a symbol; `None` for any other term.
+    /// Name of a symbol; `None` if the term is not a symbol.
     #[must_use]
     pub fn symbol_name(&self, e: Expr) -> Option<&str> {
         match self.node(e) {
@@ -265,55 +290,57 @@ impl Arena {
         }
     }
 
-    /// Takes a symbol to be positive from now on, so that √(x²) = x. State it before the symbol is used.
+    /// Declares that a symbol is positive, so that √(x²) becomes x. Terms built before the
+    /// declaration are not simplified.
     pub fn assume_positive(&mut self, symbol: Expr) {
         self.positive.insert(symbol);
     }
 
-    /// Records a term that cancelled in a written formula: the formula has a value only where this term has one.
+    /// Records a term that cancelled in a written formula. The formula has a value only where this
+    /// term has a value.
     pub fn restrict(&mut self, e: Expr) {
         if !self.restrictions.contains(&e) {
             self.restrictions.push(e);
         }
     }
 
-    /// Terms that must have a value wherever a statement about the written formulas is made: those given to
-    /// [`Arena::restrict`].
+    /// Terms recorded by [`Arena::restrict`]. A statement about the written formulas holds only
+    /// where all of them have a value.
     #[must_use]
     pub fn restrictions(&self) -> &[Expr] {
         &self.restrictions
     }
 
-    /// True if a symbol was stated to be positive.
+    /// True if the symbol was declared positive.
     #[must_use]
     pub fn is_positive(&self, symbol: Expr) -> bool {
         self.positive.contains(&symbol)
     }
 
-    /// Term that is an exact number.
+    /// Builds the term for an exact rational number.
     pub fn number(&mut self, value: Rational) -> Expr {
         self.intern(Node::Number(value))
     }
 
-    /// Term that is an integer.
+    /// Builds the term for an integer.
     pub fn integer(&mut self, n: i64) -> Expr {
         self.number(Rational::integer(n))
     }
 
-    /// Term that is the fraction n/d, as an exact number.
+    /// Builds the term for the fraction n/d, an exact number.
     ///
     /// # Panics
-    /// If d is 0: for literal fractions in code.
+    /// If d is 0. The method is meant for literal fractions in code.
     pub fn ratio(&mut self, n: i64, d: i64) -> Expr {
         self.number(Rational::fraction(n, d).expect("a literal fraction"))
     }
 
-    /// The number π as a term.
+    /// Builds the term for the number π.
     pub fn pi(&mut self) -> Expr {
         self.intern(Node::Pi)
     }
 
-    /// Value of a literal number; `None` for any other term.
+    /// Value of a term that is a rational number; `None` for any other term.
     #[must_use]
     pub fn as_number(&self, e: Expr) -> Option<&Rational> {
         match self.node(e) {
@@ -322,7 +349,7 @@ impl Arena {
         }
     }
 
-    /// The operands of `e`, each once.
+    /// Iterates over the direct operands of the term `e`, each once. Numbers and symbols have none.
     pub fn operands(&self, e: Expr) -> impl Iterator<Item = Expr> + '_ {
         let (terms, factors, argument): (&[_], &[_], _) = match self.node(e) {
             Node::Sum(_, terms) => (terms, &[], None),
@@ -333,27 +360,27 @@ impl Arena {
         terms.iter().map(|(e, _)| *e).chain(factors.iter().map(|(e, _)| *e)).chain(argument)
     }
 
-    /// All terms that `roots` are built from, themselves included, operands first.
+    /// All subterms of the terms `roots`, the roots included, each once; operands come first.
     #[must_use]
     pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
         self.reachable_until(roots, |_| false)
     }
 
-    /// Terms that `roots` are built from, themselves included, as text shows them: terms that stand only behind a
-    /// written name are left out.
+    /// All terms that the text of `roots` shows, the roots included, in the order of handles. Terms
+    /// that only occur behind a written name are left out.
     #[must_use]
     pub fn shown(&self, roots: &[Expr]) -> Vec<Expr> {
         self.walk(roots, |_| false, |e| self.written_name(e).is_some())
     }
 
-    /// Terms that the roots are built from, in the order of handles. Terms for which `known` holds are left out, and so
-    /// are terms that only known terms are built from.
+    /// Subterms of the terms `roots`, the roots included, in the order of handles. Left out are
+    /// terms for which `known` is true, and terms that occur only inside of known terms.
     pub(crate) fn reachable_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool) -> Vec<Expr> {
         self.walk(roots, known, |_| false)
     }
 
-    /// Terms that the roots are built from, in the order of handles, without known terms and without the operands of
-    /// terms for which `is_end` holds.
+    /// Subterms of the terms `roots`, in the order of handles. Left out are terms for which `known`
+    /// is true. The operands of terms for which `is_end` is true are not visited.
     fn walk(&self, roots: &[Expr], known: impl Fn(Expr) -> bool, is_end: impl Fn(Expr) -> bool) -> Vec<Expr> {
         // A bit for each handle up to the largest root: operands have smaller ones.
         let words = roots.iter().map(|e| e.index() / 64 + 1).max().unwrap_or(0);
@@ -385,14 +412,16 @@ impl Arena {
         all
     }
 
-    /// True if `symbol` occurs in `e`. This is form, not meaning: the symbol may occur and cancel.
+    /// True if `symbol` occurs in the term `e`. The test is one of form: the symbol may occur and
+    /// yet cancel.
     #[must_use]
     pub fn mentions(&self, e: Expr, symbol: Expr) -> bool {
         self.reachable(&[e]).binary_search(&symbol).is_ok()
     }
 }
 
-/// Sorts the handles whose bits are set in `seen`: few by comparison, many by reading the bits.
+/// Sorts a list of handles. `seen` has a bit set for each of them: few handles are sorted by
+/// comparison, many by reading the bits.
 fn in_order(all: &mut Vec<Expr>, seen: &[u64]) {
     if all.len() < seen.len() / 4 {
         return all.sort_unstable();

@@ -1,10 +1,12 @@
-//! Derivatives along given rates, and substitution. Each is one loop over the shared graph; nothing is expanded.
+//! Derivatives along given rates, gradients, and substitution. Each is one loop over the shared
+//! graph; nothing is expanded.
 
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
-/// Rebuilds the term `e` with mapped operands; `None` if a divisor became the literal 0.
+/// Rebuilds the term `e` from new operands, which `map` gives for the old operands. `None` if a
+/// divisor became the literal 0.
 fn rebuild(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Option<Expr> {
     Some(match arena.node(e).clone() {
         Node::Number(_) | Node::Symbol(_) | Node::Pi => e,
@@ -41,37 +43,40 @@ fn rebuild(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Option<Ex
     })
 }
 
-/// Replaces symbols (or any other terms) by terms, everywhere at once.
+/// Substitution of terms for symbols (or for any other terms), everywhere at once.
 ///
-/// Reuse one value for many expressions: terms that were rewritten once are remembered.
+/// Reuse a value for many expressions: it remembers every term that it has rewritten.
 #[derive(Clone, Default)]
 pub struct Substitution {
+    /// Replacement of each term, for the given pairs and for every term rewritten so far.
     map: FxHashMap<Expr, Expr>,
-    /// First term that has no value after the replacement, since its divisor became 0; it was left unchanged. `None` if
-    /// there is none.
+    /// First term whose divisor became 0 by the substitution; it was left unchanged. `None` if
+    /// every term has a value.
     pub undefined: Option<Expr>,
 }
 
 impl Substitution {
-    /// Replaces the first of each pair by the second.
+    /// Creates the substitution that replaces the first term of each pair by the second.
     #[must_use]
     pub fn new(pairs: &[(Expr, Expr)]) -> Self {
         Self { map: pairs.iter().copied().collect(), undefined: None }
     }
 
-    /// Gives a symbol a value before the first expression that mentions it is rewritten.
+    /// Adds a replacement of a symbol by a value. Call it before an expression that mentions the
+    /// symbol is rewritten.
     pub fn set(&mut self, symbol: Expr, value: Expr) {
         self.map.insert(symbol, value);
     }
 
-    /// True if the replacement of a term is already known.
+    /// True if the replacement of the term `e` is already known: it was given, or `e` was rewritten
+    /// before.
     #[must_use]
     pub fn knows(&self, e: Expr) -> bool {
         self.map.contains_key(&e)
     }
 
-    /// Rewrites the term `e`. A quotient whose divisor becomes the literal 0 is left unchanged and noted in
-    /// [`Self::undefined`].
+    /// Rewrites the term `e` by the substitution. A quotient whose divisor becomes the literal 0 is
+    /// left unchanged and recorded in [`Self::undefined`].
     pub fn apply(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         if let Some(&done) = self.map.get(&e) {
             return done;
@@ -86,13 +91,14 @@ impl Substitution {
         self.map[&e]
     }
 
-    /// Rewrites each of these terms, as [`Self::apply`] does.
+    /// Rewrites several terms by the substitution and returns them in their order; see
+    /// [`Self::apply`].
     pub fn all(&mut self, arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
         terms.iter().map(|e| self.apply(arena, *e)).collect()
     }
 }
 
-/// Replaces all named terms within `e` by the terms behind their names.
+/// Replaces all named terms within `e` by the expressions that the names abbreviate.
 pub fn without_names(arena: &mut Arena, e: Expr) -> Expr {
     let mut put = Substitution::default();
     for part in arena.reachable(&[e]) {
@@ -104,34 +110,36 @@ pub fn without_names(arena: &mut Arena, e: Expr) -> Expr {
     put.apply(arena, e)
 }
 
-/// The derivative along given rates: d e = Σ (∂e/∂x)·rate(x).
+/// Derivative of terms along given rates: d e = Σ (∂e/∂x)·rate(x) over the symbols x.
 ///
-/// With the one rate x ↦ 1 it is ∂/∂x; with q ↦ q̇, q̇ ↦ q̈ it is d/dt. Symbols without a rate are
-/// constants.
+/// With a single rate x ↦ 1 it is ∂/∂x; with q ↦ q̇, q̇ ↦ q̈ it is d/dt. Symbols without a rate are
+/// constants. Reuse a value for many expressions: it remembers every derivative.
 #[derive(Clone, Default)]
 pub struct Differential {
+    /// Derivative of each term: the given rates of symbols, and every term differentiated so far.
     map: FxHashMap<Expr, Expr>,
 }
 
 impl Differential {
-    /// Creates the derivative along the given pairs (symbol, rate).
+    /// Creates the derivative along the given pairs (symbol, rate of the symbol).
     #[must_use]
     pub fn along(rates: &[(Expr, Expr)]) -> Self {
         Self { map: rates.iter().copied().collect() }
     }
 
-    /// Creates the partial derivative ∂/∂x.
+    /// Creates the partial derivative ∂/∂x with respect to a symbol x.
     #[must_use]
     pub fn partial(x: Expr) -> Self {
         Self::along(&[(x, Expr::ONE)])
     }
 
-    /// Gives a symbol a rate before the first expression that mentions it is differentiated.
+    /// Adds the rate of a symbol. Call it before an expression that mentions the symbol is
+    /// differentiated.
     pub fn set_rate(&mut self, symbol: Expr, rate: Expr) {
         self.map.insert(symbol, rate);
     }
 
-    /// Derivative of the term `e` along the rates.
+    /// Differentiates the term `e` along the rates.
     pub fn apply(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         if let Some(&done) = self.map.get(&e) {
             return done;
@@ -143,6 +151,7 @@ impl Differential {
         self.map[&e]
     }
 
+    /// Derivative of a term from the derivatives of its operands, which must be in `map`.
     fn one(&self, arena: &mut Arena, e: Expr) -> Expr {
         if arena.operands(e).all(|operand| self.map[&operand] == Expr::ZERO) {
             return Expr::ZERO;
@@ -181,21 +190,25 @@ impl Differential {
     }
 }
 
-/// Derivatives of a term e as pairs (number of the variable x, ∂e/∂x), for each variable on which e depends by form, in
-/// order.
+/// Non-zero partial derivatives of a term e, as pairs (number of the variable x, ∂e/∂x), in the
+/// order of the variables. Derivatives that are 0 by form are left out.
 pub type Slopes = Rc<[(usize, Expr)]>;
 
-/// The derivatives along several variables at once, those that are 0 by form left out.
+/// Gradient of terms: their partial derivatives with respect to several variables, without those
+/// that are 0 by form.
 ///
-/// It takes one pass for all variables, where [`Differential::partial`] takes one pass for each. Reuse one value for
-/// many expressions.
+/// One pass computes all derivatives, where [`Differential::partial`] takes a pass for each
+/// variable. Reuse a value for many expressions: it remembers every gradient.
 pub struct Gradient {
+    /// Gradient of each variable and of every term differentiated so far.
     map: FxHashMap<Expr, Slopes>,
+    /// Empty gradient, shared by all terms that depend on no variable.
     nothing: Slopes,
 }
 
 impl Gradient {
-    /// Creates the derivatives along these variables, which are numbered in the given order from 0.
+    /// Creates the gradient with respect to the given variables, which are numbered from 0 in their
+    /// order.
     #[must_use]
     pub fn new(variables: &[Expr]) -> Self {
         let nothing: Slopes = Rc::new([]);
@@ -203,7 +216,8 @@ impl Gradient {
         Self { map, nothing }
     }
 
-    /// Derivatives of the term `e` along all variables, without those that are 0 by form.
+    /// Computes the gradient of the term `e`: pairs (number of the variable, derivative), without
+    /// those that are 0 by form.
     pub fn apply(&mut self, arena: &mut Arena, e: Expr) -> Slopes {
         if let Some(done) = self.map.get(&e) {
             return done.clone();
@@ -215,6 +229,7 @@ impl Gradient {
         self.map[&e].clone()
     }
 
+    /// Gradient of a term from the gradients of its operands, which must be in `map`.
     fn one(&self, arena: &mut Arena, e: Expr) -> Slopes {
         if arena.operands(e).all(|operand| self.map[&operand].is_empty()) {
             return self.nothing.clone();
@@ -259,7 +274,7 @@ impl Gradient {
     }
 }
 
-/// Derivative f′(x), where `value` is f(x).
+/// Derivative f′(x) of an elementary function, where `value` is the term f(x).
 fn derivative_of(arena: &mut Arena, f: Function, x: Expr, value: Expr) -> Expr {
     let one_over = |arena: &mut Arena, e: Expr| arena.div(Expr::ONE, e).expect("not the literal 0");
     match f {
@@ -293,7 +308,7 @@ fn derivative_of(arena: &mut Arena, f: Function, x: Expr, value: Expr) -> Expr {
             arena.sub(Expr::ONE, square)
         }
         Function::Abs => arena.apply(Function::Sign, x),
-        // The derivative away from the jump.
+        // The derivative of sign x away from its jump at 0.
         Function::Sign => Expr::ZERO,
     }
 }

@@ -1,9 +1,11 @@
-//! Sums, products and powers in canonical form: like terms collected, powers of one base merged.
+//! Constructors of sums, products and powers in canonical form: like terms are collected, powers of
+//! one base merged.
 
 use crate::algebra::{Arena, Expr, Function, Node, PowerError, Rational};
 
 impl Arena {
-    /// Adds `scale · e` to a sum under construction.
+    /// Adds `scale · e` to a sum under construction, which is kept as a constant and a list of
+    /// pairs (term, coefficient).
     fn accumulate(&self, e: Expr, scale: &Rational, constant: &mut Rational, terms: &mut Vec<(Expr, Rational)>) {
         match self.node(e) {
             Node::Number(value) => *constant = constant.add(&value.mul(scale)),
@@ -15,6 +17,7 @@ impl Arena {
         }
     }
 
+    /// Builds the sum constant + Σ k · term from the pairs (term, k), with like terms collected.
     fn finish_sum(&mut self, constant: Rational, mut terms: Vec<(Expr, Rational)>) -> Expr {
         terms.sort_by_key(|(term, _)| *term);
         let mut merged: Vec<(Expr, Rational)> = Vec::with_capacity(terms.len());
@@ -32,7 +35,8 @@ impl Arena {
         }
     }
 
-    /// Sum of many terms, in time linear in their number except for sorting.
+    /// Sum of the given terms, with like terms collected. The time is linear in their number,
+    /// except for sorting.
     pub fn sum(&mut self, terms: &[Expr]) -> Expr {
         let (mut constant, mut collected) = (Rational::ZERO, Vec::with_capacity(terms.len()));
         for &e in terms {
@@ -41,7 +45,7 @@ impl Arena {
         self.finish_sum(constant, collected)
     }
 
-    /// The linear combination Σ k · e.
+    /// Linear combination Σ k · e of the pairs (e, k).
     pub fn linear_combination(&mut self, terms: &[(Expr, Rational)]) -> Expr {
         let (mut constant, mut collected) = (Rational::ZERO, Vec::with_capacity(terms.len()));
         for (e, k) in terms {
@@ -50,7 +54,7 @@ impl Arena {
         self.finish_sum(constant, collected)
     }
 
-    /// The sum a + b.
+    /// Sum a + b of two terms.
     pub fn add(&mut self, a: Expr, b: Expr) -> Expr {
         match (a, b) {
             (Expr::ZERO, x) | (x, Expr::ZERO) => x,
@@ -58,7 +62,7 @@ impl Arena {
         }
     }
 
-    /// The difference a − b.
+    /// Difference a − b of two terms.
     pub fn sub(&mut self, a: Expr, b: Expr) -> Expr {
         if a == b {
             return Expr::ZERO;
@@ -66,12 +70,12 @@ impl Arena {
         self.linear_combination(&[(a, Rational::ONE), (b, Rational::MINUS_ONE)])
     }
 
-    /// The negative −a.
+    /// Negative −a of a term.
     pub fn neg(&mut self, a: Expr) -> Expr {
         self.scale(a, &Rational::MINUS_ONE)
     }
 
-    /// Product k · a for a number k.
+    /// Product k · a of a term and a rational number.
     pub fn scale(&mut self, a: Expr, k: &Rational) -> Expr {
         if k.is_one() {
             return a;
@@ -79,8 +83,9 @@ impl Arena {
         self.linear_combination(&[(a, k.clone())])
     }
 
-    /// Splits a sum into its rational content, with the sign of its first term, and a primitive sum.
-    /// Other terms have content 1.
+    /// Splits a sum into a rational factor (its content, with the sign of the first coefficient)
+    /// and a sum without such a factor.
+    /// A number is returned with the term 1. Other terms are returned with the factor 1.
     pub fn split_content(&mut self, e: Expr) -> (Rational, Expr) {
         let content = match self.node(e) {
             Node::Number(value) => return (value.clone(), Expr::ONE),
@@ -101,7 +106,9 @@ impl Arena {
         (content, self.scale(e, &inverse))
     }
 
-    /// Adds `e^n` to a product under construction.
+    /// Multiplies a product under construction by `e^n`. The product is kept as a number
+    /// `coefficient` and a list of pairs (base, exponent).
+    /// Error if a negative power of 0 arises or a power is too large.
     fn accumulate_power(
         &mut self,
         e: Expr,
@@ -124,6 +131,9 @@ impl Arena {
         Ok(())
     }
 
+    /// Builds the product coefficient · Π base^exponent from the pairs (base, exponent), with
+    /// powers of one base merged.
+    /// Error if an exponent or a number is too large.
     fn finish_product(&mut self, coefficient: &Rational, mut factors: Vec<(Expr, i64)>) -> Result<Expr, PowerError> {
         if coefficient.is_zero() {
             return Ok(Expr::ZERO);
@@ -164,10 +174,11 @@ impl Arena {
         Ok(self.scale(monomial, coefficient))
     }
 
-    /// Product Π base^exponent of the pairs (base, exponent).
+    /// Product Π base^exponent over the pairs (base, exponent).
     ///
     /// # Errors
-    /// [`PowerError`] for a negative power of the literal 0 or for sizes beyond the limits.
+    /// [`PowerError`] for a negative power of the literal 0, and for an exponent or a number that
+    /// is too large.
     pub fn try_product(&mut self, factors: &[(Expr, i32)]) -> Result<Expr, PowerError> {
         let (mut coefficient, mut collected) = (Rational::ONE, Vec::with_capacity(factors.len()));
         for &(e, n) in factors {
@@ -178,10 +189,10 @@ impl Arena {
         self.finish_product(&coefficient, collected)
     }
 
-    /// The product a · b.
+    /// Product a · b of two terms.
     ///
     /// # Panics
-    /// If an exponent passes [`Self::MAX_EXPONENT`]: the parser keeps input far below it.
+    /// If an exponent exceeds [`Self::MAX_EXPONENT`]; the parser keeps all input far below.
     pub fn mul(&mut self, a: Expr, b: Expr) -> Expr {
         match (a, b) {
             (Expr::ZERO, _) | (_, Expr::ZERO) => Expr::ZERO,
@@ -190,34 +201,36 @@ impl Arena {
         }
     }
 
-    /// Product of many factors.
+    /// Product of the given factors, each to the power 1.
     ///
     /// # Panics
-    /// As [`Self::mul`].
+    /// If an exponent exceeds `MAX_EXPONENT`, as in [`Self::mul`].
     pub fn product(&mut self, factors: &[Expr]) -> Expr {
         let powers: Vec<(Expr, i32)> = factors.iter().map(|e| (*e, 1)).collect();
         self.try_product(&powers).expect("exponents far below the limit")
     }
 
-    /// Quotient a / b; `None` if b is the literal 0. The caller must decide if b is zero *by meaning*.
+    /// Quotient a / b; `None` if b is the literal 0. The caller must make sure that b is not
+    /// identically zero.
     pub fn div(&mut self, a: Expr, b: Expr) -> Option<Expr> {
         self.try_product(&[(a, 1), (b, -1)]).ok()
     }
 
-    /// Power eⁿ of a term.
+    /// Power eⁿ of a term, for an integer n of either sign.
     ///
     /// # Errors
-    /// [`PowerError`] as for [`Self::try_product`].
+    /// [`PowerError`] for a negative power of the literal 0, and for an exponent or a number that
+    /// is too large.
     pub fn pow(&mut self, e: Expr, n: i32) -> Result<Expr, PowerError> {
         self.try_product(&[(e, n)])
     }
 
-    /// The square e².
+    /// Square e² of a term.
     pub fn square(&mut self, e: Expr) -> Expr {
         self.mul(e, e)
     }
 
-    /// Plain node f(argument), to which no rule is applied.
+    /// Builds the function value f(argument) as it stands, without any simplification.
     pub(super) fn intern_apply(&mut self, f: Function, argument: Expr) -> Expr {
         self.intern(Node::Apply(f, argument))
     }

@@ -1,13 +1,14 @@
-//! Contraction of products of sines and cosines into sines and cosines of sums: sin a cos b − cos a sin b = sin (a −
-//! b).
+//! Contraction of products of sines and cosines by the addition theorems: sin a cos b − cos a sin b
+//! = sin (a − b).
 //!
-//! The divisor of a linear system over angles from one frame comes out as a sum of such products. As one sine it shows
-//! where it vanishes, and no digits are lost there.
+//! The divisor of a linear system over angles from one frame comes out as a sum of such products.
+//! Written as a single sine, it shows where it vanishes, and no digits are lost there.
 
 use super::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 
-/// Rewrites the term `e`: two terms of a sum that make an addition theorem become one sine or cosine.
+/// Contracts products of sines and cosines in `e`: two terms of a sum that form an addition theorem
+/// become one sine or cosine.
 pub fn contract(arena: &mut Arena, e: Expr) -> Expr {
     let mut put = Substitution::default();
     for part in arena.reachable(&[e]) {
@@ -20,19 +21,24 @@ pub fn contract(arena: &mut Arena, e: Expr) -> Expr {
     put.apply(arena, e)
 }
 
-/// A term of a sum that is a number times f(a) g(b) times other factors, where f and g are sines or cosines.
+/// A term of a sum, read as k · f(a) g(b) · other factors, where f and g are sines or cosines.
 struct Pair {
+    /// Position of the term among the terms of its sum.
     at: usize,
+    /// Rational coefficient of the term in its sum.
     k: Rational,
     /// True for sin a cos b; false for cos a cos b or sin a sin b.
     is_mixed: bool,
-    /// True if both functions are sines; counts only if they are not mixed.
+    /// True if both functions are sines. It has a meaning only if `is_mixed` is false.
     are_sines: bool,
-    /// Angles a and b: in a mixed pair the angle of the sine first, in others the lower handle first.
+    /// Angles a and b, rad. In a mixed pair the angle of the sine comes first, else the angle with
+    /// the lower handle.
     angles: (Expr, Expr),
+    /// Remaining factors of the term, as pairs (base, exponent).
     others: Vec<(Expr, i32)>,
 }
 
+/// Contracts the terms of one sum; a sum without an addition theorem is returned unchanged.
 fn of_sum(arena: &mut Arena, sum: Expr) -> Expr {
     let Node::Sum(constant, terms) = arena.node(sum).clone() else { return sum };
     let mut pairs: Vec<Pair> =
@@ -73,7 +79,7 @@ fn of_sum(arena: &mut Arena, sum: Expr) -> Expr {
 }
 
 impl Pair {
-    /// True if this pair and another are two terms of an addition theorem.
+    /// True if two terms of a sum form an addition theorem and can become a single sine or cosine.
     fn joins(&self, other: &Self) -> bool {
         let is_opposite = self.k.neg() == other.k;
         let kinds = if self.is_mixed {
@@ -85,7 +91,8 @@ impl Pair {
     }
 }
 
-/// All ways to read a term of a sum as a [`Pair`].
+/// All ways to read a product as [`Pair`]: one for each two factors that are sines or cosines. `at`
+/// and `k` are its position and coefficient in the sum.
 fn pairs_of(arena: &Arena, at: usize, term: Expr, k: &Rational) -> Vec<Pair> {
     let Node::Product(factors) = arena.node(term) else { return Vec::new() };
     let wave = |(base, n): &(Expr, i32)| match arena.node(*base) {

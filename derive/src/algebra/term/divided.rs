@@ -1,30 +1,34 @@
-//! Divided differences: (e(b) − e(a))/(b − a) as a term in which that subtraction does not occur.
+//! Divided differences: (e(b) − e(a))/(b − a) as a term without that subtraction, so that no digits
+//! are lost for b near a.
 //!
-//! Each function has a rule by which its divided difference follows from those of its operands. So one loop over the
-//! shared graph gives the divided difference of any term, as for a derivative. At b = a each rule becomes the rule of
-//! the derivative, so that the term is valid there too.
+//! Each function has a rule by which its divided difference follows from those of its operands. So
+//! a single loop over the shared graph gives the divided difference of any term, as for a
+//! derivative.
+//! At b = a each rule becomes the rule of the derivative, so the term is valid there too.
 //!
-//! Absent on purpose: a function sinc z = sin z/z in the arena. Only the rules of sine and cosine need it. As a
-//! function it would have to be known to every pass over terms, to both zero tests and to the recurrences of Taylor
-//! coefficients. To the zero tests sin z/z is an ordinary quotient, and sinc z would be an atom without rules. So its
-//! values are inputs of the term, given by name beside it. The code that evaluates the term knows how to take sin z/z
-//! at z = 0.
+//! Absent on purpose: a function sinc z = sin z/z in the arena. Only the rules of sine and cosine
+//! need it. As a function it would have to be known to every pass over terms, to both zero tests
+//! and to the recurrences of Taylor coefficients. To the zero tests sin z/z is an ordinary
+//! quotient, and sinc z would be an atom without rules.
+//! So the values of sinc are inputs of the term, listed by name in `Divided::sincs`. The code
+//! that evaluates the term takes sin z/z as 1 at z = 0.
 
 use super::calculus::{Differential, Substitution};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 
-/// A divided difference, with the values of sinc that it needs.
+/// Divided difference of a term, with the values of sinc z = sin z/z that it contains as symbols.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Divided {
-    /// Divided difference as a term, in which the symbols of `sincs` occur.
+    /// Divided difference (e(b) − e(a))/(b − a) as a term, in which the symbols of `sincs` occur.
     pub value: Expr,
-    /// Pairs (symbol, z): the symbol stands for sinc z = sin z/z, 1 at z = 0. Each z is k (b − a)/2, in radians, and
-    /// occurs once up to its sign.
+    /// Pairs (symbol, z): the symbol stands for sinc z = sin z/z, which is 1 at z = 0. Each z is k
+    /// (b − a)/2, in radians; no two entries differ only in the sign of z.
     pub sincs: Vec<(Expr, Expr)>,
 }
 
-/// e\[a, b\] = (e(b) − e(a))/(b − a) of `e` as a function of the symbol `x`, valid also at a = b, where it is de/dx.
+/// Divided difference e\[a, b\] = (e(b) − e(a))/(b − a) of `e` as a function of the symbol `x`. At
+/// a = b it is de/dx.
 ///
 /// Nothing is subtracted except where the derivative itself subtracts. The unit is that of de/dx. By name of rule:
 /// constant 0; x ↦ 1; sum: term by term; product: (f g)\[a, b\] = f\[a, b\] g(b) + f(a) g\[a, b\]; inverse:
@@ -32,8 +36,8 @@ pub struct Divided {
 /// and odd powers of √f by these; sine: sin(k x + c)\[a, b\] = k sinc(k (b − a)/2) cos(k (a + b)/2 + c); cosine: the
 /// rule of the sine with −sin in place of cos.
 ///
-/// `None` if x stands in an argument of sine or cosine that is not linear in x by form, or in another function such as
-/// exp, asin or |x|; or if a divisor becomes the literal 0 at a or b.
+/// `None` in three cases. The argument of a sine or cosine is not linear in x by form. Or x occurs
+/// in another function, such as exp, asin or |x|. Or a divisor becomes the literal 0 at a or b.
 ///
 /// L. M. Milne-Thomson, *The Calculus of Finite Differences* (1933), ch. I; the rules are those of Leibniz and
 /// Steffensen.
@@ -68,27 +72,38 @@ pub fn divided_difference(arena: &mut Arena, e: Expr, x: Expr, a: Expr, b: Expr)
     defined.then(|| Divided { value: rules.map[&e], sincs: rules.sincs })
 }
 
-/// State of the rules while a term is taken apart: divided differences of its parts so far, and their values at both
-/// ends.
+/// State of the computation of a divided difference: the divided differences of all parts so far,
+/// and their values at both ends.
 struct Rules {
+    /// Symbol x, as a function of which the divided difference is taken.
     x: Expr,
+    /// Ends a and b of the interval, as terms.
     ends: [Expr; 2],
-    /// Substitutions of a and of b for x, which give the values at both ends.
+    /// Substitutions x ↦ a and x ↦ b, which give the values of a part at both ends.
     at: [Substitution; 2],
+    /// Partial derivative with respect to x, for the factors k in sin(k x + c).
     slope: Differential,
+    /// Divided difference of each subterm computed so far.
     map: FxHashMap<Expr, Expr>,
+    /// Pairs (symbol, z) of the values sinc z used so far.
     sincs: Vec<(Expr, Expr)>,
 }
 
-/// Values of a function at both ends, and its divided difference.
+/// Values f(a) and f(b) of a function at both ends, with its divided difference (f(b) − f(a))/(b −
+/// a).
 #[derive(Clone, Copy)]
 struct Pair {
+    /// Value f(a) at the first end.
     at_a: Expr,
+    /// Value f(b) at the second end.
     at_b: Expr,
+    /// Divided difference (f(b) − f(a))/(b − a).
     difference: Expr,
 }
 
 impl Rules {
+    /// Divided difference of a term from those of its operands. `None` if no rule covers the term
+    /// or a divisor becomes 0.
     fn one(&mut self, arena: &mut Arena, e: Expr) -> Option<Expr> {
         if arena.operands(e).all(|operand| self.map[&operand] == Expr::ZERO) {
             return Some(Expr::ZERO);
@@ -112,12 +127,14 @@ impl Rules {
         }
     }
 
+    /// Values at both ends and divided difference of a part whose difference is already in `map`.
     fn pair(&mut self, arena: &mut Arena, e: Expr) -> Pair {
         let [at_a, at_b] = self.at.each_mut().map(|at| at.apply(arena, e));
         Pair { at_a, at_b, difference: self.map[&e] }
     }
 
-    /// Divided difference of a product Π fᵢ: Σᵢ (Π_{j<i} fⱼ(a)) fᵢ\[a, b\] (Π_{j>i} fⱼ(b)).
+    /// Divided difference of a product Π fᵢ: Σᵢ (Π_{j<i} fⱼ(a)) fᵢ\[a, b\] (Π_{j>i} fⱼ(b)). `None`
+    /// if a divisor becomes 0.
     fn product(&mut self, arena: &mut Arena, factors: &[(Expr, i32)]) -> Option<Expr> {
         let (content, powers) = roots_joined(arena, factors);
         let mut whole = Pair { at_a: Expr::ONE, at_b: Expr::ONE, difference: Expr::ZERO };
@@ -129,8 +146,8 @@ impl Rules {
         Some(arena.scale(whole.difference, &content))
     }
 
-    /// Divided difference of sin(k x + c): k sinc(k (b − a)/2) cos(k (a + b)/2 + c). For the cosine, −sin takes the
-    /// place of cos. `None` if the argument is not linear in x.
+    /// Divided difference of sin(k x + c): k sinc(k (b − a)/2) cos(k (a + b)/2 + c). For the
+    /// cosine, −sin takes the place of cos. `None` if the argument is not linear in x.
     fn circular(&mut self, arena: &mut Arena, f: Function, argument: Expr) -> Option<Expr> {
         let k = self.slope.apply(arena, argument);
         if arena.mentions(k, self.x) {
@@ -152,7 +169,8 @@ impl Rules {
         Some(arena.product(&[k, sinc, outer]))
     }
 
-    /// Symbol for sinc z, which is even in z; 1 for z = 0.
+    /// Symbol that stands for sinc z = sin z/z, recorded in `sincs`. z and −z share a symbol, since
+    /// sinc is even. Returns 1 if z is 0.
     fn sinc(&mut self, arena: &mut Arena, z: Expr) -> Expr {
         let opposite = arena.neg(z);
         if z == opposite {
@@ -170,7 +188,8 @@ impl Rules {
     }
 }
 
-/// Values and divided difference of a product: (f g)\[a, b\] = f\[a, b\] g(b) + f(a) g\[a, b\].
+/// Values at both ends and divided difference of a product: (f g)\[a, b\] = f\[a, b\] g(b) + f(a)
+/// g\[a, b\]. `None` if a divisor is 0.
 fn times(arena: &mut Arena, f: Pair, g: Pair) -> Option<Pair> {
     let mut product = |factors: &[(Expr, i32)]| arena.try_product(factors).ok();
     let first = product(&[(f.difference, 1), (g.at_b, 1)])?;
@@ -179,8 +198,9 @@ fn times(arena: &mut Arena, f: Pair, g: Pair) -> Option<Pair> {
     Some(Pair { at_a, at_b, difference: arena.add(first, second) })
 }
 
-/// Values and divided difference of fⁿ for n ≠ 0, by the binary digits of |n|. So nothing cancels if f changes its sign
-/// between a and b, and the term grows with the number of digits only.
+/// Values at both ends and divided difference of fⁿ for n ≠ 0, by the binary digits of |n|. So
+/// nothing cancels if f changes its sign between a and b, and the term grows only with the number
+/// of digits. `None` if a divisor is 0.
 fn power(arena: &mut Arena, f: Pair, n: i32) -> Option<Pair> {
     let size = n.unsigned_abs();
     let mut result = f;
@@ -206,8 +226,10 @@ fn power(arena: &mut Arena, f: Pair, n: i32) -> Option<Pair> {
     })
 }
 
-/// Writes √g gⁿ among factors as (√g)²ⁿ⁺¹, and returns the remaining number and the factors. As a product of √g and
-/// 1/g, the divided difference would subtract nearly equal values where g(b) is far above g(a).
+/// Writes √g gⁿ among the factors as (√g)²ⁿ⁺¹. Returns the numerical factor that remains, and the
+/// new factors.
+/// For a product of √g and 1/g, the divided difference would subtract nearly equal values where
+/// g(b) far exceeds g(a).
 fn roots_joined(arena: &mut Arena, factors: &[(Expr, i32)]) -> (Rational, Vec<(Expr, i32)>) {
     let mut powers = factors.to_vec();
     let mut content = Rational::ONE;

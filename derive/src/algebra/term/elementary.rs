@@ -1,31 +1,31 @@
 //! Exact values and symmetries of the elementary functions.
 //!
-//! Every rule here keeps the meaning everywhere the function is defined. Rules that hold only in some places are not
-//! used.
+//! Every rule keeps the meaning wherever the function is defined. Rules that hold only in some
+//! places are not used.
 
 use super::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use num_rational::BigRational;
 
 impl Arena {
-    /// Function value f(argument), with values at 0 and multiples of π/2 and the symmetries of even and odd functions
-    /// resolved.
+    /// Builds the function value f(argument). Values at 0 and at multiples of π/2, and the
+    /// symmetries of even and odd functions, are resolved.
     pub fn apply(&mut self, f: Function, argument: Expr) -> Expr {
         canonical(self, f, argument)
     }
 
-    /// The sine of e, an angle in radians.
+    /// Sine of the term e, an angle in radians.
     pub fn sin(&mut self, e: Expr) -> Expr {
         self.apply(Function::Sin, e)
     }
 
-    /// The cosine of e, an angle in radians.
+    /// Cosine of the term e, an angle in radians.
     pub fn cos(&mut self, e: Expr) -> Expr {
         self.apply(Function::Cos, e)
     }
 }
 
-/// Function value f(argument) in canonical form.
+/// Function value f(argument) in canonical form: known values and symmetries are resolved.
 fn canonical(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
     match f {
         Function::Sin | Function::Cos => circular(arena, f, argument),
@@ -61,7 +61,8 @@ fn canonical(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
     }
 }
 
-/// Returns `e` or −`e`, so that the first coefficient is positive, and true if the sign was flipped.
+/// Returns `e` or −`e`, whichever has a positive first coefficient, and true if the sign was
+/// changed.
 fn with_positive_sign(arena: &mut Arena, e: Expr) -> (Expr, bool) {
     let negative = match arena.node(e) {
         Node::Number(value) => value.is_negative(),
@@ -71,7 +72,8 @@ fn with_positive_sign(arena: &mut Arena, e: Expr) -> (Expr, bool) {
     if negative { (arena.neg(e), true) } else { (e, false) }
 }
 
-/// Splits an angle into turns·π + rest. Returns (turns, rest).
+/// Splits an angle into a rational multiple of π and a rest: angle = multiple · π + rest. Returns
+/// (multiple, rest).
 pub fn split_pi(arena: &mut Arena, argument: Expr) -> (Rational, Expr) {
     let pi = arena.pi();
     if argument == pi {
@@ -90,23 +92,28 @@ pub fn split_pi(arena: &mut Arena, argument: Expr) -> (Rational, Expr) {
     }
 }
 
-/// Multiple of π above which whole turns are subtracted from an angle, since a double would lose its fraction.
+/// Multiple of π above which whole turns are subtracted from an angle, since a double would lose
+/// the fraction of a turn.
 const MANY_TURNS: f64 = 1e6;
 
-/// Subtracts whole turns, 2 π, from a multiple of π. The result is from 0 to 2.
+/// Subtracts whole turns from an angle that is given as a multiple of π. The result is a multiple
+/// from 0 to 2.
 fn less_whole_turns(turns: &Rational) -> Rational {
     let halves = turns.to_big() / BigRational::from_integer(2.into());
     turns.add(&Rational::from_big(halves.floor()).mul(&Rational::integer(-2)))
 }
 
-/// Largest number of inverse trigonometric functions in an angle whose sine is written without them.
+/// Largest number of inverse trigonometric functions in an angle whose sine is rewritten without
+/// them.
 const MOST_INVERSE: usize = 2;
-/// Largest multiple of an inverse function in an angle whose sine is written algebraically.
+/// Largest whole multiple of an inverse trigonometric function in an angle whose sine is rewritten
+/// without that function.
 const MOST_MULTIPLE: i64 = 4;
 
-/// Sine or cosine of an angle that contains whole multiples of an asin, acos or atan. The result is algebraic in the
-/// argument of that function: sin(atan x) = x/√(1 + x²). `None` if the angle contains no such function, or too many of
-/// them.
+/// Rewrites the sine or cosine of an angle that contains a whole multiple of an asin, acos or atan:
+/// sin(atan x) = x/√(1 + x²). The result is algebraic in x.
+/// `None` if the angle contains no such function, or more than `MOST_INVERSE` of them, or too large
+/// a multiple.
 fn of_inverse(arena: &mut Arena, f: Function, argument: Expr) -> Option<Expr> {
     let is_inverse =
         |e: Expr| matches!(arena.node(e), Node::Apply(Function::Asin | Function::Acos | Function::Atan, _));
@@ -131,7 +138,7 @@ fn of_inverse(arena: &mut Arena, f: Function, argument: Expr) -> Option<Expr> {
     Some(if f == Function::Sin { angle.0 } else { angle.1 })
 }
 
-/// (sine, cosine) of asin x, acos x or atan x.
+/// Pair (sine, cosine) of the angle asin x, acos x or atan x, algebraic in x.
 fn sine_and_cosine(arena: &mut Arena, inverse: Function, x: Expr) -> (Expr, Expr) {
     let square = arena.square(x);
     if inverse == Function::Atan {
@@ -145,6 +152,7 @@ fn sine_and_cosine(arena: &mut Arena, inverse: Function, x: Expr) -> (Expr, Expr
     if inverse == Function::Asin { (x, root) } else { (root, x) }
 }
 
+/// Sine or cosine in canonical form: quarter turns, special angles and signs are resolved.
 fn circular(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
     if let Some(value) = of_inverse(arena, f, argument) {
         return value;
@@ -180,7 +188,8 @@ fn circular(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
     if negative { arena.neg(value) } else { value }
 }
 
-/// Exact sine or cosine of turns·π, if that is a multiple of π/6 or π/4; `None` otherwise.
+/// Exact sine or cosine of the angle turns·π, if that is a multiple of π/6 or π/4; `None`
+/// otherwise.
 fn special_angle(arena: &mut Arena, f: Function, turns: &Rational) -> Option<Expr> {
     let twelfths = turns.mul(&Rational::integer(12)).to_i64()?;
     let shift = if f == Function::Cos { 6 } else { 0 };
@@ -198,6 +207,8 @@ fn special_angle(arena: &mut Arena, f: Function, turns: &Rational) -> Option<Exp
     Some(arena.scale(root, &Rational::fraction(quadrant_sign, 2)?))
 }
 
+/// Square root in canonical form: squares of numbers and of positive symbols are taken out of the
+/// root.
 fn square_root(arena: &mut Arena, argument: Expr) -> Expr {
     if let Some(value) = arena.as_number(argument)
         && let Some(root) = exact_root(value)
@@ -232,7 +243,8 @@ fn square_root(arena: &mut Arena, argument: Expr) -> Expr {
     arena.try_product(&outside).expect("positive symbols and numbers are not zero")
 }
 
-/// Square root of a number; `None` if it is not rational.
+/// Exact square root of a rational number; `None` if the root is not rational or the number is
+/// negative.
 fn exact_root(value: &Rational) -> Option<Rational> {
     if value.is_negative() {
         return None;
@@ -242,7 +254,8 @@ fn exact_root(value: &Rational) -> Option<Rational> {
     (&root * &root == big).then(|| Rational::from_big(root))
 }
 
-/// An angle as Σ k·atom, atoms being neither numbers nor sums; a constant counts as the atom 1.
+/// Writes an angle as the sum Σ k·atom and returns its pairs (atom, k). Atoms are neither numbers
+/// nor sums; a constant counts as the atom 1.
 pub fn angle_atoms(arena: &Arena, argument: Expr) -> Vec<(Expr, Rational)> {
     match arena.node(argument) {
         Node::Sum(constant, terms) => {
@@ -257,11 +270,12 @@ pub fn angle_atoms(arena: &Arena, argument: Expr) -> Vec<(Expr, Rational)> {
     }
 }
 
-/// Largest multiple of an angle whose sine and cosine are written in those of the angle.
+/// Largest whole multiple of an angle whose sine and cosine are expanded into those of the angle
+/// itself.
 const MOST_TURNS: u64 = 16;
 
-/// Rewrites a term so that sines and cosines of sums and of whole multiples of angles are written in those of the
-/// single angles.
+/// Expands sines and cosines in a term by the addition theorems: those of sums and whole multiples
+/// of angles become those of single angles.
 pub fn single_angles(arena: &mut Arena, e: Expr) -> Expr {
     let mut put = Substitution::default();
     for part in arena.reachable(&[e]) {
@@ -287,7 +301,7 @@ pub fn single_angles(arena: &mut Arena, e: Expr) -> Expr {
     put.apply(arena, e)
 }
 
-/// (sin, cos) of the sum of two angles.
+/// Pair (sin, cos) of the sum of two angles, each given as (sin, cos).
 fn turned(arena: &mut Arena, a: (Expr, Expr), b: (Expr, Expr)) -> (Expr, Expr) {
     let (sc, cs, cc, ss) = (arena.mul(a.0, b.1), arena.mul(a.1, b.0), arena.mul(a.1, b.1), arena.mul(a.0, b.0));
     (arena.add(sc, cs), arena.sub(cc, ss))

@@ -1,51 +1,62 @@
 //! Evaluation of terms in one pass, operands before the terms that are built from them.
 //!
-//! A [`Fold`] gives the value of each kind of node: a double, an interval, a residue, a range, a bound, an operation of
-//! a tape. Invariant: values stand in a dense list in the order of handles. So no pass is recursive, and terms that are
-//! evaluated repeatedly are listed once. Absent on purpose: passes that build other terms (`calculus`, `normal`,
-//! `simplify`), which keep their results from one call to the next.
+//! A [`Fold`] gives each kind of node its value: a double, an interval, a residue, a range, a bound
+//! or a tape operation.
+//! Invariant: the values are a dense list in the order of the handles. So no pass is recursive, and
+//! terms that are evaluated repeatedly are listed once.
+//! Absent on purpose: passes that build other terms (`calculus`, `normal`, `simplify`). They keep
+//! their results from one call to the next.
 
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::ops::Index;
 
-/// Rules that give each term a value: one rule for each kind of node, from the values of its operands. `None` ends the
-/// pass: then no term has a value.
+/// Rules that evaluate a term of the arena: one rule for each kind of node, from the values of the
+/// node's operands.
+/// A rule that returns `None` ends the pass: then no term has a value.
 pub trait Fold {
-    /// Type of the value of a term.
+    /// Type of the value of a term: a double, an interval, a residue or any other type.
     type Value: Clone;
-    /// The value of a number.
+    /// Value of an exact rational number; `None` ends the evaluation.
     fn number(&mut self, value: &Rational) -> Option<Self::Value>;
-    /// The value of π.
+    /// Value of the constant π; `None` ends the evaluation.
     fn pi(&mut self) -> Option<Self::Value>;
-    /// The value of a symbol.
+    /// Value of a symbol, given by its handle; `None` ends the evaluation.
     fn symbol(&mut self, symbol: Expr) -> Option<Self::Value>;
-    /// The value of constant + Σ k · term.
+    /// Value of the sum constant + Σ k · term over the pairs (term, k). `of` has the values of the
+    /// terms; `None` ends the evaluation.
     fn sum(
         &mut self,
         constant: &Rational,
         terms: &[(Expr, Rational)],
         of: &Values<'_, Self::Value>,
     ) -> Option<Self::Value>;
-    /// The value of Π base^exponent.
+    /// Value of the product Π base^exponent over the pairs (base, exponent). `of` has the values of
+    /// the bases; `None` ends the evaluation.
     fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, Self::Value>) -> Option<Self::Value>;
-    /// The value of a function f(argument).
+    /// Value of the function f at a term. `of` has the value of the argument; `None` ends the
+    /// evaluation.
     fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, Self::Value>) -> Option<Self::Value>;
-    /// The value of a named term: that of the term behind the name.
+    /// Value of a named term. By default it is the value of `term`, the expression that the name
+    /// abbreviates.
     fn named(&mut self, term: Expr, of: &Values<'_, Self::Value>) -> Option<Self::Value> {
         Some(of[term].clone())
     }
-    /// Value that is given for a term; `None` if its operands determine the value.
+    /// Value that the rules give to a whole term without a look at its operands; `None` if the
+    /// operands determine the value.
     fn known(&mut self, _term: Expr) -> Option<Self::Value> {
         None
     }
 }
 
-/// Terms and all terms that they are built from, each once, operands first.
+/// List of given terms and all their subterms, each once, operands before the terms built from
+/// them.
 #[derive(Clone, Debug)]
 pub struct Needed {
+    /// Collected terms with all their subterms, sorted by handle.
     nodes: Vec<Expr>,
-    /// Place of each node in the list; empty for a short list, where a search is as fast.
+    /// Position of each term in `nodes`. It is left empty for short lists, where a binary search is
+    /// as fast.
     places: FxHashMap<Expr, u32>,
 }
 
@@ -53,7 +64,7 @@ pub struct Needed {
 const FEW: usize = 48;
 
 impl Needed {
-    /// Collects terms together with all terms that they are built from.
+    /// Collects the given terms and all their subterms.
     #[must_use]
     pub fn new(arena: &Arena, terms: &[Expr]) -> Self {
         let nodes = arena.reachable(terms);
@@ -65,6 +76,7 @@ impl Needed {
         Self { nodes, places }
     }
 
+    /// Position of a term in the list of nodes; `None` if the term was not collected.
     fn place(&self, term: Expr) -> Option<usize> {
         if self.nodes.len() > FEW {
             return self.places.get(&term).map(|place| *place as usize);
@@ -72,13 +84,15 @@ impl Needed {
         self.nodes.binary_search(&term).ok()
     }
 
-    /// All collected terms, in the order of handles.
+    /// All collected terms, each once, sorted by handle: operands come before the terms built from
+    /// them.
     #[must_use]
     pub fn nodes(&self) -> &[Expr] {
         &self.nodes
     }
 
-    /// Value of every collected term by these rules; `None` if one of them has no value.
+    /// Evaluates every collected term by the given rules. `None` if a rule gives no value for a
+    /// term.
     pub fn fold<F: Fold>(&self, arena: &Arena, rules: &mut F) -> Option<Values<'_, F::Value>> {
         let mut values = Values { needed: self, list: Vec::with_capacity(self.nodes.len()) };
         for &e in &self.nodes {
@@ -100,28 +114,31 @@ impl Needed {
     }
 }
 
-/// Value of a term by these rules; `None` if the term, or one that it is built from, has no value.
+/// Evaluates one term by the given rules. `None` if a rule gives no value for the term or for one
+/// of its subterms.
 pub fn fold<F: Fold>(arena: &Arena, term: Expr, rules: &mut F) -> Option<F::Value> {
     // Operands have smaller handles: the term itself comes last.
     let needed = Needed::new(arena, &[term]);
     needed.fold(arena, rules)?.list.pop()
 }
 
-/// Values of the terms that were folded, by their handles.
+/// Values of all terms that an evaluation has reached, found by the handles of the terms.
 #[derive(Clone, Debug)]
 pub struct Values<'a, V> {
+    /// Evaluated terms, with their positions in the list of values.
     needed: &'a Needed,
+    /// Value of each term of `needed`, in the same order.
     list: Vec<V>,
 }
 
 impl<V> Values<'_, V> {
-    /// Value of a term; `None` if the term was not folded.
+    /// Value of a term; `None` if the evaluation did not reach this term.
     #[must_use]
     pub fn get(&self, term: Expr) -> Option<&V> {
         self.needed.place(term).map(|place| &self.list[place])
     }
 
-    /// Every term with its value, in the order of handles.
+    /// Iterates over all evaluated terms with their values, in the order of the handles.
     pub fn iter(&self) -> impl Iterator<Item = (Expr, &V)> {
         self.needed.nodes.iter().copied().zip(&self.list)
     }
@@ -129,10 +146,10 @@ impl<V> Values<'_, V> {
 
 impl<V> Index<Expr> for Values<'_, V> {
     type Output = V;
-    /// Value of a term that was folded.
+    /// Returns the value of an evaluated term.
     ///
     /// # Panics
-    /// If the term was not folded.
+    /// If the evaluation did not reach the term.
     fn index(&self, term: Expr) -> &V {
         self.get(term).expect("one of the terms that were folded")
     }

@@ -1,4 +1,5 @@
-//! Terms: rational numbers, the arena of expressions, and operations that build new terms from given ones.
+//! Terms: rational numbers, the arena that stores expressions, and operations that build new terms
+//! from given terms.
 
 pub mod adjoint;
 pub mod arena;

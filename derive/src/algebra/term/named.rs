@@ -1,28 +1,32 @@
-//! Named terms: a term that grows gets a name, and terms that mention it show the name.
+//! Named terms: a term that grows with the model gets a name, and larger terms mention the name.
 //!
-//! No rewriting looks behind a name: it treats the named term as an atom. Evaluation does: values, residues, ranges,
-//! derivatives and bounds pass through names, so that a question about the meaning of a term need not know of them.
-//! Kane's and Autolev's Z's are such names: T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §
-//! 4.9.
+//! No rewriting looks behind a name: it treats the named term as an atom. Evaluation does: values,
+//! residues, ranges, derivatives and bounds pass through names. So a question about the meaning of
+//! a term need not know of them.
+//! Kane's and Autolev's Z's are such names: T. R. Kane & D. A. Levinson, *Dynamics: Theory and
+//! Applications* (1985), § 4.9.
 //!
-//! Invariants: a term has one name. Numbers, symbols and multiples of named terms get no name, and terms that are equal
-//! up to a numerical factor share one. A name becomes a symbol, unlike all others, when it is written down
-//! ([`crate::algebra::text::definitions`]). A name that is never written blocks no other name, and its term is shown in
-//! full.
+//! Invariants: a term has one name. Numbers, symbols and multiples of named terms get no name.
+//! Terms that are equal up to a numerical factor share a name.
+//! A name becomes a symbol, distinct from all others, when a document defines it
+//! ([`crate::algebra::text::definitions`]). A name that is never written blocks no other name, and
+//! its term is shown in full.
 
 use super::arena::Names;
 use crate::algebra::{Arena, Expr, Node, Rational};
 
 impl Names {
-    /// Name with the name of the document part appended that is being written, if there is one.
+    /// Appends the part of the document that is being written to a wanted name, as `name_part`.
+    /// Without a part, the name is returned unchanged.
     pub(in crate::algebra) fn in_part(&self, wanted: &str) -> String {
         self.part.as_ref().map_or_else(|| wanted.to_owned(), |part| format!("{wanted}_{part}"))
     }
 }
 
 impl Arena {
-    /// Gives the term `e` a name with the label `wanted`, and returns the named term. Returns `e` itself if a name
-    /// would save nothing.
+    /// Gives the term `e` a name with the label `wanted` and returns the named term, times the
+    /// numerical factor of `e`. Returns `e` itself if it is neither a sum nor a product, so that a
+    /// name would save nothing.
     pub fn name(&mut self, e: Expr, wanted: &str) -> Expr {
         let (content, bare) = self.bare(e);
         if !matches!(self.node(bare), Node::Sum(..) | Node::Product(_)) {
@@ -40,6 +44,7 @@ impl Arena {
         self.scale(stands, &content)
     }
 
+    /// Number of a label of named terms; the label is added if it is new.
     fn label(&mut self, wanted: &str) -> u32 {
         if let Some(known) = self.names.label_index.get(wanted) {
             return *known;
@@ -50,13 +55,15 @@ impl Arena {
         label
     }
 
-    /// Gives `e`, which replaces the named term `before`, a name of the same kind.
+    /// Gives the term `e` the label of the named term `before`, which it replaces. Returns `e`
+    /// unchanged if `before` has no name.
     pub fn name_again(&mut self, before: Expr, e: Expr) -> Expr {
         let wanted = self.name_of(before).map(str::to_owned);
         wanted.map_or(e, |wanted| self.name(e, &wanted))
     }
 
-    /// Splits `e` into a number and a term without a numerical factor, whose product is `e`.
+    /// Splits `e` into a rational factor and a term without a numerical factor; their product is
+    /// `e`.
     fn bare(&mut self, e: Expr) -> (Rational, Expr) {
         if let Node::Sum(constant, terms) = self.node(e)
             && constant.is_zero()
@@ -67,7 +74,7 @@ impl Arena {
         self.split_content(e)
     }
 
-    /// Term behind the name of `e`; `None` if `e` has no name.
+    /// Expression that the named term `e` abbreviates; `None` if `e` is not a named term.
     #[must_use]
     pub fn behind(&self, e: Expr) -> Option<Expr> {
         match self.node(e) {
@@ -76,28 +83,29 @@ impl Arena {
         }
     }
 
-    /// True if any term has a name.
+    /// True if any term of the arena has a name that abbreviates it.
     #[must_use]
     pub fn has_names(&self) -> bool {
         !self.names.stands.is_empty()
     }
 
-    /// Name of a named term: its written name, else its label, which many terms may share. `None` for a term without a
-    /// name.
+    /// Name of a named term: the unique name that a document gave it, else its label, which several
+    /// terms may share. `None` if `e` is not a named term.
     #[must_use]
     pub fn name_of(&self, e: Expr) -> Option<&str> {
         self.written_name(e).or_else(|| self.label_of(e))
     }
 
-    /// Label of a named term: the name that was asked for it, which many terms may share. `None` for a term without a
-    /// name.
+    /// Label of a named term: the name that was requested when the term was named. Several terms
+    /// may share a label. `None` if `e` is not a named term.
     pub(in crate::algebra) fn label_of(&self, e: Expr) -> Option<&str> {
         let Node::Named(label, _) = self.node(e) else { return None };
         Some(&self.names.labels[*label as usize])
     }
 
-    /// Name that a term was written down with: no other term of the arena has it. `None` for a term without a name, and
-    /// for a term whose name was never written, which is shown in full.
+    /// Name with which a document has defined a named term; no other term of the arena has this
+    /// name. `None` if `e` is not a named term, or if its name was never written: then `e` is shown
+    /// in full.
     #[must_use]
     pub fn written_name(&self, e: Expr) -> Option<&str> {
         self.symbol_name(self.names.symbols.get(&e)?.symbol)

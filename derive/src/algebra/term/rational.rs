@@ -1,7 +1,8 @@
 //! Exact rational numbers of any size.
 //!
-//! Invariant: the denominator is positive, the fraction is reduced, and `Big` is used only for numbers that do not fit
-//! `Small`. So equal numbers are equal values and nothing ever wraps.
+//! Invariant: the denominator is positive and the fraction is reduced. `Big` is used only for
+//! numbers that do not fit into `Small`. So equal numbers are equal values, and no operation
+//! overflows.
 
 mod text;
 
@@ -12,18 +13,22 @@ use num_traits::{One, Signed, ToPrimitive};
 use std::cmp::Ordering;
 use std::hash::{Hash, Hasher};
 
-/// A rational number: two machine words if they suffice, big integers otherwise.
+/// Exact rational number of any size: two machine words if they suffice, big integers otherwise.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rational(Repr);
 
+/// Storage of a rational number: machine words if they suffice, else big integers.
 #[derive(Clone)]
 enum Repr {
+    /// Reduced fraction (numerator, denominator) of machine words, with a positive denominator.
     Small(i64, i64),
+    /// Reduced fraction of big integers, for numbers that do not fit two machine words.
     Big(Box<BigRational>),
 }
 
-/// Compares numerators and denominators, since fractions are reduced. `BigRational` compares and hashes by a recursion
-/// as deep as Euclid's algorithm is long, which overflows the stack for a number of some thousand digits.
+/// Compares numerators and denominators, which is enough since fractions are reduced. `BigRational`
+/// itself compares and hashes by a recursion as deep as Euclid's algorithm is long. That overflows
+/// the stack for numbers of some thousand digits.
 impl PartialEq for Repr {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
@@ -53,19 +58,19 @@ impl Rational {
     /// The number −1.
     pub const MINUS_ONE: Self = Self(Repr::Small(-1, 1));
 
-    /// The integer `n`.
+    /// Rational number for the integer `n`.
     #[must_use]
     pub const fn integer(n: i64) -> Self {
         Self(Repr::Small(n, 1))
     }
 
-    /// The fraction `numerator / denominator`, reduced; `None` if the denominator is zero.
+    /// Rational number `numerator / denominator`, reduced; `None` if the denominator is zero.
     #[must_use]
     pub fn fraction(numerator: i64, denominator: i64) -> Option<Self> {
         (denominator != 0).then(|| Self::from_wide(i128::from(numerator), i128::from(denominator)))
     }
 
-    /// The number of a big fraction, which must be reduced.
+    /// Converts a big fraction, which must be reduced and have a positive denominator.
     #[must_use]
     pub fn from_big(value: BigRational) -> Self {
         match (value.numer().to_i64(), value.denom().to_i64()) {
@@ -74,7 +79,7 @@ impl Rational {
         }
     }
 
-    /// The number as a big fraction.
+    /// Converts the number to a fraction of big integers.
     #[must_use]
     pub fn to_big(&self) -> BigRational {
         match &self.0 {
@@ -83,7 +88,7 @@ impl Rational {
         }
     }
 
-    /// Numerator and denominator, if both fit a machine word.
+    /// Pair (numerator, denominator); `None` unless both fit into an `i64`.
     #[must_use]
     pub fn small(&self) -> Option<(i64, i64)> {
         match self.0 {
@@ -92,7 +97,8 @@ impl Rational {
         }
     }
 
-    /// The value as a machine integer; `None` if it is not an integer or too large.
+    /// Value as a machine integer; `None` if the number is not an integer or does not fit into an
+    /// `i64`.
     #[must_use]
     pub fn to_i64(&self) -> Option<i64> {
         match self.0 {
@@ -101,13 +107,13 @@ impl Rational {
         }
     }
 
-    /// The exact value of a floating-point number; `None` if it is not finite.
+    /// Exact rational value of a double; `None` if the double is infinite or not a number.
     #[must_use]
     pub fn from_f64_exact(x: f64) -> Option<Self> {
         BigRational::from_float(x).map(Self::from_big)
     }
 
-    /// The nearest floating-point number; infinite if the number is too large.
+    /// Double nearest to the number; infinite if the number is too large, 0 if it is too small.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         match &self.0 {
@@ -126,6 +132,7 @@ impl Rational {
         }
     }
 
+    /// Reduced rational number n/d of wide integers; d must not be 0.
     fn from_wide(n: i128, d: i128) -> Self {
         if let (Ok(n), Ok(d)) = (i64::try_from(n), i64::try_from(d))
             && let Some(reduced) = Self::reduced(n, d)
@@ -141,7 +148,7 @@ impl Rational {
         }
     }
 
-    /// Reduced fraction n/d in machine words; `None` where a sign does not fit, or for 0/0.
+    /// Reduced fraction n/d of machine words. `None` if its sign change overflows, or for 0/0.
     fn reduced(n: i64, d: i64) -> Option<Self> {
         if d == 1 {
             return Some(Self(Repr::Small(n, 1)));
@@ -181,7 +188,7 @@ impl Rational {
         }
     }
 
-    /// Sum of two numbers.
+    /// Sum of two rational numbers.
     #[must_use]
     pub fn add(&self, other: &Self) -> Self {
         if let (Repr::Small(a, 1), Repr::Small(c, 1)) = (&self.0, &other.0)
@@ -198,7 +205,7 @@ impl Rational {
         Self::from_big(self.to_big() + other.to_big())
     }
 
-    /// Product of two numbers.
+    /// Product of two rational numbers.
     #[must_use]
     pub fn mul(&self, other: &Self) -> Self {
         if let (Repr::Small(a, 1), Repr::Small(c, 1)) = (&self.0, &other.0)
@@ -212,13 +219,13 @@ impl Rational {
         Self::from_big(self.to_big() * other.to_big())
     }
 
-    /// The negative of the number.
+    /// Negative of the number.
     #[must_use]
     pub fn neg(&self) -> Self {
         self.mul(&Self::MINUS_ONE)
     }
 
-    /// The inverse of the number; `None` for 0.
+    /// Reciprocal of the number; `None` for 0.
     #[must_use]
     pub fn recip(&self) -> Option<Self> {
         match &self.0 {
@@ -228,8 +235,8 @@ impl Rational {
         }
     }
 
-    /// `self` to the power `n`; `None` for a negative power of 0, or when the result would have more
-    /// than about [`Self::MAX_BITS`] bits. 0⁰ is 1.
+    /// Power of the number with the integer exponent `n`. `None` for a negative power of 0, or if
+    /// the result would have more than about [`Self::MAX_BITS`] bits. 0⁰ is 1.
     #[must_use]
     pub fn pow(&self, n: i32) -> Option<Self> {
         match n {
@@ -248,11 +255,12 @@ impl Rational {
         Some(Self::from_big(num_traits::Pow::pow(self.to_big(), n)))
     }
 
-    /// Number of bits above which a power is refused rather than computed.
+    /// Number of bits above which a power of a rational number is refused rather than computed.
     pub const MAX_BITS: u64 = 100_000;
 
-    /// The greatest positive rational that divides both numbers into integers: gcd of the numerators over lcm of the
-    /// denominators. With 0 it is the other number's absolute value.
+    /// Greatest positive rational number of which both numbers are integer multiples: gcd of the
+    /// numerators over lcm of the denominators. If either number is 0, it is the absolute value of
+    /// the other.
     #[must_use]
     pub fn common_content(&self, other: &Self) -> Self {
         if self.is_zero() || other.is_zero() {

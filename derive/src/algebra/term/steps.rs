@@ -1,19 +1,20 @@
-//! Steps: values that are computed one after another. Each has a symbol, by which later steps mention it.
+//! Steps of a computation: values that are computed in sequence. Each has a symbol, by which later
+//! steps mention it.
 
 use super::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashSet;
 
-/// A symbol and its value in symbols that are defined before it.
+/// A step of a computation: a symbol and its value, in terms of symbols that earlier steps define.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Definition {
-    /// Symbol that is defined.
+    /// Symbol that the step of the computation defines.
     pub symbol: Expr,
-    /// Value of the symbol.
+    /// Value that the symbol stands for, a term in earlier symbols.
     pub value: Expr,
 }
 
-/// Steps that these expressions need, directly or by way of other steps, in the given order.
+/// Steps that the given expressions need, directly or through other steps, in the order of `steps`.
 #[must_use]
 pub fn needed(arena: &Arena, steps: &[Definition], expressions: &[Expr]) -> Vec<Definition> {
     let mut wanted: FxHashSet<Expr> = arena.reachable(expressions).into_iter().collect();
@@ -28,8 +29,8 @@ pub fn needed(arena: &Arena, steps: &[Definition], expressions: &[Expr]) -> Vec<
     list
 }
 
-/// Puts the values of steps into a substitution, for the steps' symbols. Earlier steps are put into later ones as named
-/// terms, so that nothing is written out.
+/// Adds the steps to the substitution `put`, which then replaces each step's symbol by its value.
+/// Values are inserted as named terms, so that nothing is written out.
 pub fn put_in(arena: &mut Arena, put: &mut Substitution, steps: &[Definition]) {
     for step in steps {
         let value = put.apply(arena, step.value);
@@ -38,14 +39,16 @@ pub fn put_in(arena: &mut Arena, put: &mut Substitution, steps: &[Definition]) {
     }
 }
 
-/// Creates a symbol called `wanted`, or a similar name if that is taken. In a part of a document
-/// ([`crate::algebra::text::definitions`]) the part's name is appended.
+/// Creates a new symbol with the name `wanted`, or with underscores appended if that name is taken.
+/// Within a part of a document ([`crate::algebra::text::definitions`]), the name of the part is
+/// appended first.
 pub fn fresh_symbol(arena: &mut Arena, wanted: &str) -> Expr {
     let wanted = arena.names.in_part(wanted);
     unused_symbol(arena, &wanted)
 }
 
-/// Creates a symbol of this name, with underscores behind it if the name is taken.
+/// Creates a new symbol with the name `wanted`, followed by as many underscores as are needed to
+/// make it unique.
 pub(in crate::algebra) fn unused_symbol(arena: &mut Arena, wanted: &str) -> Expr {
     let mut name = wanted.to_owned();
     while arena.find_symbol(&name).is_some() {

@@ -1,11 +1,13 @@
-//! Structure of terms as a number: the same in every arena, whatever was built there before.
+//! Structure of terms as a hash: the same number in every arena, whatever else the arena contains.
 
 use crate::algebra::{Arena, Expr, Node};
 use rustc_hash::FxHashMap;
 
-/// Number for the structure of each of these terms, which must stand operands first. Equal structures have equal
-/// numbers in any arena, and different structures hardly ever do. It serves for orders that must not depend on when
-/// terms were built; no decision on equality may rest on it.
+/// Hash of the structure of each given term. The list must contain every operand before the terms
+/// built from it.
+/// Equal structures have equal hashes in any arena; different structures hardly ever do. Hashes
+/// give an order that does not depend on when terms were built. No decision on equality may rest on
+/// them.
 pub(in crate::algebra) fn structures(arena: &Arena, terms: &[Expr]) -> FxHashMap<Expr, u64> {
     let mut known: FxHashMap<Expr, u64> = FxHashMap::default();
     for e in terms {
@@ -30,7 +32,7 @@ pub(in crate::algebra) fn structures(arena: &Arena, terms: &[Expr]) -> FxHashMap
     known
 }
 
-/// Hash of two numbers (the last step of SplitMix64).
+/// Hash of two numbers combined (the last step of SplitMix64).
 fn mixed(a: u64, b: u64) -> u64 {
     let mut x = a.rotate_left(23) ^ b.wrapping_add(0x9e37_79b9_7f4a_7c15);
     x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -38,6 +40,7 @@ fn mixed(a: u64, b: u64) -> u64 {
     x ^ (x >> 31)
 }
 
+/// Hash of a text; `kind` separates the kinds of nodes that it may stand for.
 fn text(kind: u64, words: &str) -> u64 {
     words.bytes().fold(mixed(kind, 0), |sum, byte| mixed(sum, u64::from(byte)))
 }

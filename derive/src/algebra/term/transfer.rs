@@ -1,30 +1,33 @@
-//! Transfer of terms from one arena to another; symbols correspond by name.
+//! Transfer of terms from one arena to another. Symbols correspond by name.
 
 use crate::algebra::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashMap;
 
-/// Writes terms of one arena into another; parts that several terms share are written once.
+/// Copies terms of one arena into another. A part that several terms share is copied once.
 pub struct Transfer<'a> {
+    /// Arena from which terms are copied.
     from: &'a Arena,
+    /// Copy of each term transferred so far, by its handle in the source arena.
     done: FxHashMap<Expr, Expr>,
-    /// Suffix appended to the name of each term that has no name in the other arena.
+    /// Suffix appended to the label of each named term that has no name in the target arena.
     suffix: &'static str,
 }
 
 impl<'a> Transfer<'a> {
-    /// Creates a transfer of terms of `from`. A term that has a name in `from` and none in the other arena gets the
-    /// same name there.
+    /// Creates a transfer of terms of the arena `from`. A named term without a name in the target
+    /// arena gets the same label there.
     pub fn new(from: &'a Arena) -> Self {
         Self { from, done: FxHashMap::default(), suffix: "" }
     }
 
-    /// Creates a transfer into the arena of another model than that of `from`. The suffix marks the names of terms that
-    /// have no name there.
+    /// Creates a transfer of terms of `from` into the arena of a different model. The suffix marks
+    /// the labels of named terms that have no name there.
     pub fn of_other_model(from: &'a Arena, suffix: &'static str) -> Self {
         Self { suffix, ..Self::new(from) }
     }
 
-    /// Writes the term `e` of the first arena into `arena`; the result for a term is always the same.
+    /// Copies the term `e` of the source arena into `arena` and returns its handle there. Repeated
+    /// calls for a term give the same handle.
     pub fn term(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         for part in self.from.reachable(&[e]) {
             if !self.done.contains_key(&part) {
@@ -35,6 +38,7 @@ impl<'a> Transfer<'a> {
         self.done[&e]
     }
 
+    /// Copies a single node; its operands must have been copied before.
     fn one(&self, arena: &mut Arena, e: Expr) -> Expr {
         match self.from.node(e) {
             Node::Number(value) => arena.number(value.clone()),
@@ -51,7 +55,7 @@ impl<'a> Transfer<'a> {
                 arena.try_product(&list).expect("what could be built in one arena can be built in another")
             }
             Node::Apply(f, argument) => arena.apply(*f, self.done[argument]),
-            // A term that has a name in the other arena keeps it.
+            // A term that already has a name in the target arena keeps that name.
             Node::Named(_, term) => {
                 let wanted = format!("{}{}", self.from.label_of(e).unwrap_or_default(), self.suffix);
                 arena.name(self.done[term], &wanted)

@@ -1,12 +1,15 @@
-//! Written names: a symbol for each named term, and its definition.
+//! Definitions of named terms in documents: a symbol for each named term, and the formula that
+//! defines it.
 //!
-//! A name has one meaning in all documents about a model. The terms common to all documents are written first, on their
-//! own: the equations by Kane's method. Names of all other terms end in the name of the document part in which they
-//! first occur: `ratio_x_v` is a term of Kane's equations, and `ratio_x_v_lagrange` a term of Lagrange's equations
-//! only. Numbers tell terms apart that have the same label in a part. A number depends on the structure of the terms
-//! and not on when they were built, so it is the same wherever the part is written.
+//! A name has one meaning in all documents about a model. The terms common to all documents are
+//! written first, on their own: the equations by Kane's method. Names of all other terms end in the
+//! name of the document part in which they first occur. So `ratio_x_v` is a term of Kane's
+//! equations, and `ratio_x_v_lagrange` a term of Lagrange's equations only.
+//! Numbers distinguish terms that have the same label in a part. A number depends on the structure
+//! of the terms and not on when they were built. So it is the same wherever the part is written.
 //!
-//! Invariant: a name has the same symbol whenever it is written, and each step stands after the steps that it needs.
+//! Invariant: a named term has the same symbol whenever it is written, and each step comes after
+//! the steps that it needs.
 
 use crate::algebra::term::arena::NameSymbol;
 use crate::algebra::term::calculus::Substitution;
@@ -15,9 +18,10 @@ use crate::algebra::term::structure::structures;
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::{Arena, Expr};
 
-/// Replaces named terms in steps and values by symbols, and adds a step that defines each symbol. An added step stands
-/// before the first step that needs it. A given step may define a named term itself, by an equal term, which is then
-/// its value.
+/// Replaces named terms in the given steps and values by symbols, and adds a step that defines each
+/// symbol. Returns the steps and the values.
+/// An added step comes before the first step that needs it. A given step may itself define a named
+/// term by an equal formula, which is then kept as its value.
 pub fn written(arena: &mut Arena, steps: &[Definition], values: &[Expr]) -> (Vec<Definition>, Vec<Expr>) {
     let mut writing = Writing::default();
     for step in steps {
@@ -29,9 +33,10 @@ pub fn written(arena: &mut Arena, steps: &[Definition], values: &[Expr]) -> (Vec
     (writing.steps, values)
 }
 
-/// Gives every named term in these values its symbol, as part of a document. The values are not changed: they are shown
-/// with the names. Names written later without a part of their own belong to this part. All values of a part must be
-/// written at once, since their numbers depend on one another.
+/// Gives every named term in `values` a symbol, for the document part `part`. The values stay
+/// unchanged; documents show them with these symbols.
+/// Names that are written later without a part of their own belong to `part`. All values of a part
+/// must be given at once, since the numbers in their names depend on one another.
 pub fn write_down(arena: &mut Arena, part: &str, values: &[Expr]) {
     arena.names.part = Some(part.to_owned());
     let mut named: Vec<Expr> = arena.reachable(values);
@@ -39,14 +44,14 @@ pub fn write_down(arena: &mut Arena, part: &str, values: &[Expr]) {
     named.retain(|e| arena.behind(*e).is_some() && !arena.names.symbols.get(e).is_some_and(|s| s.everywhere));
     named.sort_by_key(|e| structure[e]);
     for e in named {
-        // A term with a name of another part counts too: whether that part was written does not change the numbers of
-        // this part.
+        // A term that already has a name from another part is counted too. So the numbers of this
+        // part do not depend on other parts being written.
         number(arena, e);
     }
 }
 
-/// Definitions of the written names that these terms show, and of the names in these definitions. Each stands after the
-/// names that it mentions.
+/// Definitions of all named terms that the terms `shown` contain, directly or within other
+/// definitions. Each comes after the definitions that it uses.
 #[must_use]
 pub fn glossary(arena: &Arena, shown: &[Expr]) -> Vec<Definition> {
     let named = arena.reachable(shown).into_iter();
@@ -55,15 +60,18 @@ pub fn glossary(arena: &Arena, shown: &[Expr]) -> Vec<Definition> {
         .collect()
 }
 
-/// Steps and symbols of terms that are written down one after another.
+/// Definitions and symbols collected while terms are written in sequence.
 #[derive(Default)]
 struct Writing {
+    /// Steps written so far, including those added to define symbols of named terms.
     steps: Vec<Definition>,
+    /// Symbol of each named term written so far.
     symbols: Substitution,
 }
 
 impl Writing {
-    /// Symbol that a given step defines: the written symbol of a named term, or the term itself.
+    /// Symbol that a given step defines: the symbol of a named term, or the term itself if it is a
+    /// plain symbol.
     fn stated(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         if arena.behind(e).is_none() {
             return e;
@@ -73,6 +81,8 @@ impl Writing {
         symbol
     }
 
+    /// Replaces the named terms in a term by their symbols, and adds the steps that define these
+    /// symbols.
     fn term(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         for part in arena.reachable_until(&[e], |part| self.symbols.knows(part)) {
             if let Some(value) = arena.behind(part) {
@@ -86,7 +96,7 @@ impl Writing {
     }
 }
 
-/// Symbol that a named term is written with, created if needed.
+/// Symbol with which a named term is written; it is created if the term has none.
 fn symbol_of(arena: &mut Arena, named: Expr) -> Expr {
     match arena.names.symbols.get(&named) {
         Some(known) => known.symbol,
@@ -94,7 +104,8 @@ fn symbol_of(arena: &mut Arena, named: Expr) -> Expr {
     }
 }
 
-/// Gives a named term its symbol, with the next number among the terms of the same label in this part.
+/// Gives a named term a symbol: its label and the part's name, then the next number among the terms
+/// of that label in this part. A term that already has a symbol keeps it.
 fn number(arena: &mut Arena, named: Expr) -> Expr {
     let wanted = arena.names.in_part(arena.label_of(named).unwrap_or_default());
     let count = arena.names.written.entry(wanted.clone()).or_insert(0);
@@ -109,8 +120,9 @@ fn number(arena: &mut Arena, named: Expr) -> Expr {
     symbol
 }
 
-/// Takes over the names that were written in another arena of the same model. A term may stand there with the other
-/// sign, which depends on the terms built before. It is then another term, and no term here gets its name.
+/// Copies the names written in another arena of the same model into `arena`. In `from`, a term may
+/// have the opposite sign, which depends on the terms built before. It is then a different term,
+/// and no term of `arena` gets its name.
 pub fn adopt(arena: &mut Arena, from: &Arena) {
     let mut known: Vec<_> = from.names.symbols.iter().collect();
     known.sort_unstable_by_key(|(e, _)| **e);

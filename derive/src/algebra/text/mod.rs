@@ -1,4 +1,4 @@
-//! Reading of terms from text, and writing of terms in every notation.
+//! Text of terms: parsing from every notation, and printing in every notation.
 
 pub mod definitions;
 pub mod notation;

@@ -1,8 +1,10 @@
-//! Parser of infix text: `-R*u2*tan(q2) + u4*cos(q1)`, `q1'` for a time derivative, `^` for powers.
+//! Parser of infix formulas: `-R*u2*tan(q2) + u4*cos(q1)`, `q1'` for a time derivative, `^` for
+//! powers.
 //!
-//! Decimals are exact (`0.1` is 1/10). Sums and products are read in loops, so their length is unlimited; nesting is
-//! limited to [`MAX_DEPTH`]. `tan`, `sec`, `csc` and `cot` are read as quotients of sine and cosine. If the caller can
-//! look up velocities, `v(P) @ A [1]` is an operand.
+//! Decimals are exact (`0.1` is 1/10). Sums and products are read in loops, so their length is
+//! unlimited; nesting is limited to [`MAX_DEPTH`]. `tan`, `sec`, `csc` and `cot` are read as
+//! quotients of sine and cosine. If the caller can resolve velocities, `v(P) @ A [1]` is an
+//! operand.
 
 mod calls;
 mod cursor;
@@ -23,39 +25,42 @@ use number::decimal;
 use rustc_hash::FxHashSet;
 use size::{below_of, largest_number};
 
-/// The deepest nesting of parentheses and functions that is read.
+/// Deepest nesting of parentheses and functions that the parser accepts.
 pub const MAX_DEPTH: usize = 200;
 
-/// Largest cost of exact arithmetic in one expression, in squared bits: about a second.
+/// Largest cost of exact arithmetic in one expression, in squared bits; it takes about a second.
 const MAX_WORK: u64 = 50_000_000_000;
 
-/// Looks up a name: returns its term, or the reason why it has none, as (message, help).
+/// Function that resolves a name. It returns the term of the name, or an error as (message, help).
 pub type Resolve<'a> = dyn FnMut(&mut Arena, &str) -> Result<Expr, (String, Option<String>)> + 'a;
 
-/// Looks up a component of a velocity: returns its term, or the reason why it has none, as (message, help).
+/// Function that resolves a component of a velocity or position. It returns the term, or an error
+/// as (message, help).
 pub type ResolveVelocity<'a> = dyn FnMut(&mut Arena, &VelocityName<'_>) -> Result<Expr, (String, Option<String>)> + 'a;
 
-/// Looks up a component of a force or torque between bodies: returns its term, or the reason why it has none, as
-/// (message, help).
+/// Function that resolves a component of a force or torque between bodies. It returns the term, or
+/// an error as (message, help).
 pub type ResolveInteraction<'a> =
     dyn FnMut(&mut Arena, &InteractionName<'_>) -> Result<Expr, (String, Option<String>)> + 'a;
 
-/// Reads one expression; names are looked up by `resolve`.
+/// Parses one expression; `resolve` gives the term of each name.
 ///
 /// # Errors
-/// The first [`ParseError`] in the text.
+/// First [`ParseError`] in the text.
 pub fn parse(arena: &mut Arena, text: &str, resolve: &mut Resolve<'_>) -> Result<Expr, ParseError> {
     parse_primed(arena, text, 1, resolve)
 }
 
-/// Time derivative of a term: returns it, or the reason why there is none, as (message, help).
+/// Function that gives the time derivative of a term. It returns the derivative, or an error as
+/// (message, help).
 pub type ResolveRate<'a> = dyn FnMut(&mut Arena, Expr) -> Result<Expr, (String, Option<String>)> + 'a;
 
-/// Reads a formula of a publication: names may end in up to `primes` primes, since published equations have second
-/// derivatives `q1''`, and `ddt(…)` is the time derivative of a term, given by `rate`.
+/// Parses a formula of a publication; `resolve` gives the term of each name. Names may end in up to
+/// `primes` primes, since published equations contain second derivatives `q1''`. `ddt(…)` is the
+/// time derivative of a term, given by `rate`.
 ///
 /// # Errors
-/// The first [`ParseError`] in the text.
+/// First [`ParseError`] in the text.
 pub fn parse_published(
     arena: &mut Arena,
     text: &str,
@@ -66,11 +71,11 @@ pub fn parse_published(
     Parser { primes, rate: Some(rate), ..Parser::new(arena, text, resolve) }.whole()
 }
 
-/// Reads a formula in which names may end in up to `primes` primes: a published equation has second derivatives,
-/// `q1''`.
+/// Parses a formula in which names may end in up to `primes` primes, such as the second derivative
+/// `q1''`. `resolve` gives the term of each name.
 ///
 /// # Errors
-/// The first [`ParseError`] in the text.
+/// First [`ParseError`] in the text.
 pub fn parse_primed(
     arena: &mut Arena,
     text: &str,
@@ -80,11 +85,12 @@ pub fn parse_primed(
     Parser { primes, ..Parser::new(arena, text, resolve) }.whole()
 }
 
-/// Reads one expression that may name components of velocities, and of forces and torques between bodies. These are
-/// looked up by `velocity` and `interaction`.
+/// Parses one expression that may contain components of velocities, and of forces and torques
+/// between bodies. `resolve` gives the term of each name, `velocity` that of a velocity, and
+/// `interaction` that of a force or torque.
 ///
 /// # Errors
-/// The first [`ParseError`] in the text.
+/// First [`ParseError`] in the text.
 pub fn parse_with_quantities<'a>(
     arena: &mut Arena,
     text: &str,
@@ -96,44 +102,59 @@ pub fn parse_with_quantities<'a>(
     Parser { velocity, interaction, ..Parser::new(arena, text, resolve) }.whole()
 }
 
-/// Reads one expression in which every name is a symbol, declared as it appears.
+/// Parses one expression in which every name is a symbol; new symbols are declared in the order in
+/// which they occur.
 ///
 /// # Errors
-/// The first [`ParseError`] in the text.
+/// First [`ParseError`] in the text.
 pub fn parse_free(arena: &mut Arena, text: &str) -> Result<Expr, ParseError> {
     parse(arena, text, &mut |arena, name| Ok(arena.symbol(name)))
 }
 
-/// True if `name` is a function or constant of the expression language.
+/// True if `name` is a function or constant of the expression language, and so cannot name a
+/// quantity.
 #[must_use]
 pub fn is_reserved(name: &str) -> bool {
     name == "pi" || is_function(name)
 }
 
-/// Functions of several arguments. Without a call they are ordinary names.
+/// Functions of several arguments. Without parentheses they are ordinary names.
 const OF_SEVERAL: [&str; 3] = ["min", "max", "atan2"];
 
+/// True if `name` is a function of one argument in the expression language.
 fn is_function(name: &str) -> bool {
     ["tan", "sec", "csc", "cot"].contains(&name) || Function::ALL.iter().any(|(_, n)| *n == name)
 }
 
+/// State of the parser while it reads a text from left to right.
 struct Parser<'a, 'b> {
+    /// Arena in which the terms are built.
     arena: &'a mut Arena,
+    /// Whole text of the expression.
     text: &'a str,
+    /// Position of the next character, in bytes.
     at: usize,
+    /// Number of parentheses and functions that are open.
     depth: usize,
+    /// Cost of exact arithmetic so far, in squared bits.
     work: u64,
     /// Largest number of primes that a name may end in.
     primes: usize,
-    /// Function values in the text that are not real for every argument.
+    /// Function values in the text that are not real for every argument, such as logarithms.
     partial: Vec<Expr>,
+    /// Function that resolves a name to a term.
     resolve: &'a mut Resolve<'b>,
+    /// Function that resolves velocities and positions; `None` if the text may not contain them.
     velocity: Option<&'a mut ResolveVelocity<'b>>,
+    /// Function that resolves forces and torques between bodies; `None` if the text may not contain
+    /// them.
     interaction: Option<&'a mut ResolveInteraction<'b>>,
+    /// Function that gives time derivatives; `None` if the text may not contain `ddt(…)`.
     rate: Option<&'a mut ResolveRate<'b>>,
 }
 
 impl<'a, 'b> Parser<'a, 'b> {
+    /// Creates a parser at the start of a text.
     fn new(arena: &'a mut Arena, text: &'a str, resolve: &'a mut Resolve<'b>) -> Self {
         let partial = Vec::new();
         let (velocity, interaction, rate) = (None, None, None);
@@ -142,6 +163,7 @@ impl<'a, 'b> Parser<'a, 'b> {
 }
 
 impl Parser<'_, '_> {
+    /// Parses the whole text as one expression. Error if text is left over.
     fn whole(mut self) -> Result<Expr, ParseError> {
         self.skip_space();
         if self.at == self.text.len() {
@@ -152,7 +174,7 @@ impl Parser<'_, '_> {
         if self.at < self.text.len() {
             return Err(ParseError::unexpected(self.text, self.at, self.primes));
         }
-        // log(w) − log(w) + w is w, but only where there is a logarithm of w.
+        // log(w) − log(w) + w is w, but only where log(w) has a value.
         let partial = std::mem::take(&mut self.partial);
         if !partial.is_empty() {
             let kept = self.arena.reachable(&[e]);
@@ -161,6 +183,7 @@ impl Parser<'_, '_> {
         Ok(e)
     }
 
+    /// Next byte of the text; `None` at the end.
     fn peek(&self) -> Option<u8> {
         self.text.as_bytes().get(self.at).copied()
     }
@@ -171,6 +194,7 @@ impl Parser<'_, '_> {
         }
     }
 
+    /// Skips the given byte and the space after it, if it comes next; true if it did.
     fn take(&mut self, byte: u8) -> bool {
         let found = self.peek() == Some(byte);
         if found {
@@ -180,7 +204,8 @@ impl Parser<'_, '_> {
         found
     }
 
-    /// Counts the cost of adding or multiplying numbers of so many bits; refuses the expression if it is too high.
+    /// Adds the cost of exact arithmetic with numbers of `bits` bits to the total. Error if the
+    /// total is too high.
     fn spend(&mut self, bits: u64, start: usize) -> Result<(), ParseError> {
         self.work = self.work.saturating_add(bits.saturating_mul(bits));
         if self.work <= MAX_WORK {
@@ -190,6 +215,7 @@ impl Parser<'_, '_> {
         Err(error(start..self.at, "the numbers in this expression grow too large", Some(help)))
     }
 
+    /// Parses a sum of terms, up to the first character that does not belong to it.
     fn sum(&mut self) -> Result<Expr, ParseError> {
         let start = self.at;
         let mut terms = Vec::new();
@@ -199,7 +225,7 @@ impl Parser<'_, '_> {
         loop {
             let term = self.term()?;
             let (above, below) = largest_number(self.arena, term);
-            // Different denominators multiply; numerators hardly grow.
+            // Different denominators multiply in a sum; numerators hardly grow.
             if below > 1 && denominators.insert(below_of(self.arena, term)) {
                 common += below;
             }
@@ -216,6 +242,7 @@ impl Parser<'_, '_> {
         Ok(if terms.len() == 1 { terms[0].0 } else { self.arena.linear_combination(&terms) })
     }
 
+    /// Parses a product or quotient of factors.
     fn term(&mut self) -> Result<Expr, ParseError> {
         let start = self.at;
         let mut factors = vec![(self.signed()?, 1)];
@@ -250,7 +277,8 @@ impl Parser<'_, '_> {
         product.map_err(|e| ParseError::power(start..self.at, e))
     }
 
-    /// Refuses a product with an exponent beyond the limit for written formulas.
+    /// Returns the term `e`, or an error if it is a product with an exponent beyond the limit for
+    /// written formulas.
     fn within_limits(&self, e: Expr) -> Result<Expr, PowerError> {
         let product = match self.arena.node(e) {
             Node::Sum(_, terms) if terms.len() == 1 => terms[0].0,
@@ -264,7 +292,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// Reads any number of signs, then a power: −x² is −(x²).
+    /// Parses any number of signs, then a power: −x² is −(x²).
     fn signed(&mut self) -> Result<Expr, ParseError> {
         let mut negative = false;
         loop {
@@ -280,6 +308,8 @@ impl Parser<'_, '_> {
         Ok(if negative { self.arena.neg(e) } else { e })
     }
 
+    /// Parses an operand with its exponent, if it has one. An exponent is an integer or a half of
+    /// an odd integer.
     fn power(&mut self) -> Result<Expr, ParseError> {
         let start = self.at;
         let base = self.primary()?;
@@ -308,6 +338,7 @@ impl Parser<'_, '_> {
         self.arena.pow(base, n).and_then(|e| self.within_limits(e)).map_err(|e| ParseError::power(start..self.at, e))
     }
 
+    /// Counts one more level of nesting. Error if the nesting is too deep.
     fn enter(&mut self, start: usize) -> Result<(), ParseError> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {
@@ -317,6 +348,8 @@ impl Parser<'_, '_> {
         Ok(())
     }
 
+    /// Parses the rest of a parenthesis, whose opening mark was at byte `open`. Error if it is
+    /// never closed.
     fn parenthesized(&mut self, open: usize) -> Result<Expr, ParseError> {
         self.enter(open)?;
         let e = self.sum()?;
@@ -330,6 +363,7 @@ impl Parser<'_, '_> {
         Ok(e)
     }
 
+    /// Parses a number, a name, a call or an expression in parentheses.
     fn primary(&mut self) -> Result<Expr, ParseError> {
         let start = self.at;
         match self.peek() {
@@ -343,6 +377,7 @@ impl Parser<'_, '_> {
         }
     }
 
+    /// Parses a decimal number.
     fn number(&mut self) -> Result<Expr, ParseError> {
         let (value, end) = decimal(self.text, self.at)?;
         self.at = end;
@@ -350,6 +385,7 @@ impl Parser<'_, '_> {
         Ok(self.arena.number(value))
     }
 
+    /// Parses a name or a call: a symbol, π, a function, a velocity, a force, or a time derivative.
     fn named(&mut self) -> Result<Expr, ParseError> {
         let start = self.at;
         let name_end = self.text[start..]

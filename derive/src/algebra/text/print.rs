@@ -1,7 +1,8 @@
-//! Printing of expressions: as people write them, in text (which parses back to the same term), LaTeX, Typst and
-//! `MathML`; and as Python reads them.
+//! Printing of expressions: as text, which parses back to the same term; in LaTeX, Typst and
+//! `MathML`; and as Python source.
 //!
-//! A print for people stops at [`BUDGET`] nodes, since nobody reads further; [`whole_text`] is for programs.
+//! A formula printed for people is cut after `BUDGET` nodes, since nobody reads further;
+//! [`whole_text`] is for programs.
 
 mod latex;
 mod lines;
@@ -28,16 +29,16 @@ use python::{NUMPY, SYMPY};
 use rustc_hash::FxHashMap;
 use typst::write_typst;
 
-/// Number of nodes after which the print of an expression is cut short.
+/// Number of nodes after which a printed expression is cut short.
 pub const BUDGET: usize = 20_000;
 
-/// Prints an expression as plain text in the language of model files.
+/// Prints an expression as plain text in the language of model files, cut after `BUDGET` nodes.
 #[must_use]
 pub fn text(arena: &Arena, e: Expr) -> String {
     text_of(&view(arena, e, &FxHashMap::default(), BUDGET))
 }
 
-/// Prints a tree of marks as plain text, like [`text`].
+/// Prints a display tree as plain text in the language of model files.
 #[must_use]
 pub fn text_of(view: &View) -> String {
     let mut out = String::new();
@@ -45,7 +46,7 @@ pub fn text_of(view: &View) -> String {
     out
 }
 
-/// Prints a tree of marks in Python, with the functions of `NumPy` as `np.sin`.
+/// Prints a display tree as a Python expression, with functions of `NumPy` such as `np.sin`.
 #[must_use]
 pub fn python_of(view: &View) -> String {
     let mut out = String::new();
@@ -53,8 +54,8 @@ pub fn python_of(view: &View) -> String {
     out
 }
 
-/// Prints a tree of marks in Python, with the functions and numbers of `SymPy` as `sp.sin`: quotients of whole numbers
-/// stay exact.
+/// Prints a display tree as a Python expression, with functions of `SymPy` such as `sp.sin`.
+/// Quotients of integers stay exact (`sp.Rational`).
 #[must_use]
 pub fn sympy_of(view: &View) -> String {
     let mut out = String::new();
@@ -62,8 +63,8 @@ pub fn sympy_of(view: &View) -> String {
     out
 }
 
-/// Prints an expression like [`text`], for programs. It is cut only beyond two million nodes, where a shared term has
-/// grown out of hand.
+/// Prints an expression as plain text for programs, like [`text`]. It is cut only after two million
+/// nodes, a size that shared terms can reach.
 #[must_use]
 pub fn whole_text(arena: &Arena, e: Expr) -> String {
     let mut out = String::new();
@@ -71,20 +72,20 @@ pub fn whole_text(arena: &Arena, e: Expr) -> String {
     out
 }
 
-/// Tree of marks of a term, cut no earlier than [`whole_text`]. Terms in `shared`, other than `e` itself, are shown by
-/// their names.
+/// Builds the display tree of the term `e`, cut only after two million nodes. Terms in `shared`,
+/// other than `e` itself, are shown by their names.
 #[must_use]
 pub fn whole_view(arena: &Arena, e: Expr, shared: &Shared) -> View {
     view(arena, e, shared, 100 * BUDGET)
 }
 
-/// Prints an expression in LaTeX, for math mode.
+/// Prints an expression in LaTeX for math mode, cut after `BUDGET` nodes.
 #[must_use]
 pub fn latex(arena: &Arena, e: Expr) -> String {
     latex_of(&view_of(arena, e))
 }
 
-/// Prints a tree of marks in LaTeX, like [`latex`].
+/// Prints a display tree in LaTeX for math mode.
 #[must_use]
 pub fn latex_of(view: &View) -> String {
     let mut out = String::new();
@@ -92,7 +93,7 @@ pub fn latex_of(view: &View) -> String {
     out
 }
 
-/// Prints a tree of marks in Typst, for math mode.
+/// Prints a display tree in Typst for math mode.
 #[must_use]
 pub fn typst_of(view: &View) -> String {
     let mut out = String::new();
@@ -100,13 +101,14 @@ pub fn typst_of(view: &View) -> String {
     out
 }
 
-/// Prints an expression in presentation `MathML`: one `mrow` element, to be put inside `math`.
+/// Prints an expression in presentation `MathML`, cut after `BUDGET` nodes: one `mrow` element,
+/// to be put inside `math`.
 #[must_use]
 pub fn mathml(arena: &Arena, e: Expr) -> String {
     mathml_of(&view_of(arena, e))
 }
 
-/// Prints a tree of marks in presentation `MathML`, like [`mathml`].
+/// Prints a display tree in presentation `MathML`: one `mrow` element, to be put inside `math`.
 #[must_use]
 pub fn mathml_of(view: &View) -> String {
     let mut out = String::from("<mrow>");
@@ -115,28 +117,30 @@ pub fn mathml_of(view: &View) -> String {
     out
 }
 
-/// Tree of marks of a term, cut after [`BUDGET`] nodes. Symbols that would look alike with subscripts are told apart.
+/// Builds the display tree of a term, cut after `BUDGET` nodes. A symbol that would look like
+/// another with its subscript is printed as a word.
 #[must_use]
 pub fn view_of(arena: &Arena, e: Expr) -> View {
     told_apart(arena, view(arena, e, &FxHashMap::default(), BUDGET))
 }
 
 impl Arena {
-    /// Shows a symbol by another name in documents: LaTeX, Typst, Markdown and `MathML`. Primes after the symbol's name
-    /// become primes after the other name. Text and programs keep the name of the model file.
+    /// Shows the symbol `name` as `printed` in documents: LaTeX, Typst, Markdown and `MathML`.
+    /// Primes after the name are kept. Plain text and programs keep the name of the model file.
     pub fn print_as(&mut self, name: &str, printed: &str) {
         self.names.printed.insert(name.to_owned(), printed.to_owned());
     }
 }
 
 impl Arena {
-    /// Shows all symbols by their own names again, as if [`Arena::print_as`] had not been called.
+    /// Shows all symbols in documents by their own names again, and so undoes [`Arena::print_as`].
     pub fn print_plainly(&mut self) {
         self.names.printed.clear();
     }
 }
 
-/// Name by which documents show a name: that of [`Arena::print_as`], else the name itself. Primes are kept.
+/// Name with which documents show a symbol: the name given to [`Arena::print_as`], else the
+/// symbol's own. Primes are kept.
 #[must_use]
 pub fn printed_name(arena: &Arena, name: &str) -> String {
     let stem = name.trim_end_matches('\'');
@@ -146,7 +150,8 @@ pub fn printed_name(arena: &Arena, name: &str) -> String {
     }
 }
 
-/// Tree of marks of a symbol, by its printed name, or told apart from another symbol that would look like it.
+/// Display tree of a symbol, by its printed name. It is a whole word if another symbol would look
+/// the same.
 #[must_use]
 pub fn symbol_view(arena: &Arena, name: &str) -> View {
     if arena.names.printed.contains_key(name.trim_end_matches('\'')) {
@@ -156,6 +161,8 @@ pub fn symbol_view(arena: &Arena, name: &str) -> View {
     if looks_like_another { View::Word(name.to_owned()) } else { View::Name(name.to_owned()) }
 }
 
+/// Replaces the names in a display tree by printed names; symbols that would look alike become
+/// words.
 fn told_apart(arena: &Arena, view: View) -> View {
     let boxed = |part: Box<View>| Box::new(told_apart(arena, *part));
     match view {
@@ -170,23 +177,29 @@ fn told_apart(arena: &Arena, view: View) -> View {
     }
 }
 
-/// Spelling of the marks that differ between languages on one line.
+/// Spelling of operators and functions in a language that writes formulas on one line.
 struct Spelling {
+    /// Text of the constant π in the language.
     pi: &'static str,
+    /// Operator of powers, such as `^`.
     power: &'static str,
     /// Name of a function in the language, given its name in model files.
     function: fn(&'static str) -> String,
-    /// Function for the quotient of two whole numbers, in a language in which `/` would round; `None` in others.
+    /// Function for the exact quotient of two integers, in a language whose `/` would round; `None`
+    /// if `/` is exact enough.
     quotient: Option<&'static str>,
 }
 
-/// Spelling of marks in the language of model files.
+/// Spelling of operators and functions in model files.
 const TEXT: Spelling = Spelling { pi: "pi", power: "^", function: str::to_owned, quotient: None };
 
+/// Appends a display tree to `out` as text of model files.
 fn write_text(view: &View, out: &mut String) {
     write_line(view, &TEXT, out);
 }
 
+/// Appends a display tree to `out` on one line, in the given spelling, with parentheses where
+/// needed.
 fn write_line(view: &View, spelling: &Spelling, out: &mut String) {
     let part = |view: &View, needs_parentheses: bool, out: &mut String| {
         out.push_str(if needs_parentheses { "(" } else { "" });

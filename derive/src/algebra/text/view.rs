@@ -1,60 +1,64 @@
-//! A formula as a tree of marks, from which all notations, and code generation, are written.
+//! Views of formulas: display trees, from which all notations and generated code are written.
 //!
-//! Factors and terms stand in the order in which their symbols were declared; sums stand last; sin x /
-//! cos x becomes tan x; negative powers become a fraction.
+//! Factors and terms are in the order in which their symbols were declared, and sums come last. sin
+//! x / cos x becomes tan x; negative powers become a fraction.
 
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 
-/// A formula as a tree of marks, before a notation is chosen: mathematics or program text.
+/// Formula as a display tree: sums, products, fractions and calls in printing order. It is printed
+/// in any notation, as mathematics or as program text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum View {
-    /// A whole number, not negative.
+    /// A non-negative integer, as its decimal digits.
     Number(String),
-    /// A symbol by its name, shown with a subscript if it has one.
+    /// A symbol by its name, printed with a subscript if the name has one.
     Name(String),
-    /// A symbol that is spelled out without a subscript, since another symbol would look like it.
+    /// A symbol printed as a whole word without a subscript, because another symbol would look the
+    /// same.
     Word(String),
-    /// A term that is shown by the name that [`Shared`] gives it.
+    /// A term that is shown by a name in place of its formula; the map [`Shared`] gives the names.
     Shared(String),
     /// The number π.
     Pi,
-    /// Terms of a sum: true if the term is subtracted, and the term.
+    /// A sum: pairs of a flag, true if the term is subtracted, and the term.
     Sum(Vec<(bool, View)>),
-    /// Factors of a product.
+    /// A product of factors.
     Product(Vec<View>),
-    /// A fraction: numerator and denominator.
+    /// A fraction of two formulas: numerator and denominator.
     Fraction(Box<View>, Box<View>),
-    /// A power: base and exponent, which is at least 2.
+    /// A power: base and integer exponent, which is at least 2.
     Power(Box<View>, i32),
-    /// A function and its argument; among them `tan` for a quotient of sine and cosine.
+    /// A function call: name and argument. The name `tan` stands for a quotient of sine and cosine.
     Call(&'static str, Box<View>),
-    /// Square root of this formula.
+    /// Square root of a formula.
     Root(Box<View>),
-    /// Mark for a part left out, since the budget of nodes ended.
+    /// Mark for an omitted part, where the limit on the number of nodes was reached.
     Cut,
 }
 
 impl View {
-    /// True if the view needs parentheses as a factor.
+    /// True if the formula needs parentheses as a factor: only sums do.
     pub(in crate::algebra) fn is_loose(&self) -> bool {
         matches!(self, Self::Sum(_))
     }
 }
 
-/// Names of the terms that are shown by a name.
+/// Names of the terms that are shown by a name in place of their formulas.
 pub type Shared = FxHashMap<Expr, String>;
 
-/// Tree of marks of the term `e`. Terms in `shared`, other than `e` itself, are shown by their names; after `budget`
-/// nodes the tree is cut.
+/// Builds the display tree of the term `e`. Terms in `shared`, other than `e` itself, are shown by
+/// their names. After `budget` nodes the rest of the tree is cut.
 #[must_use]
 pub fn view(arena: &Arena, e: Expr, shared: &Shared, budget: usize) -> View {
     Viewer { arena, ranks: ranks(arena, e), shared, left: budget }.expand(e)
 }
 
-/// Order of a term among factors: (latest symbol in it, kind of node, handle).
+/// Sort key of a term among factors: number of the symbol in it that was declared last, kind of
+/// node, handle.
 type Rank = (u32, u8, Expr);
 
+/// Sort key of the term `e` and of each subterm that its text shows.
 fn ranks(arena: &Arena, e: Expr) -> FxHashMap<Expr, Rank> {
     let mut ranks: FxHashMap<Expr, Rank> = FxHashMap::default();
     for part in arena.shown(&[e]) {
@@ -82,14 +86,20 @@ fn ranks(arena: &Arena, e: Expr) -> FxHashMap<Expr, Rank> {
     ranks
 }
 
+/// State of building a display tree.
 struct Viewer<'a> {
+    /// Arena of the terms.
     arena: &'a Arena,
+    /// Sort key of each term.
     ranks: FxHashMap<Expr, Rank>,
+    /// Terms that are shown by a name in place of their formulas.
     shared: &'a Shared,
+    /// Number of nodes that may still be added before the tree is cut.
     left: usize,
 }
 
 impl Viewer<'_> {
+    /// Display tree of a term, or its name if it is a shared term.
     fn view(&mut self, e: Expr) -> View {
         match self.shared.get(&e) {
             Some(name) => View::Shared(name.clone()),
@@ -97,6 +107,7 @@ impl Viewer<'_> {
         }
     }
 
+    /// Display tree of a term, even if the term itself has a shared name.
     fn expand(&mut self, e: Expr) -> View {
         if self.left == 0 {
             return View::Cut;
@@ -110,7 +121,7 @@ impl Viewer<'_> {
             Node::Symbol(_) => View::Name(self.arena.symbol_name(e).unwrap_or_default().to_owned()),
             Node::Named(_, term) => match self.arena.written_name(e) {
                 Some(name) => View::Name(name.to_owned()),
-                // A name that was never written down is defined nowhere.
+                // A name that was never written has no definition, so its term is shown in full.
                 None => self.view(term),
             },
             Node::Pi => View::Pi,
@@ -136,8 +147,8 @@ impl Viewer<'_> {
         }
     }
 
-    /// Order of terms in a sum: by their factors, the latest declared first. So a linear form stands in the order of
-    /// its variables.
+    /// Sort key of a term in a sum: the sort keys of its factors, the latest declared first. So a
+    /// linear form is printed in the order of its variables.
     fn monomial_rank(&self, term: Expr) -> Vec<(Rank, i32)> {
         let mut ranks: Vec<_> = match self.arena.node(term) {
             Node::Product(factors) => factors.iter().map(|(base, n)| (self.ranks[base], -n)).collect(),
@@ -148,7 +159,8 @@ impl Viewer<'_> {
         ranks
     }
 
-    /// Product k · e as (true if negative, view of the absolute value).
+    /// Splits the product k · e into its sign (true if negative) and the display tree of its
+    /// absolute value.
     fn scaled(&mut self, k: &Rational, e: Expr) -> (bool, View) {
         let factors: Vec<(Expr, i32)> = match self.arena.node(e) {
             Node::Product(factors) if !self.shared.contains_key(&e) => factors.to_vec(),
@@ -158,7 +170,8 @@ impl Viewer<'_> {
         self.quotient(k, factors)
     }
 
-    /// Product k · Π base^exponent as (true if negative, view of the absolute value).
+    /// Splits the product k · Π base^exponent into its sign (true if negative) and the display tree
+    /// of its absolute value.
     fn quotient(&mut self, k: &Rational, mut factors: Vec<(Expr, i32)>) -> (bool, View) {
         factors.sort_by_key(|(base, _)| self.ranks.get(base).copied());
         let magnitude = if k.is_negative() { k.neg() } else { k.clone() };
@@ -209,7 +222,8 @@ impl Viewer<'_> {
         (negative, view)
     }
 
-    /// Takes tangents sin^n·cos^−n out of the factors, and returns them as (angle, n).
+    /// Takes the tangents sin^n·cos^−n out of a list of factors, and returns them as pairs (angle,
+    /// n).
     fn take_tangents(&self, factors: &mut Vec<(Expr, i32)>) -> Vec<(Expr, i32)> {
         let mut tangents = Vec::new();
         for at in 0..factors.len() {
@@ -232,7 +246,8 @@ impl Viewer<'_> {
     }
 }
 
-/// Moves the first positive term of a sum to its front: a sum that begins with a minus is harder to read.
+/// Moves the first positive term of a sum to the front, because a sum that begins with a minus is
+/// harder to read.
 fn positive_first(parts: &mut Vec<(bool, View)>) {
     if let Some(at) = parts.iter().position(|(negative, _)| !negative)
         && parts[0].0

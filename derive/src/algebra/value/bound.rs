@@ -1,9 +1,11 @@
-//! Probability of a false zero, bounded by the degrees and sizes of the polynomials behind an expression.
+//! Probability that a zero test wrongly reports zero, bounded by degrees and sizes of polynomials.
 //!
-//! Every term is N / (d ΠB): N is a polynomial with integer coefficients in symbols and in the parameter t of each base
-//! angle, d an integer, and B the divisors. A polynomial N that is not zero vanishes at a random point modulo p with a
-//! probability of at most degree(N)/p (Schwartz 1980, Zippel 1979). It vanishes modulo a random prime altogether only
-//! if the prime divides all coefficients. Each coefficient has at most log₂|N|/60 such prime factors.
+//! Every term is N / (d ΠB). N is a polynomial with integer coefficients, in the symbols and in the
+//! parameter t of each base angle. d is an integer, and B are the divisors.
+//! A polynomial N that is not zero vanishes at a random point modulo p with a probability of at
+//! most degree(N)/p (Schwartz 1980, Zippel 1979). It vanishes modulo a random prime altogether only
+//! if the prime divides all coefficients. Each coefficient has at most log₂|N|/60 prime factors of
+//! 60 bits.
 
 use super::points::{POINTS, is_exponential};
 use crate::algebra::term::elementary::angle_atoms;
@@ -12,23 +14,32 @@ use crate::algebra::{Arena, Expr, Function, Rational};
 use num_integer::Integer;
 use rustc_hash::FxHashMap;
 
-/// Bounds of one term N / (d ΠB): degree of N, log₂ of the sum of its coefficients' sizes, log₂ of d, and divisors B.
+/// Bounds on the parts of a term N / (d ΠB): N is a polynomial, d an integer, and B are the
+/// divisors.
 #[derive(Clone, Default)]
 struct Size {
+    /// Upper bound of the degree of the polynomial N.
     degree: f64,
+    /// Upper bound of the base-2 logarithm of the sum of the absolute coefficients of N.
     bits: f64,
+    /// Upper bound of the base-2 logarithm of the integer d.
     denominator_bits: f64,
-    /// The denominator d itself while it is known to fit a word: common denominators are then not counted twice.
+    /// Integer d itself, so that common denominators are not counted twice; `None` if it does not
+    /// fit a word.
     denominator: Option<u64>,
+    /// Divisors B, as pairs (term, exponent).
     divisors: Vec<(Expr, f64)>,
 }
 
-/// Lower bound of log₂ of the number of primes between 2^60 and 2^61 that are 23 modulo 24. π(2^61) − π(2^60) > 2^60/43
-/// (Rosser and Schoenfeld 1962), one in φ(24) = 8 of them, and a factor of 4 to spare.
+/// Lower bound of log₂ of the number of primes between 2^60 and 2^61 that are 23 modulo 24. π(2^61)
+/// − π(2^60) > 2^60/43 (Rosser and Schoenfeld 1962). One in φ(24) = 8 of these primes qualifies,
+/// and a factor of 4 is left to spare.
 const LOG_PRIMES: f64 = 60.0 - 5.43 - 3.0 - 2.0;
 
-/// Exponent k for which a false zero of `e` has a probability below 2^−k, with two primes and two points for each; 0 if
-/// there is no bound.
+/// Exponent k for which a false zero of the term `e` has a probability below 2^−k. It is 0 if there
+/// is no bound.
+/// The test uses two primes and two points for each. `finest` has the least common denominator of
+/// the coefficients of each atom inside angles.
 pub fn error_exponent(arena: &Arena, needed: &Needed, finest: &FxHashMap<Expr, i64>, e: Expr) -> f64 {
     let Some(sizes) = needed.fold(arena, &mut Sizes { arena, finest }) else { return 0.0 };
     let size = &sizes[e];
@@ -42,12 +53,13 @@ pub fn error_exponent(arena: &Arena, needed: &Needed, finest: &FxHashMap<Expr, i
     -2.0 * one_prime
 }
 
+/// Base-2 logarithm of 2^a + 2^b, computed without overflow.
 fn log_sum(a: f64, b: f64) -> f64 {
     let (small, large) = if a < b { (a, b) } else { (b, a) };
     if large == f64::NEG_INFINITY { large } else { large + (small - large).exp2().ln_1p() / std::f64::consts::LN_2 }
 }
 
-/// Sizes log₂ of numerator and denominator of a number.
+/// Base-2 logarithms of the absolute numerator and of the denominator of a number.
 fn bits_of(value: &Rational) -> (f64, f64) {
     match value.small() {
         Some((n, d)) => ((n.unsigned_abs() as f64).log2(), (d as f64).log2()),
@@ -58,15 +70,20 @@ fn bits_of(value: &Rational) -> (f64, f64) {
     }
 }
 
+/// Bounds of a term that is a rational number.
 fn number(value: &Rational) -> Size {
     let (bits, denominator_bits) = bits_of(value);
     let denominator = value.small().and_then(|(_, d)| u64::try_from(d).ok());
     Size { bits, denominator_bits, denominator, ..Size::default() }
 }
 
-/// Rules for the sizes of terms, with the least common denominator of the coefficients of each atom inside angles.
+/// Rules that bound the polynomials of each term. `finest` has the least common denominator of the
+/// coefficients of each atom inside angles.
 struct Sizes<'a> {
+    /// Arena of the terms.
     arena: &'a Arena,
+    /// Least common denominator of the coefficients of each atom inside angles; an angle is a sum Σ
+    /// k · atom.
     finest: &'a FxHashMap<Expr, i64>,
 }
 
@@ -90,10 +107,11 @@ impl Fold for Sizes<'_> {
     fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, Size>) -> Option<Size> {
         let inner = &of[argument];
         if !matches!(f, Function::Sin | Function::Cos) && !is_exponential(f) {
-            // A root's polynomial has twice the degree; other functions are atoms.
+            // The polynomial of a square root has twice the degree; other functions are atoms.
             return Some(Size { degree: 2.0 * inner.degree + 1.0, bits: 2.0 * inner.bits + 1.0, ..inner.clone() });
         }
-        // k · atom is k · d base angles, d the common denominator of all k of this atom; 0 stands for one too large.
+        // k · atom is k · d base angles, where d is the common denominator of all k of this atom. A
+        // d of 0 means that the denominator is too large.
         let multiples = angle_atoms(self.arena, argument).into_iter().map(|(atom, k)| match self.finest.get(&atom) {
             Some(0) | None => f64::INFINITY,
             Some(d) => k.to_f64().abs() * *d as f64,
@@ -103,6 +121,7 @@ impl Fold for Sizes<'_> {
     }
 }
 
+/// Bounds of the sum constant + Σ k · term, from the bounds of the terms.
 fn sum(constant: &Rational, terms: &[(Expr, Rational)], sizes: &Values<'_, Size>) -> Size {
     let mut result = Size { bits: f64::NEG_INFINITY, ..Size::default() };
     let constant = number(constant);
@@ -138,6 +157,7 @@ fn sum(constant: &Rational, terms: &[(Expr, Rational)], sizes: &Values<'_, Size>
     result
 }
 
+/// Bounds of the product Π base^exponent, from the bounds of the bases.
 fn product(factors: &[(Expr, i32)], sizes: &Values<'_, Size>) -> Size {
     let mut result = Size { denominator: Some(1), ..Size::default() };
     for (base, exponent) in factors {

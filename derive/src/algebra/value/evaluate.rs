@@ -1,7 +1,9 @@
-//! Interpretation: expressions as a straight-line tape of operations, in numbers of any precision.
+//! Numerical evaluation: expressions as a tape, a straight-line list of operations, in numbers of
+//! any precision.
 //!
-//! Invariant: a tape's constants are exact rationals, rounded once to each kind of number that it is evaluated in. A
-//! tape proves nothing: its numbers decide no question of meaning.
+//! Invariant: the constants of a tape are exact rationals, rounded once to each kind of number that
+//! the tape is evaluated in. A tape proves nothing: no question of meaning is decided by its
+//! numbers.
 
 mod backwards;
 
@@ -14,28 +16,29 @@ use rustc_hash::FxHashMap;
 use std::sync::Arc;
 use tripos_traits::{DoubleDouble, Enclosure, Interval, Scalar, Tangent};
 
-/// A kind of number that expressions are evaluated in.
+/// Number type in which expressions are evaluated, such as doubles or intervals.
 pub trait Numeric: Scalar {
-    /// The nearest value to a rational number, to the 32 digits that two doubles hold.
+    /// Converts a rational number to the nearest value, to the 32 digits that two doubles hold.
     #[must_use]
     fn of(value: &Rational) -> Self {
         let nearest = value.to_f64();
         let rest = Rational::from_f64_exact(nearest).map(|exact| value.add(&exact.neg()));
         Self::from_f64(nearest) + Self::from_f64(rest.map_or(0.0, |rest| rest.to_f64()))
     }
-    /// Function value f(x); not a number outside of the function's domain.
+    /// Function value f(x), angles in radians. It is "not a number" outside of the function's
+    /// domain.
     #[must_use]
     fn apply(self, f: Function) -> Self {
         applied(self, f)
     }
-    /// Power xⁿ; n may be negative.
+    /// Power xⁿ of a number; n may be negative.
     #[must_use]
     fn power(self, n: i32) -> Self {
         self.powi(n)
     }
 }
 
-/// Function value f(x), by the functions of the scalar type.
+/// Function value f(x), computed with the functions of the scalar type.
 fn applied<S: Scalar>(x: S, f: Function) -> S {
     match f {
         Function::Sin => x.sin_cos().0,
@@ -56,8 +59,8 @@ fn applied<S: Scalar>(x: S, f: Function) -> S {
 
 impl Numeric for DoubleDouble {}
 
-/// Evaluates a tape in numbers with slopes. Values come from the functions of a tape in doubles, so that they have the
-/// same bits.
+/// Evaluates a tape in numbers with derivatives. Values use the same functions as a tape in
+/// doubles, so that they have the same bits.
 impl<const K: usize> Numeric for Tangent<K> {
     fn of(value: &Rational) -> Self {
         Self::constant(value.to_f64())
@@ -70,8 +73,8 @@ impl<const K: usize> Numeric for Tangent<K> {
     }
 }
 
-/// Evaluates a tape over the ranges of its inputs. A constant that no double holds becomes the range between the two
-/// doubles next to it.
+/// Evaluates a tape over intervals of its inputs. A constant that no double represents exactly
+/// becomes the interval between the two neighbouring doubles.
 impl Numeric for Enclosure {
     fn of(value: &Rational) -> Self {
         let nearest = value.to_f64();
@@ -80,8 +83,8 @@ impl Numeric for Enclosure {
     }
 }
 
-/// Evaluates a tape in doubles with the functions of the standard library, which are those of the system. They are
-/// independent of generated code, which brings its own functions.
+/// Evaluates a tape in doubles with the functions of the system's standard library. They are
+/// independent of the functions in generated code.
 impl Numeric for f64 {
     fn of(value: &Rational) -> Self {
         value.to_f64()
@@ -108,21 +111,27 @@ impl Numeric for f64 {
     }
 }
 
-/// Operation of a tape, with constants of type `K`.
+/// Operation of a tape, with constants of type `K`. A slot is the number of an earlier operation,
+/// whose result it uses.
 #[derive(Clone, Debug)]
 enum Op<K> {
+    /// A constant number, rounded to the number type.
     Constant(K),
+    /// The number π.
     Pi,
+    /// Value of an input of the tape, by the input's number.
     Input(usize),
-    /// The sum constant + Σ k·slot
+    /// Sum constant + Σ k · slot over pairs (slot, k); a slot is the result of an earlier
+    /// operation.
     Sum(K, Box<[(u32, K)]>),
-    /// The product Π slot^n
+    /// Product Π slot^n over pairs (slot, n); a slot is the result of an earlier operation.
     Product(Box<[(u32, i32)]>),
+    /// Function value at a slot, the result of an earlier operation.
     Apply(Function, u32),
 }
 
 impl Op<Rational> {
-    /// Operation in numbers of type `S`, with its constants rounded to that type.
+    /// Converts the operation to numbers of type `S`, with its constants rounded to that type.
     fn rounded<S: Numeric>(&self) -> Op<S> {
         match self {
             Self::Constant(value) => Op::Constant(S::of(value)),
@@ -137,31 +146,42 @@ impl Op<Rational> {
     }
 }
 
-/// Expressions compiled to a tape; evaluating costs one pass without allocation.
+/// Expressions compiled to a tape of operations. An evaluation costs one pass and allocates
+/// nothing.
 #[derive(Clone, Debug)]
 pub struct Tape<S = f64> {
+    /// Operations in the order of evaluation, with rounded constants.
     ops: Vec<Op<S>>,
+    /// Operations with exact constants, from which other number types are rounded.
     exact: Arc<[Op<Rational>]>,
+    /// Slot of each output: the operation whose result it is.
     outputs: Vec<u32>,
+    /// Number of inputs of the tape.
     inputs: usize,
 }
 
-/// A symbol that occurs in an expression but is not an input of the tape.
+/// Error: a symbol, given by its name, occurs in an expression but is not an input of the tape.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownSymbol(pub String);
 
-/// A tape while it is made. The value of a term is the slot that holds it.
+/// A tape under construction. Each term is mapped to its slot, the number of the operation that
+/// computes it.
 struct Assembly<'a> {
+    /// Arena of the compiled terms.
     arena: &'a Arena,
+    /// Number of each input, by its symbol.
     inputs: FxHashMap<Expr, usize>,
+    /// Operations so far, with exact constants.
     ops: Vec<Op<Rational>>,
-    /// Slot of each term whose value the tape computes already.
+    /// Slot of each term that the tape already computes.
     slots: FxHashMap<Expr, u32>,
+    /// Symbol that is neither an input nor a step; `None` if none was found.
     unknown: Option<UnknownSymbol>,
 }
 
 impl Assembly<'_> {
-    /// Appends the operations that compute these expressions, unless they are there already.
+    /// Appends the operations that compute the given expressions, unless the tape already computes
+    /// them. Error if a symbol is not an input.
     fn extend(&mut self, expressions: &[Expr]) -> Result<(), UnknownSymbol> {
         let needed = Needed::new(self.arena, expressions);
         let made = needed.fold(self.arena, self);
@@ -170,6 +190,7 @@ impl Assembly<'_> {
         Ok(())
     }
 
+    /// Appends an operation and returns its slot.
     fn push(&mut self, op: Op<Rational>) -> u32 {
         self.ops.push(op);
         u32::try_from(self.ops.len() - 1).expect("as many slots as terms")
@@ -207,18 +228,21 @@ impl Fold for Assembly<'_> {
 }
 
 impl Tape {
-    /// Compiles `outputs` as functions of `inputs`, to be evaluated in doubles.
+    /// Compiles the terms `outputs` as functions of the symbols `inputs`, for evaluation in
+    /// doubles.
     ///
     /// # Errors
-    /// [`UnknownSymbol`] if an output depends on a symbol that is no input.
+    /// [`UnknownSymbol`] if an output depends on a symbol that is not an input.
     pub fn new(arena: &Arena, inputs: &[Expr], outputs: &[Expr]) -> Result<Self, UnknownSymbol> {
         Self::stepwise(arena, inputs, &[], outputs)
     }
 
-    /// Compiles `outputs` as functions of `inputs` and of the symbols that `steps` define, each step by earlier ones.
+    /// Compiles the terms `outputs` as functions of the symbols `inputs` and of the symbols that
+    /// `steps` define. Each step may use earlier steps.
     ///
     /// # Errors
-    /// [`UnknownSymbol`] if a step or an output depends on a symbol that is neither.
+    /// [`UnknownSymbol`] if a step or an output depends on a symbol that is neither an input nor an
+    /// earlier step.
     pub fn stepwise(
         arena: &Arena,
         inputs: &[Expr],
@@ -242,11 +266,11 @@ impl Tape {
         Ok(Self { ops, exact: made.ops.into(), outputs, inputs: inputs.len() })
     }
 
-    /// Largest term, for each output, that is added or multiplied on the way to it. A value is known only to the
-    /// rounding of this term, however much of it cancels.
+    /// Size of the largest intermediate term in the computation of each output, in the output's
+    /// unit. An output is accurate only to the rounding of this term, however much of it cancels.
     ///
     /// # Panics
-    /// If `inputs` have another length than the tape was made for.
+    /// If the number of `inputs` differs from that of the tape.
     #[must_use]
     pub fn largest_terms(&self, inputs: &[f64]) -> Vec<f64> {
         let mut values = Vec::with_capacity(self.ops.len());
@@ -258,11 +282,11 @@ impl Tape {
                 Op::Sum(constant, terms) => {
                     terms.iter().fold(constant.abs(), |most, (slot, k)| most.max((k * of(slot)).abs()))
                 }
-                // A divisor counts with its value, a factor with its largest term.
+                // A divisor counts with its value, a factor with its largest intermediate term.
                 Op::Product(factors) => factors.iter().fold(1.0, |product, (slot, n)| {
                     product * if *n > 0 { of(slot).powi(*n) } else { values[*slot as usize].abs().powi(*n) }
                 }),
-                // The sine of a large angle is rounded with the angle.
+                // The sine of a large angle has the rounding error of the angle.
                 Op::Apply(Function::Sin | Function::Cos, slot) => value.abs().max(of(slot).min(1.0)),
                 Op::Constant(_) | Op::Pi | Op::Input(_) | Op::Apply(..) => value.abs(),
             };
@@ -273,20 +297,21 @@ impl Tape {
 }
 
 impl<S: Numeric> Tape<S> {
-    /// Tape in another kind of number, rounded from the exact constants.
+    /// Converts the tape to another type of number; constants are rounded anew from their exact
+    /// values.
     #[must_use]
     pub fn to<T: Numeric>(&self) -> Tape<T> {
         let ops = self.exact.iter().map(Op::rounded).collect();
         Tape { ops, exact: Arc::clone(&self.exact), outputs: self.outputs.clone(), inputs: self.inputs }
     }
 
-    /// Number of outputs.
+    /// Number of outputs of the tape.
     #[must_use]
     pub fn outputs(&self) -> usize {
         self.outputs.len()
     }
 
-    /// Numbers of the inputs that the outputs depend on, in order.
+    /// Indices of the inputs that the tape uses, in ascending order.
     #[must_use]
     pub fn used(&self) -> Vec<usize> {
         let mut list: Vec<usize> =
@@ -296,10 +321,11 @@ impl<S: Numeric> Tape<S> {
         list
     }
 
-    /// Evaluates all outputs. `scratch` is working space, reused between calls.
+    /// Evaluates all outputs into `out`, one entry per output. `scratch` is working space, reused
+    /// between calls.
     ///
     /// # Panics
-    /// If `inputs` or `out` have another length than the tape was made for.
+    /// If the number of `inputs` or the length of `out` differs from that of the tape.
     pub fn evaluate_into(&self, inputs: &[S], scratch: &mut Vec<S>, out: &mut [S]) {
         assert_eq!(inputs.len(), self.inputs, "one value for each input");
         assert_eq!(out.len(), self.outputs.len(), "one place for each output");
@@ -323,10 +349,10 @@ impl<S: Numeric> Tape<S> {
         }
     }
 
-    /// Evaluates all outputs into a new vector.
+    /// Evaluates all outputs into a new vector, one entry per output.
     ///
     /// # Panics
-    /// If `inputs` have another length than the tape was made for.
+    /// If the number of `inputs` differs from that of the tape.
     #[must_use]
     pub fn evaluate(&self, inputs: &[S]) -> Vec<S> {
         let mut out = vec![S::int(0); self.outputs.len()];

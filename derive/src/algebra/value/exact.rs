@@ -1,25 +1,27 @@
-//! Values of terms as rational numbers.
+//! Exact values of terms as rational numbers.
 
 use crate::algebra::term::fold::{Fold, Values, fold};
 use crate::algebra::{Arena, Expr, Function, Rational};
 
-/// Decimals of π, 60 of them: more than twice the digits of a double are never asked for.
+/// Decimals of π, 60 of them: more than twice the digits of a double are never needed.
 const PI: &str = "3.141592653589793238462643383279502884197169399375105820974945";
 
-/// The number π as a rational number, to 60 decimals: more digits than are ever kept.
+/// Rational approximation of π to 60 decimals, which exceeds every precision in use.
 #[must_use]
 pub fn pi() -> Rational {
     Rational::parse_decimal(PI).expect("decimals")
 }
 
-/// Exact value of an expression of rational numbers, π and symbols with exact values. `None` if a function value or a
-/// symbol without a value occurs.
+/// Value of the term `e` as a rational number, with π to 60 decimals. `known` gives the values of
+/// some terms, such as symbols.
+/// `None` if a function, a symbol without a value or a division by 0 occurs.
 #[must_use]
 pub fn exact_value(arena: &Arena, e: Expr, known: &[(Expr, Rational)]) -> Option<Rational> {
     fold(arena, e, &mut Exact(known))
 }
 
-/// Rules for exact values of terms, with the values of some terms given.
+/// Rules that evaluate terms in rational numbers. The list gives the values of some terms as pairs
+/// (term, value).
 struct Exact<'a>(&'a [(Expr, Rational)]);
 
 impl Fold for Exact<'_> {

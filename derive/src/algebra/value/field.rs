@@ -1,15 +1,16 @@
-//! Arithmetic modulo random primes.
+//! Prime fields: arithmetic modulo random primes of 61 bits.
 
 use crate::algebra::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
 
-/// Small deterministic generator of random numbers (`SplitMix64`, Steele, Lea and Flood 2014).
+/// Deterministic generator of random numbers, with its state (`SplitMix64`, Steele, Lea and Flood
+/// 2014).
 pub struct Generator(pub u64);
 
 impl Generator {
-    /// Next random number of 64 bits.
+    /// Draws the next random number of 64 bits.
     pub fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
@@ -19,23 +20,25 @@ impl Generator {
     }
 }
 
-/// Arithmetic modulo a prime between 2^60 and 2^61 that is 23 modulo 24: then −1 is no square, so that of
-/// two roots exactly one is a square, and 2 and 3 are squares, so that multiples of π/12 have values.
+/// Prime field: arithmetic modulo a prime between 2^60 and 2^61 that is 23 modulo 24.
+/// In it −1 is not a square, so exactly one of the two roots of a square is itself a square. 2 and
+/// 3 are squares, so sines of multiples of π/12 have values.
 #[derive(Clone, Copy)]
 pub struct Field {
-    /// Prime modulus of the arithmetic.
+    /// Prime modulus of the field, between 2^60 and 2^61.
     pub prime: u64,
-    /// ⌊2^122 / prime⌋: a product is reduced by multiplications with it, since divisions of double words are slow.
+    /// Value ⌊2^122 / prime⌋. Products are reduced by a multiplication with it, because divisions
+    /// of double words are slow.
     reciprocal: u64,
 }
 
 impl Field {
-    /// Arithmetic modulo `prime`, which lies between 2^60 and 2^61.
+    /// Creates the field modulo `prime`, which must lie between 2^60 and 2^61.
     fn modulo(prime: u64) -> Self {
         debug_assert_eq!(prime >> 60, 1, "a prime of 61 bits");
         Self { prime, reciprocal: u64::try_from((1 << 122) / u128::from(prime)).expect("at most 2^62") }
     }
-    /// Creates the field of a random prime.
+    /// Draws a random prime with the generator and creates its field.
     pub fn random(generator: &mut Generator) -> Self {
         loop {
             let candidate = (1 << 60) | (generator.next() >> 4);
@@ -46,18 +49,18 @@ impl Field {
         }
     }
 
-    /// The sum a + b modulo the prime.
+    /// Sum a + b modulo the prime.
     pub fn add(self, a: u64, b: u64) -> u64 {
         let sum = a + b;
         if sum >= self.prime { sum - self.prime } else { sum }
     }
 
-    /// The difference a − b modulo the prime.
+    /// Difference a − b modulo the prime.
     pub fn sub(self, a: u64, b: u64) -> u64 {
         if a >= b { a - b } else { a + self.prime - b }
     }
 
-    /// The product a b modulo the prime.
+    /// Product a · b modulo the prime.
     pub fn mul(self, a: u64, b: u64) -> u64 {
         // Barrett's reduction: the quotient is at most two too small, for a product below 2^122.
         let product = u128::from(a) * u128::from(b);
@@ -70,7 +73,7 @@ impl Field {
         rest
     }
 
-    /// Power aⁿ modulo the prime, n ≥ 0.
+    /// Power aⁿ modulo the prime, for n ≥ 0. 0⁰ is 1.
     pub fn pow(self, a: u64, mut n: u64) -> u64 {
         let (mut result, mut power) = (1, a);
         while n > 0 {
@@ -85,7 +88,7 @@ impl Field {
         result
     }
 
-    /// Inverse 1/a modulo the prime; `None` for 0.
+    /// Inverse 1/a modulo the prime; `None` for a = 0.
     pub fn inverse(self, a: u64) -> Option<u64> {
         match a {
             0 => None,
@@ -94,19 +97,20 @@ impl Field {
         }
     }
 
-    /// Power aⁿ modulo the prime, for any n; `None` for a negative power of 0.
+    /// Power aⁿ modulo the prime, for n of either sign; `None` for a negative power of 0.
     pub fn power(self, a: u64, n: i32) -> Option<u64> {
         let base = if n < 0 { self.inverse(a)? } else { a };
         Some(self.pow(base, u64::from(n.unsigned_abs())))
     }
 
-    /// Square root of a modulo the prime that is itself a square; `None` for a non-residue.
+    /// Square root of a modulo the prime. Of the two roots it is the root that is itself a square.
+    /// `None` if a has no root.
     pub fn root(self, a: u64) -> Option<u64> {
         let root = self.pow(a, self.prime.div_ceil(4));
         (self.mul(root, root) == a).then_some(root)
     }
 
-    /// Residue of a rational number; `None` if the prime divides its denominator.
+    /// Residue of a rational number modulo the prime; `None` if the prime divides its denominator.
     pub fn rational(self, value: &Rational) -> Option<u64> {
         if let Some((n, d)) = value.small() {
             let above = n.unsigned_abs() % self.prime;
@@ -118,8 +122,8 @@ impl Field {
         Some(self.mul(residue(big.numer())?, self.inverse(residue(big.denom())?)?))
     }
 
-    /// True if the modulus is a prime, by Miller and Rabin with the seven bases that decide every 64-bit number
-    /// (Sinclair 2011).
+    /// True if the modulus is a prime: the test of Miller and Rabin with the seven bases that
+    /// decide every 64-bit number (Sinclair 2011).
     fn is_prime(self) -> bool {
         let n = self.prime;
         let small = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53];

@@ -1,6 +1,7 @@
-//! Intervals that hold the real value of an expression at a point: every operation is rounded outwards.
+//! Intervals that contain the real value of an expression at a point: every operation is rounded
+//! outwards.
 //!
-//! If the interval of a difference excludes 0, the two sides are proved to differ at the point.
+//! If the interval of a difference excludes 0, the two sides are proved to differ at that point.
 
 use super::evaluate::Tape;
 use super::modular::{ZeroTest, zero_test};
@@ -12,57 +13,66 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// Interval of real numbers from lo to hi, lo ≤ hi, both finite.
 #[derive(Clone, Copy, Debug)]
 pub struct Interval {
+    /// Lower end of the interval.
     lo: f64,
+    /// Upper end of the interval.
     hi: f64,
 }
 
-/// Relative error allowed for a mathematical library's sine, cosine or exponential: a hundred units in the last place,
-/// far above the error of any real one.
+/// Relative error allowed for a library's sine, cosine or exponential. It is a hundred units in the
+/// last place, far above the error of any real library.
 const LIBRARY: f64 = 100.0 * f64::EPSILON;
-/// Largest size of an exponent for which a power is enclosed, since powers are built by repeated multiplication.
+/// Largest absolute exponent for which a power is enclosed, since powers are built by repeated
+/// multiplication.
 const MOST_POWER: u32 = 2000;
 
 impl Interval {
-    /// Creates an interval, widened at both ends by one unit in the last place; `None` beyond the range of a double.
+    /// Creates an interval, widened at both ends by one unit in the last place. `None` if an end
+    /// exceeds the range of doubles.
     fn new(lo: f64, hi: f64) -> Option<Self> {
         let (lo, hi) = (lo.next_down(), hi.next_up());
         (lo.is_finite() && hi.is_finite() && lo <= hi).then_some(Self { lo, hi })
     }
 
-    /// Creates an interval that holds a single number.
+    /// Creates the interval of a single number.
     pub const fn point(x: f64) -> Self {
         Self { lo: x, hi: x }
     }
 
-    /// True if all numbers of the interval agree to this relative precision; 0 agrees only with itself.
+    /// True if all numbers of the interval agree to the given relative precision. A number agrees
+    /// with 0 only if it is 0.
     pub fn is_known_to(self, precision: f64) -> bool {
         self.hi - self.lo <= precision * self.lo.abs().min(self.hi.abs())
     }
 
-    /// True if all numbers of the interval are above 0.
+    /// True if every number of the interval is above 0.
     pub fn is_positive(self) -> bool {
         self.lo > 0.0
     }
 
-    /// True if 0 is outside the interval.
+    /// True if 0 lies outside the interval.
     pub fn excludes_zero(self) -> bool {
         self.lo > 0.0 || self.hi < 0.0
     }
 
-    /// True if every number of this interval is above every number of the other.
+    /// True if every number of this interval is above every number of the interval `other`.
     pub fn is_above(self, other: Self) -> bool {
         self.lo > other.hi
     }
 
+    /// Interval of a rational number: a single double if that is exact. `None` beyond the range of
+    /// doubles.
     fn rational(value: &Rational) -> Option<Self> {
         let x = value.to_f64();
         if Rational::from_f64_exact(x).as_ref() == Some(value) { Some(Self::point(x)) } else { Self::new(x, x) }
     }
 
+    /// Interval of the sum of two numbers; `None` beyond the range of doubles.
     fn add(self, other: Self) -> Option<Self> {
         Self::new(self.lo + other.lo, self.hi + other.hi)
     }
 
+    /// Interval of the product of two numbers; `None` beyond the range of doubles.
     fn mul(self, other: Self) -> Option<Self> {
         let products = [self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi];
         let lo = products.iter().copied().fold(f64::INFINITY, f64::min);
@@ -70,6 +80,8 @@ impl Interval {
         Self::new(lo, hi)
     }
 
+    /// Interval of xⁿ. `None` if n is too large, for a negative power of an interval with 0, or
+    /// beyond the range of doubles.
     fn power(self, n: i32) -> Option<Self> {
         if n.unsigned_abs() > MOST_POWER {
             return None;
@@ -84,30 +96,34 @@ impl Interval {
         if result.excludes_zero() { Self::new(1.0 / result.hi, 1.0 / result.lo) } else { None }
     }
 
-    /// Interval of −x, for x in this interval.
+    /// Interval of −x, for x in the interval.
     fn negated(self) -> Self {
         Self { lo: -self.hi, hi: -self.lo }
     }
 
-    /// Interval of |x|, for x in this interval.
+    /// Interval of |x|, for x in the interval.
     fn size(self) -> Self {
         let (a, b) = (self.lo.abs(), self.hi.abs());
         Self { lo: if self.excludes_zero() { a.min(b) } else { 0.0 }, hi: a.max(b) }
     }
 
-    /// Interval of a function f, from its value at the middle. The size of f and of its slope must be at most 1.
+    /// Interval of a function such as sine, computed from its value at the middle. The function and
+    /// its slope must be at most 1 in size.
     fn wave(self, f: impl Fn(f64) -> f64) -> Option<Self> {
         let value = f(f64::midpoint(self.lo, self.hi));
         let radius = self.hi - self.lo + LIBRARY * value.abs();
         Self::new(value - radius, value + radius)
     }
 
-    /// Interval of a rising function f, from its values at both ends.
+    /// Interval of an increasing function f, from its values at both ends. `None` beyond the range
+    /// of doubles.
     fn rising(self, f: impl Fn(f64) -> f64) -> Option<Self> {
         let (lo, hi) = (f(self.lo), f(self.hi));
         Self::new(lo - LIBRARY * lo.abs(), hi + LIBRARY * hi.abs())
     }
 
+    /// Interval of f(x), for x in the interval. `None` if part of the interval is outside the
+    /// domain of f, or the result exceeds the range of doubles.
     fn apply(self, f: Function) -> Option<Self> {
         match f {
             Function::Sin => self.wave(f64::sin),
@@ -115,10 +131,10 @@ impl Interval {
             Function::Sqrt if self.lo >= 0.0 => Self::new(self.lo.sqrt(), self.hi.sqrt()),
             Function::Exp => self.rising(f64::exp),
             Function::Sinh => self.rising(f64::sinh),
-            // cosh x = cosh |x|, which rises.
+            // cosh x = cosh |x|, which increases with |x|.
             Function::Cosh => self.size().rising(f64::cosh),
             Function::Asin if self.lo >= -1.0 && self.hi <= 1.0 => self.rising(f64::asin),
-            // acos falls: −acos rises.
+            // acos decreases: −acos increases.
             Function::Acos if self.lo >= -1.0 && self.hi <= 1.0 => self.rising(|x| -x.acos()).map(Self::negated),
             Function::Log if self.lo > 0.0 => self.rising(f64::ln),
             Function::Atan => self.rising(f64::atan),
@@ -130,10 +146,11 @@ impl Interval {
     }
 }
 
-/// Relative width of a constant's interval above which its digits count as lost.
+/// Relative width of a constant's interval above which its digits count as lost to rounding.
 const KNOWN: f64 = 1e-8;
 
-/// Power of ten of a number in a term that is beyond the range of doubles; `None` if there is no such number.
+/// Power of ten of the first number in the term that is beyond the range of normal doubles; `None`
+/// if every number fits.
 #[must_use]
 pub fn beyond_doubles(arena: &Arena, e: Expr) -> Option<f64> {
     let fits = |value: &&Rational| {
@@ -148,7 +165,7 @@ pub fn beyond_doubles(arena: &Arena, e: Expr) -> Option<f64> {
     found.map(magnitude)
 }
 
-/// Size of a number as a power of ten, rounded to a whole one.
+/// Power of ten of a number's size, rounded to an integer.
 fn magnitude(value: &Rational) -> f64 {
     let big = value.to_big();
     let bits = |n: u64| i64::try_from(n).unwrap_or(i64::MAX);
@@ -156,11 +173,11 @@ fn magnitude(value: &Rational) -> f64 {
     (twos as f64 * std::f64::consts::LOG10_2).round()
 }
 
-/// Part of a term, without symbols, whose value is not known to eight digits in doubles, such as exp(10^-20) − 1 or
-/// sin(10^30); `None` if there is none.
+/// Part of a term without symbols whose value doubles do not give to eight digits, such as
+/// exp(10^-20) − 1 or sin(10^30). `None` if there is no such part.
 pub fn lost_constant(arena: &Arena, e: Expr) -> Option<Expr> {
     let mut constant: FxHashSet<Expr> = FxHashSet::default();
-    // Operands have smaller handles than the terms that are built from them.
+    // Operands have smaller handles than the terms built from them.
     for part in arena.reachable(&[e]) {
         let is_constant = match arena.node(part) {
             Node::Number(_) | Node::Pi => true,
@@ -176,7 +193,8 @@ pub fn lost_constant(arena: &Arena, e: Expr) -> Option<Expr> {
         let is_known = match enclose(arena, part, &FxHashMap::default()) {
             _ if matches!(arena.node(part), Node::Number(_) | Node::Pi) => true,
             Some(found) => found.is_known_to(KNOWN),
-            // At the edge of a function's domain; a value beyond the range of doubles is an error of its own.
+            // The value lies at the edge of a function's domain; a value beyond the range of
+            // doubles is reported elsewhere.
             None => Tape::new(arena, &[], &[part]).is_ok_and(|tape| !tape.evaluate(&[])[0].is_finite()),
         };
         if !is_known {
@@ -186,8 +204,8 @@ pub fn lost_constant(arena: &Arena, e: Expr) -> Option<Expr> {
     None
 }
 
-/// The term `e`, with 0 in place of parts without symbols that are exactly 0 and whose digits doubles lose, such as 2 +
-/// √5 (1/(5 + 2 √5) − 1).
+/// Replaces parts of the term `e` by 0 if they have no symbols, are exactly 0, and lose their
+/// digits in doubles. An example is 2 + √5 (1/(5 + 2 √5) − 1).
 pub fn without_lost_zeros(arena: &mut Arena, mut e: Expr) -> Expr {
     while let Some(lost) = lost_constant(arena, e).filter(|lost| zero_test(arena, *lost) == ZeroTest::Zero) {
         let mut put = Substitution::new(&[(lost, Expr::ZERO)]);
@@ -200,13 +218,14 @@ pub fn without_lost_zeros(arena: &mut Arena, mut e: Expr) -> Expr {
     e
 }
 
-/// Interval of the term `e` where each symbol has the given value. `None` if a divisor, or the argument of a root, is
-/// not known to be in its domain.
+/// Interval that contains the value of the term `e` at a point; `at` gives the value of each
+/// symbol. `None` if a symbol has no value, or if a divisor or an argument is not known to be in
+/// its domain.
 pub fn enclose(arena: &Arena, e: Expr, at: &FxHashMap<Expr, f64>) -> Option<Interval> {
     fold(arena, e, &mut Enclosure(at))
 }
 
-/// Rules for the intervals of terms, with the values of symbols.
+/// Rules that enclose the value of each term in an interval, with the values of the symbols.
 struct Enclosure<'a>(&'a FxHashMap<Expr, f64>);
 
 impl Fold for Enclosure<'_> {

@@ -1,4 +1,5 @@
-//! Values of terms: in floating point, intervals, rational numbers, and residues modulo primes.
+//! Values of terms: in floating point, as intervals, as rational numbers, and as residues modulo
+//! primes.
 
 pub(super) mod bound;
 pub mod evaluate;

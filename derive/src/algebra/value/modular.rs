@@ -1,16 +1,20 @@
-//! Zero test by meaning: exact evaluation modulo random primes.
+//! Zero test of terms, in whatever form they are written: exact evaluation modulo random primes.
 //!
-//! Symbols get random residues (squares where the symbol is known to be positive). Each angle gets a random point of
-//! the unit circle (s = 2t/(1+t²), c = (1−t²)/(1+t²)), and multiples of π/12 their exact values. A square root gets the
-//! residue that is itself a square, so that √a·√b = √(ab). The power of e to each base exponent gets a random residue,
-//! from which exp, sinh, cosh and tanh are computed. All of it is arithmetic modulo a 61-bit prime: no rounding. Primes
-//! and points come from a generator seeded with the terms compared, names included, so builds repeat and no fixed prime
-//! can be aimed at.
+//! Symbols get random residues (squares where the symbol is known to be positive). Each angle gets
+//! a random point of the unit circle (s = 2t/(1+t²), c = (1−t²)/(1+t²)), and multiples of π/12
+//! their exact values. A square root gets the residue that is itself a square, so that √a·√b =
+//! √(ab). The power of e to each base exponent gets a random residue, from which exp, sinh, cosh
+//! and tanh are computed.
+//! All arithmetic is modulo a 61-bit prime, so nothing is rounded. Primes and points come from a
+//! generator seeded with the compared terms, names included. So builds repeat, and a formula cannot
+//! be aimed at a fixed prime.
 //!
-//! A non-zero residue proves that an expression of these atoms is not zero. Zero residues at every point leave an error
-//! bound ([`bounded_zero_test`]). With m square roots a wrong pattern of signs shows at one point in 2^m at worst, so
-//! points multiply, and beyond four roots no bound is claimed. Other functions are taken as independent atoms: with
-//! them a non-zero residue proves nothing, and the answer is [`ZeroTest::Undecided`].
+//! A non-zero residue proves that an expression of these atoms is not zero. Zero residues at every
+//! point leave an error bound ([`bounded_zero_test`]). With m square roots a wrong pattern of signs
+//! shows at one point in 2^m at worst. So the number of points is multiplied, and beyond four roots
+//! no bound is claimed.
+//! Other functions are taken as independent atoms. With them a non-zero residue proves nothing, and
+//! the answer is [`ZeroTest::Undecided`].
 
 use super::bound::error_exponent;
 use super::field::Field;
@@ -19,35 +23,37 @@ use crate::algebra::term::elementary::angle_atoms;
 use crate::algebra::term::fold::Needed;
 use crate::algebra::{Arena, Expr, Function, Node};
 
-/// Number of points for terms with square roots, doubled for each root. A wrong pattern of m signs may show at one
-/// point in 2^m only: (1 − 2^−m)^(44·2^m) < 2^−63.
+/// Number of points for terms with square roots, doubled for each root. A wrong pattern of m signs
+/// may show at only one point in 2^m: (1 − 2^−m)^(44·2^m) < 2^−63.
 const POINTS_WITH_ROOTS: usize = 44;
-/// Largest number of roots for which a zero has an error bound.
+/// Largest number of square roots in a term for which a zero has an error bound.
 const MOST_ROOTS: u32 = 4;
-/// Largest number of evaluations of terms in one zero test.
+/// Largest number of term evaluations in one zero test.
 const WORK: usize = 4_000_000;
 
-/// Result of a zero test of a term.
+/// Result of testing if a term is zero for all values of its symbols.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ZeroTest {
-    /// The term is zero at every random point.
+    /// The term is zero at every random point; see `bounded_zero_test` for the error bound.
     Zero,
-    /// The term is proved not to be zero.
+    /// The term is proved not to be zero everywhere.
     NonZero,
-    /// Not decided: a function that this engine cannot reason about, or no point where it is defined.
+    /// Not decided: the term contains a function without known rules, or no point was found where
+    /// it has a value.
     Undecided,
 }
 
-/// Point of a prime field at which a term was evaluated and is zero.
+/// Random point of a prime field at which a zero test found a term to be zero.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Trial {
-    /// Prime of the field.
+    /// Prime modulus of the field, a prime of 61 bits.
     pub prime: u64,
-    /// Seed from which the residues of all symbols and angles at the point are drawn.
+    /// Seed from which the residues of all symbols and angles are drawn at the point.
     pub seed: u64,
 }
 
-/// Points at which [`zero_test`] evaluates a term and finds zero, in order. Empty for a number.
+/// Points at which [`zero_test`] evaluates the term `e` and finds zero, in order. Empty for a
+/// number or a symbol.
 #[must_use]
 pub fn trials(arena: &Arena, e: Expr) -> Vec<Trial> {
     let mut list = Vec::new();
@@ -55,13 +61,13 @@ pub fn trials(arena: &Arena, e: Expr) -> Vec<Trial> {
     list
 }
 
-/// Tests if the term `e` is zero for all values of its symbols, however it is written.
+/// Tests if the term `e` is zero for all values of its symbols, in whatever form it is written.
 #[must_use]
 pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
     zero_test_at(arena, e, &mut |_| {})
 }
 
-/// Tests like [`zero_test`], and passes each point at which the term is zero to `found`.
+/// Tests a term like [`zero_test`], and passes each point at which the term is zero to `found`.
 fn zero_test_at(arena: &Arena, e: Expr, found: &mut dyn FnMut(Trial)) -> ZeroTest {
     match arena.node(e) {
         Node::Number(value) => return if value.is_zero() { ZeroTest::Zero } else { ZeroTest::NonZero },
@@ -75,17 +81,19 @@ fn zero_test_at(arena: &Arena, e: Expr, found: &mut dyn FnMut(Trial)) -> ZeroTes
     let denominators = angle_denominators(arena, parts);
     let mut generator = seeded(arena, &needed);
     let mut evaluated = 0;
-    // √x² is x or −x, evenly: each point sees a wrong sign with probability 1/2 only.
+    // √x² is x or −x with equal probability, so each point detects a wrong sign with probability
+    // 1/2 only.
     let all_roots = count_roots(arena, parts);
     let roots = all_roots.min(MOST_ROOTS);
     let wanted = if roots == 0 { POINTS } else { POINTS_WITH_ROOTS << roots };
-    // The sign of a number's root hangs on the prime alone: then each point has a prime of its own.
+    // The sign of the root of a number depends on the prime alone; then each point has a prime of
+    // its own.
     let primes = if roots > 0 && has_roots_of_numbers(arena, parts) { 1 } else { 8 };
-    // The second field is drawn only when it is needed: most differences show at the first point.
+    // The second field is drawn only when needed: most differences show at the first point.
     let mut field = Field::random(&mut generator);
     let mut is_second = false;
-    // A point where a root or an inverse does not exist is drawn again. Each root rejects half of all points, so that
-    // many roots leave none.
+    // A point where a root or an inverse does not exist is drawn again. Each root rejects half of
+    // all points, so that many roots leave none.
     let attempts = (WORK / parts.len()).clamp(8, 400 * wanted);
     if 1_usize.checked_shl(all_roots).is_none_or(|needed| needed > attempts) {
         return ZeroTest::Undecided;
@@ -113,7 +121,8 @@ fn zero_test_at(arena: &Arena, e: Expr, found: &mut dyn FnMut(Trial)) -> ZeroTes
     ZeroTest::Undecided
 }
 
-/// Tests like [`zero_test`]. The second value is an exponent k: a zero is wrong with a probability below 2^−k.
+/// Tests a term like [`zero_test`]. The second value is an exponent k: a reported zero is wrong
+/// with a probability below 2^−k.
 #[must_use]
 pub fn bounded_zero_test(arena: &Arena, e: Expr) -> (ZeroTest, f64) {
     let needed = Needed::new(arena, &[e]);
@@ -125,14 +134,14 @@ pub fn bounded_zero_test(arena: &Arena, e: Expr) -> (ZeroTest, f64) {
         _ => 0.0,
     };
     match zero_test(arena, e) {
-        // A zero with so weak a bound counts as undecided.
+        // A zero with a bound weaker than 2^−32 counts as undecided.
         ZeroTest::Zero if exponent < 32.0 => (ZeroTest::Undecided, exponent),
         answer => (answer, exponent),
     }
 }
 
-/// Number of different square roots, absolute values and signs. An absolute value and a sign of one argument count
-/// once.
+/// Number of different square roots, absolute values and signs among the given terms. An absolute
+/// value and a sign of the same argument count once.
 pub(in crate::algebra) fn count_roots(arena: &Arena, parts: &[Expr]) -> u32 {
     let mut arguments: Vec<(bool, Expr)> = parts
         .iter()
@@ -147,7 +156,8 @@ pub(in crate::algebra) fn count_roots(arena: &Arena, parts: &[Expr]) -> u32 {
     u32::try_from(arguments.len()).unwrap_or(u32::MAX)
 }
 
-/// True if a square root, absolute value or sign of a term without symbols occurs.
+/// True if a square root, absolute value or sign of a constant (a term without symbols) occurs
+/// among the given terms.
 fn has_roots_of_numbers(arena: &Arena, parts: &[Expr]) -> bool {
     parts.iter().any(|p| match arena.node(*p) {
         Node::Apply(Function::Sqrt | Function::Abs | Function::Sign, argument) => {
@@ -157,10 +167,11 @@ fn has_roots_of_numbers(arena: &Arena, parts: &[Expr]) -> bool {
     })
 }
 
-/// Largest number of divisors of a term that are tested for being zero by meaning.
+/// Largest number of divisors of a term that are tested for being identically zero.
 const MAX_DIVISORS: usize = 200;
 
-/// First divisor in a term that is zero by meaning, such as cos(q)^2 + sin(q)^2 - 1; `None` if there is none.
+/// First divisor in the term `e` that is identically zero, such as cos(q)^2 + sin(q)^2 - 1; `None`
+/// if no divisor is zero.
 #[must_use]
 pub fn zero_divisor(arena: &Arena, e: Expr) -> Option<Expr> {
     let mut divisors = Vec::new();
@@ -169,7 +180,7 @@ pub fn zero_divisor(arena: &Arena, e: Expr) -> Option<Expr> {
             divisors.extend(factors.iter().filter(|(_, n)| *n < 0).map(|(base, _)| *base));
         }
     }
-    // A sum of different symbols is not zero; only products and functions can cancel unseen.
+    // A sum of different symbols is not zero; only sums with products or functions can cancel.
     let may_cancel = |base: &Expr| match arena.node(*base) {
         Node::Sum(_, terms) => terms.iter().any(|(term, _)| arena.symbol_name(*term).is_none()),
         _ => false,
@@ -179,19 +190,21 @@ pub fn zero_divisor(arena: &Arena, e: Expr) -> Option<Expr> {
     divisors.into_iter().find(|d| zero_test(arena, *d) == ZeroTest::Zero)
 }
 
-/// True if square roots, absolute values or signs occur among these terms.
+/// True if a square root, an absolute value or a sign occurs among the given terms.
 #[must_use]
 pub fn has_roots(arena: &Arena, parts: &[Expr]) -> bool {
     let root = |p: &Expr| matches!(arena.node(*p), Node::Apply(Function::Sqrt | Function::Abs | Function::Sign, _));
     parts.iter().any(root)
 }
 
-/// True if all relations between the atoms of these terms are known, so that a non-zero residue proves something.
+/// True if all algebraic relations between the atoms of the given terms are known, so that a
+/// non-zero residue is a proof.
 ///
-/// Symbols are independent of one another, of π and of any one transcendental number. Sines of base angles and e to
-/// base exponents are too, as long as angles and exponents are polynomials (Ax 1971). Square roots are evaluated and
-/// are not atoms. Other functions may be anything, and so may sines of numbers beside π, or of multiples of π whose
-/// values are not roots.
+/// Symbols are independent of one another, of π and of any single transcendental number. So are
+/// sines of base angles and powers of e to base exponents, as long as angles and exponents are
+/// polynomials (Ax 1971). Square roots are evaluated and are not atoms.
+/// False for all other functions, for sines of numbers together with π elsewhere, and for multiples
+/// of π whose sines are not roots.
 #[must_use]
 pub fn independent(arena: &Arena, parts: &[Expr]) -> bool {
     let (mut pi_outside, mut numbers_inside) = (false, false);
@@ -228,7 +241,7 @@ pub fn independent(arena: &Arena, parts: &[Expr]) -> bool {
     !(pi_outside && numbers_inside)
 }
 
-/// True if a term is the argument of a sine or cosine among `parts`.
+/// True if the term `e` is the argument of a sine or cosine among the terms `parts`.
 fn is_angle(arena: &Arena, parts: &[Expr], e: Expr) -> bool {
     parts.iter().any(|p| matches!(arena.node(*p), Node::Apply(Function::Sin | Function::Cos, inner) if *inner == e))
 }

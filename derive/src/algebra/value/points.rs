@@ -1,6 +1,7 @@
 //! Values of terms at random points of random prime fields.
 //!
-//! Residues depend on the point and on names alone, never on handles, so that they repeat in every build.
+//! Residues depend on the point and on the names of symbols, never on handles, so that they repeat
+//! in every build.
 
 mod draw;
 
@@ -14,27 +15,29 @@ use num_integer::Integer;
 use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
 use std::hash::{Hash, Hasher};
 
-/// Number of random points, half of them in each of two fields, at which a zero must be seen.
+/// Number of random points, half of them in each of two prime fields, at which a term must be zero
+/// to count as zero.
 pub(in crate::algebra) const POINTS: usize = 4;
 
-/// Random point of a prime field, which gives every symbol and base angle its residues.
+/// Random point of a prime field. It gives residues to every symbol and to every base angle, the
+/// unit of which the angles in a term are whole multiples.
 #[derive(Clone)]
 pub(in crate::algebra) struct Point {
     /// Prime field of the residues.
     pub field: Field,
-    /// Seed from which the residues are drawn.
+    /// Seed from which the residues of symbols and base angles are drawn.
     seed: u64,
-    /// Symbols that were drawn again, with the seeds of their residues.
+    /// Symbols that were drawn again, with the new seeds of their residues.
     redrawn: FxHashMap<Expr, u64>,
 }
 
 impl Point {
-    /// Creates the point that a seed determines.
+    /// Creates the point of a prime field that a seed determines.
     pub fn new(field: Field, seed: u64) -> Self {
         Self { field, seed, redrawn: FxHashMap::default() }
     }
 
-    /// Residue of a symbol at the point.
+    /// Residue of a symbol at the point, from the symbol's name.
     fn symbol(&self, symbol: Expr, name: &str) -> u64 {
         match self.redrawn.get(&symbol) {
             Some(seed) => self.residue(("redrawn", seed, name)),
@@ -42,14 +45,15 @@ impl Point {
         }
     }
 
-    /// Residue that depends only on the point and on `key`: equal keys have equal residues.
+    /// Residue that depends only on the point and on `key`. Equal keys have equal residues.
     fn residue(&self, key: impl Hash) -> u64 {
         let mut hasher = FxHasher::default();
         (self.seed, key).hash(&mut hasher);
         Generator(hasher.finish() ^ self.seed).next() % self.field.prime
     }
 
-    /// (sin, cos) of the base angle named by `key`.
+    /// Residues (sin, cos) of the base angle named by `key`; angles are whole multiples of it.
+    /// `None` if they do not exist at the point.
     fn base(&self, key: u64) -> Option<(u64, u64)> {
         let f = self.field;
         let t = self.residue(("angle", key));
@@ -58,7 +62,7 @@ impl Point {
         Some((f.mul(f.add(t, t), inverse), f.mul(f.sub(1, t2), inverse)))
     }
 
-    /// (sin, cos) of π/12: (√6 − √2)/4 and (√6 + √2)/4.
+    /// Residues (sin, cos) of the angle π/12: (√6 − √2)/4 and (√6 + √2)/4.
     fn twelfth(&self) -> Option<(u64, u64)> {
         let f = self.field;
         let (two, three) = (f.root(2)?, f.root(3)?);
@@ -66,7 +70,7 @@ impl Point {
         Some((f.mul(f.sub(six, two), quarter), f.mul(f.add(six, two), quarter)))
     }
 
-    /// (sin, cos) of k times an angle.
+    /// Residues (sin, cos) of k times an angle, from the pair `unit` of the angle.
     fn multiple(&self, unit: (u64, u64), k: i64) -> (u64, u64) {
         let f = self.field;
         let (mut result, mut power, mut left) = ((0, 1), unit, k.unsigned_abs());
@@ -80,15 +84,16 @@ impl Point {
         if k < 0 { (f.sub(0, result.0), result.1) } else { result }
     }
 
-    /// (sin, cos) of the sum of two angles.
+    /// Residues (sin, cos) of the sum of two angles, each given as (sin, cos).
     fn turn(&self, a: (u64, u64), b: (u64, u64)) -> (u64, u64) {
         let f = self.field;
         (f.add(f.mul(a.0, b.1), f.mul(a.1, b.0)), f.sub(f.mul(a.1, b.1), f.mul(a.0, b.0)))
     }
 
-    /// Residue of e to the power of an argument. For a sum of symbols and of products of symbols it is computed from
-    /// their values; for any other argument, from its own value alone, since one argument may be written as different
-    /// sums.
+    /// Residue of e to the power of an argument; `None` if it is 0 or a denominator is too large.
+    /// For a sum of symbols and of products of symbols it follows from their residues. For any
+    /// other argument it follows from the argument's residue alone, since the argument may be
+    /// written as different sums.
     fn exponential(
         &self,
         arena: &Arena,
@@ -116,8 +121,8 @@ impl Point {
         (product != 0).then_some(product)
     }
 
-    /// (sin, cos) of an argument from the values of its atoms. `bases` remembers the (sin, cos) of base angles by their
-    /// names. `None` if the point gives it none.
+    /// Residues (sin, cos) of an angle, from the residues of its atoms. `bases` remembers the pairs
+    /// of base angles by their names. `None` if the point has no value for the angle.
     fn angle(
         &self,
         arena: &Arena,
@@ -136,8 +141,9 @@ impl Point {
             let (base, parts) = if *arena.node(atom) == Node::Pi && 12 % denominator == 0 {
                 (self.twelfth()?, 12)
             } else {
-                // The base angle atom/denominator is named by its residue: equal by meaning, equal here. A constant
-                // part counts as a multiple of the atom 1, which need not be among the parts.
+                // The base angle atom/denominator is named by its residue, so angles that are
+                // identically equal are equal here. A constant part counts as a multiple of the
+                // atom 1, which need not be among the parts.
                 let value = if atom == Expr::ONE { 1 } else { values[atom] };
                 let name = f.mul(value, f.inverse(u64::try_from(denominator).ok()?)?);
                 let base = match bases.get(&name) {
@@ -154,8 +160,8 @@ impl Point {
     }
 }
 
-/// Least common denominator of the coefficients of each atom inside angles and exponents; 0 if it is too large for a
-/// word.
+/// Least common denominator of the coefficients of each atom inside angles and exponents among the
+/// given terms. It is 0 if it does not fit a word.
 pub(in crate::algebra) fn angle_denominators(arena: &Arena, parts: &[Expr]) -> FxHashMap<Expr, i64> {
     let mut denominators: FxHashMap<Expr, i64> = FxHashMap::default();
     for part in parts {
@@ -168,7 +174,8 @@ pub(in crate::algebra) fn angle_denominators(arena: &Arena, parts: &[Expr]) -> F
                 if *known == 0 {
                     continue;
                 }
-                // A base angle too fine for a word: no point can be drawn, and the test is undecided.
+                // A base angle too fine for a word: no point can be drawn, and the test is
+                // undecided.
                 let product = (*known / known.gcd(&d)).checked_mul(d);
                 *known = product.unwrap_or(0);
             }
@@ -177,7 +184,7 @@ pub(in crate::algebra) fn angle_denominators(arena: &Arena, parts: &[Expr]) -> F
     denominators
 }
 
-/// True if a term is a number, a symbol or a product of positive powers of symbols.
+/// True if the term `e` is a number, a symbol or a product of positive powers of symbols.
 fn is_monomial(arena: &Arena, e: Expr) -> bool {
     match arena.node(e) {
         Node::Number(_) | Node::Symbol(_) => true,
@@ -186,12 +193,13 @@ fn is_monomial(arena: &Arena, e: Expr) -> bool {
     }
 }
 
-/// True if a function is built from e to the power of its argument.
+/// True if the function is computed from e to the power of its argument: exp, sinh, cosh or tanh.
 pub(in crate::algebra) fn is_exponential(function: Function) -> bool {
     matches!(function, Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh)
 }
 
-/// Residue of every needed term at a point; `None` if an inverse or a root does not exist.
+/// Residue of every needed term at a point; `None` if an inverse or a square root does not exist
+/// there.
 pub(in crate::algebra) fn values_at<'n>(
     arena: &Arena,
     needed: &'n Needed,
@@ -201,15 +209,21 @@ pub(in crate::algebra) fn values_at<'n>(
     needed.fold(arena, &mut Residues::new(arena, denominators, point.clone()))
 }
 
-/// Rules for the residues of terms at a point, modulo a prime.
+/// Rules that compute the residues of terms at a point of a prime field.
 pub(in crate::algebra) struct Residues<'a> {
+    /// Arena of the terms.
     arena: &'a Arena,
+    /// Least common denominator of the coefficients of each atom inside angles; an angle is a sum Σ
+    /// k · atom.
     denominators: &'a FxHashMap<Expr, i64>,
+    /// Point that gives symbols and base angles their residues.
     point: Point,
-    /// Sets of symbols that are moved to another point, each with the seed of their residues.
+    /// Sets of symbols whose residues come from another seed than the point's, each with that seed.
     moved: &'a [(&'a FxHashSet<Expr>, u64)],
-    /// (sine, cosine) of base angles by their names. Most terms with one of both functions contain the other too.
+    /// Residues (sine, cosine) of base angles, by the names of the angles. Most terms that contain
+    /// a sine also contain the cosine.
     bases: FxHashMap<u64, (u64, u64)>,
+    /// Residues (sine, cosine) of each angle evaluated so far.
     angles: FxHashMap<Expr, (u64, u64)>,
 }
 
@@ -220,18 +234,19 @@ impl<'a> Residues<'a> {
         Self { arena, denominators, point, moved: &[], bases, angles }
     }
 
-    /// Prime field of the point's residues.
+    /// Prime field of the residues.
     pub(in crate::algebra) fn field(&self) -> Field {
         self.point.field
     }
 
-    /// (sine, cosine) of an angle whose sine or cosine was computed before; `None` for any other angle.
+    /// Residues (sine, cosine) of an angle whose sine or cosine was already computed; `None` for
+    /// any other angle.
     pub(in crate::algebra) fn known_circle(&self, argument: Expr) -> Option<(u64, u64)> {
         self.angles.get(&argument).copied()
     }
 
-    /// Residue of exp, sinh, cosh or tanh of an argument, computed from exponentials; `None` if the point gives it
-    /// none.
+    /// Residue of exp, sinh, cosh or tanh at an argument, computed from exponentials. `None` if the
+    /// point has no value for it.
     pub(in crate::algebra) fn exponential(
         &self,
         function: Function,
@@ -250,7 +265,8 @@ impl<'a> Residues<'a> {
         })
     }
 
-    /// (sine, cosine) of an angle; `None` if the point gives it none.
+    /// Residues (sine, cosine) of an angle, computed once and remembered; `None` if the point has
+    /// no value for the angle.
     fn circle(&mut self, argument: Expr, of: &Values<'_, u64>) -> Option<(u64, u64)> {
         if let Some(known) = self.angles.get(&argument) {
             return Some(*known);
@@ -301,8 +317,10 @@ impl Fold for Residues<'_> {
     }
 }
 
-/// Residues of these terms, in their order, at random points, each modulo another prime. At most `count` points are
-/// returned, fewer if the terms have no values; each is computed when it is asked for.
+/// Residues of the given terms, in their order, at random points, each modulo another prime: pairs
+/// (field, residues).
+/// At most `count` points are returned, and fewer if the terms have no values. Each point is
+/// computed only when the iterator reaches it.
 pub(in crate::algebra) fn residues(
     arena: &Arena,
     terms: Vec<Expr>,
@@ -317,12 +335,12 @@ pub(in crate::algebra) fn residues(
     points.flatten().take(count)
 }
 
-/// A random point at which terms have residues.
+/// Random point of a prime field at which given terms have residues.
 pub struct Drawn(Point);
 
 impl Drawn {
-    /// Finds a point at which all of these terms have residues, and returns it with the residues in their order; `None`
-    /// if none was found.
+    /// Finds a random point at which all given terms have residues. Returns it with the residues,
+    /// in the order of the terms. `None` if no point was found.
     pub fn new(arena: &Arena, terms: &[Expr]) -> Option<(Self, Vec<u64>)> {
         let mut draw = Draw::new(arena, terms);
         (0..100).map_while(|_| draw.point()).find_map(|point| {
@@ -332,12 +350,13 @@ impl Drawn {
         })
     }
 
-    /// Prime field of the point's residues.
+    /// Prime field of the point.
     pub fn field(&self) -> Field {
         self.0.field
     }
 
-    /// Residues of other terms at the point; `None` if a term has none. Sines of parts of angles agree within one call.
+    /// Residues of further terms at the point, in their order; `None` if a term has no residue.
+    /// Sines of fractions of an angle are consistent only within one call.
     pub fn values(&self, arena: &Arena, terms: &[Expr]) -> Option<Vec<u64>> {
         let needed = Needed::new(arena, terms);
         let denominators = angle_denominators(arena, needed.nodes());
@@ -346,35 +365,44 @@ impl Drawn {
     }
 }
 
-/// Residues of terms at many points of one field, where some symbols are moved from point to point.
+/// Evaluates terms at many points of a prime field, where chosen symbols change from point to point
+/// and the others stay.
 pub struct Sampler<'a> {
+    /// Arena of the terms.
     arena: &'a Arena,
+    /// Terms that the sampler evaluates.
     terms: Vec<Expr>,
+    /// The terms with all their subterms, in the order of evaluation.
     needed: Needed,
+    /// Least common denominator of the coefficients of each atom inside angles; an angle is a sum Σ
+    /// k · atom.
     denominators: FxHashMap<Expr, i64>,
+    /// Generator of the primes and seeds.
     generator: Generator,
 }
 
 impl<'a> Sampler<'a> {
-    /// Creates a sampler of these terms.
+    /// Creates a sampler that evaluates the given terms.
     pub fn new(arena: &'a Arena, terms: Vec<Expr>) -> Self {
         let needed = Needed::new(arena, &terms);
         let (denominators, generator) = (angle_denominators(arena, needed.nodes()), seeded(arena, &needed));
         Self { arena, terms, needed, denominators, generator }
     }
 
-    /// Draws a random prime field.
+    /// Draws a random prime field with the sampler's generator.
     pub fn field(&mut self) -> Field {
         Field::random(&mut self.generator)
     }
 
-    /// Draws the seed of a new point.
+    /// Draws the seed of a new random point.
     pub fn seed(&mut self) -> u64 {
         self.generator.next()
     }
 
-    /// Residues of the terms, in their order, at the point of a seed; the symbols in `moved` take residues of other
-    /// seeds. `None` if a term has no residue. An angle keeps its sine and cosine if nothing in it is moved.
+    /// Residues of the terms, in their order, at the point that `seed` determines. Each set of
+    /// symbols in `moved` takes its residues from its own seed instead.
+    /// `None` if a term has no residue. An angle keeps its sine and cosine if no symbol in it is
+    /// moved.
     pub fn at(&self, field: Field, seed: u64, moved: &[(&FxHashSet<Expr>, u64)]) -> Option<Vec<u64>> {
         let mut residues = Residues { moved, ..Residues::new(self.arena, &self.denominators, Point::new(field, seed)) };
         let values = self.needed.fold(self.arena, &mut residues)?;
@@ -382,13 +410,14 @@ impl<'a> Sampler<'a> {
     }
 }
 
-/// Generator of random numbers, seeded with the terms by the names of their symbols and not by their handles.
+/// Generator of random numbers, seeded with the structure of the terms and the names of their
+/// symbols, not with handles.
 pub(in crate::algebra) fn seeded(arena: &Arena, needed: &Needed) -> Generator {
     let hashes = needed.fold(arena, &mut Hashes(arena));
     Generator(hashes.iter().flat_map(Values::iter).fold(0, |all: u64, (_, hash)| all.wrapping_add(*hash)))
 }
 
-/// Rules for hashes of terms by their structure.
+/// Rules that hash terms by their structure and the names of their symbols.
 struct Hashes<'a>(&'a Arena);
 
 impl Fold for Hashes<'_> {
@@ -403,7 +432,7 @@ impl Fold for Hashes<'_> {
         Some(hash_of(("symbol", self.0.symbol_name(symbol)?)))
     }
     fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, u64>) -> Option<u64> {
-        // In no order: handles differ from run to run, meanings do not.
+        // The hash does not depend on the order of terms, because handles differ from run to run.
         Some(hash_of((("sum", constant), unordered(terms.iter().map(|(term, k)| (of[*term], k))))))
     }
     fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, u64>) -> Option<u64> {
@@ -414,13 +443,14 @@ impl Fold for Hashes<'_> {
     }
 }
 
+/// Well-mixed hash of a key.
 fn hash_of(key: impl Hash) -> u64 {
     let mut hasher = FxHasher::default();
     key.hash(&mut hasher);
     Generator(hasher.finish()).next()
 }
 
-/// Hash of all items that does not depend on their order.
+/// Hash of a set of items that does not depend on their order.
 fn unordered(items: impl Iterator<Item = impl Hash>) -> u64 {
     items.fold(0, |sum: u64, item| sum.wrapping_add(hash_of(item)))
 }

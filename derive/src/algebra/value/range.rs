@@ -1,24 +1,26 @@
-//! Ranges of the values that a term can take: enough to prove that many a determinant is never zero.
+//! Ranges of the values that a term can take: often enough to prove that a determinant is never
+//! zero.
 //!
-//! Exact and sound, never sharp: each operand counts as if it varied on its own. So "never zero" is a proof for all
-//! real values of the symbols, and all positive values of positive symbols. Any other result says nothing.
+//! The ranges are exact and sound but never sharp: each operand counts as if it varied on its own.
+//! So "never zero" is a proof for all real values of the symbols, and for all positive values of
+//! positive symbols. Any other result proves nothing.
 
 use crate::algebra::term::fold::{Fold, Values, fold};
 use crate::algebra::{Arena, Expr, Function, Rational};
 
-/// True if a term is proved not to be zero wherever it has a value.
+/// True if the term `e` is proved never to be zero where it has a value. False proves nothing.
 #[must_use]
 pub fn never_zero(arena: &Arena, e: Expr) -> bool {
     fold(arena, e, &mut Ranges(arena)).is_some_and(|range| range.nonzero)
 }
 
-/// True if a term is proved never to be above zero.
+/// True if the term `e` is proved never to be above zero. False proves nothing.
 #[must_use]
 pub fn never_positive(arena: &Arena, e: Expr) -> bool {
     fold(arena, e, &mut Ranges(arena)).is_some_and(|range| range.neg().is_nonnegative())
 }
 
-/// Rules for the ranges of terms; the arena says which symbols are positive.
+/// Rules that give the range of each term; the arena says which symbols are positive.
 struct Ranges<'a>(&'a Arena);
 
 impl Fold for Ranges<'_> {
@@ -46,59 +48,68 @@ impl Fold for Ranges<'_> {
     }
 }
 
-/// Range of a term: all its values lie from `low` to `high`; `None` where no bound is known.
+/// Range of the values of a term, from `low` to `high`. A bound is `None` if it is not known.
 #[derive(Clone, Debug, Default)]
 struct Range {
+    /// Lower bound of the values; `None` if no lower bound is known.
     low: Option<Rational>,
+    /// Upper bound of the values; `None` if no upper bound is known.
     high: Option<Rational>,
-    /// True if the term is never 0.
+    /// True if the value is proved never to be 0.
     nonzero: bool,
 }
 
 impl Range {
+    /// Creates a range between bounds. It counts as non-zero if both bounds are on one side of 0.
     fn new(low: Option<Rational>, high: Option<Rational>) -> Self {
         let above = low.as_ref().is_some_and(|low| *low > Rational::ZERO);
         let below = high.as_ref().is_some_and(Rational::is_negative);
         Self { low, high, nonzero: above || below }
     }
 
+    /// Creates the range of a single number.
     fn point(value: &Rational) -> Self {
         Self::new(Some(value.clone()), Some(value.clone()))
     }
 
-    /// The range without 0.
+    /// Returns the range, marked as never 0.
     fn without_zero(self) -> Self {
         Self { nonzero: true, ..self }
     }
 
-    /// The range, without 0 if the other range is without 0.
+    /// Returns the range, marked as never 0 if `other` is never 0.
     fn without_zero_like(self, other: &Self) -> Self {
         if other.nonzero { self.without_zero() } else { self }
     }
 
+    /// True if the lower bound is known and not below 0.
     fn is_nonnegative(&self) -> bool {
         self.low.as_ref().is_some_and(|low| !low.is_negative())
     }
 
+    /// Range of −x, for x in the range.
     fn neg(&self) -> Self {
         Self { low: self.high.as_ref().map(Rational::neg), high: self.low.as_ref().map(Rational::neg), ..*self }
     }
 
+    /// Range of k · x, for x in the range.
     fn scaled(&self, k: &Rational) -> Self {
         self.times(&Self::point(k))
     }
 
+    /// Range of a sum of independent values with the given ranges.
     fn sum(parts: &[Self]) -> Self {
         let total = |bound: fn(&Self) -> &Option<Rational>| {
             parts.iter().try_fold(Rational::ZERO, |sum, part| Some(sum.add(bound(part).as_ref()?)))
         };
-        // Where nothing can cancel, one part that is not zero is enough.
+        // Parts of one sign cannot cancel, so one non-zero part makes the sum non-zero.
         let one_sign = |parts: &[Self]| parts.iter().all(Self::is_nonnegative) && parts.iter().any(|part| part.nonzero);
         let opposite: Vec<Self> = parts.iter().map(Self::neg).collect();
         let sum = Self::new(total(|part| &part.low), total(|part| &part.high));
         if one_sign(parts) || one_sign(&opposite) { sum.without_zero() } else { sum }
     }
 
+    /// Range of a product of two independent values with the given ranges.
     fn times(&self, other: &Self) -> Self {
         let bounds = match (&self.low, &self.high, &other.low, &other.high) {
             (Some(a), Some(b), Some(c), Some(d)) => {
@@ -117,6 +128,7 @@ impl Range {
         if self.nonzero && other.nonzero { bounds.without_zero() } else { bounds }
     }
 
+    /// Range of xⁿ, for x in the range.
     fn pow(&self, n: i32) -> Self {
         if n < 0 {
             return self.pow(-n).reciprocal();
@@ -135,7 +147,7 @@ impl Range {
         Self::new(Some(Rational::ZERO), high).without_zero_like(self)
     }
 
-    /// The range of 1/x over the values other than 0: a reciprocal is never 0.
+    /// Range of 1/x for the x ≠ 0 of the range; it never contains 0.
     fn reciprocal(&self) -> Self {
         if self.neg().is_nonnegative() {
             return self.neg().reciprocal().neg();
@@ -148,6 +160,7 @@ impl Range {
     }
 }
 
+/// Range of the function value f(x), for x in the range `argument`.
 fn of_function(f: Function, argument: &Range) -> Range {
     let bounds = |low: i64, high: Option<i64>| Range::new(Some(Rational::integer(low)), high.map(Rational::integer));
     match f {

@@ -1,33 +1,36 @@
-//! The rank of a matrix by meaning: elimination modulo random primes, at random points.
+//! Rank of a matrix for general values of its symbols: elimination modulo random primes, at random
+//! points.
 //!
-//! The rank at a random point is never above the true rank, and below it only with the probability of a false zero.
-//! Nothing is eliminated symbolically.
+//! The rank at a random point is never above the true rank. It is below the true rank only with the
+//! probability of a false zero. Nothing is eliminated symbolically.
 
 use super::field::Field;
 use super::points::{Sampler, residues};
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashSet;
 
-/// Number of independent rows of a matrix, and the first row that depends on the rows before it.
+/// Rank of a matrix, with the first row that depends on earlier rows.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Rank {
-    /// Number of independent rows.
+    /// Rank: the number of independent rows.
     pub rank: usize,
-    /// First row that depends on the rows before it; `None` if there is none.
+    /// Index of the first row that depends on the rows before it; `None` if all rows are
+    /// independent.
     pub dependent: Option<usize>,
 }
 
-/// The rank of a matrix by meaning.
+/// Rank of a matrix of terms, given by rows, for general values of the symbols.
 ///
-/// The rank at a random point is never above the true rank, and below it only with the probability of a false zero: the
-/// largest of several points is returned. `None` if no point could be evaluated.
+/// The matrix is evaluated at up to four random points, and the largest rank is returned. It is
+/// never above the true rank, and below it only with the probability of a false zero. `None` if no
+/// point could be evaluated.
 #[must_use]
 pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
     let mut best: Option<Rank> = None;
     for (field, rows) in in_fields(arena, matrix) {
         let (basis, dependent) = eliminate(field, rows);
         best = best.max(Some(Rank { rank: basis.len(), dependent }));
-        // No point can show more than independent rows.
+        // A point cannot show more than full rank, so the search ends there.
         if dependent.is_none() {
             break;
         }
@@ -35,8 +38,8 @@ pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
     best
 }
 
-/// Largest set of independent rows of a matrix, the first possible rows, and the column of each row's pivot. `None` if
-/// no point could be evaluated.
+/// Row indices of a largest independent set of rows, and the pivot column of each. The set has each
+/// row that does not depend on earlier rows. `None` if no point could be evaluated.
 #[must_use]
 pub fn echelon(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<(Vec<usize>, Vec<usize>)> {
     let mut best: Option<Vec<(usize, usize)>> = None;
@@ -49,15 +52,16 @@ pub fn echelon(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<(Vec<usize>, Vec<u
     best.map(|basis| basis.into_iter().unzip())
 }
 
-/// Largest set of independent rows of a matrix, the first possible rows. `None` if no point could be evaluated.
+/// Row indices of a largest independent set of rows: each row that does not depend on earlier rows.
+/// `None` if no point could be evaluated.
 #[must_use]
 pub fn independent_rows(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Vec<usize>> {
     echelon(arena, matrix).map(|(rows, _)| rows)
 }
 
-/// True if a row is a combination of independent rows, with the same coefficients for all values of the `moving`
-/// symbols. Then it follows from these rows in every pose. False if it follows from them nowhere, or could not be
-/// evaluated.
+/// True if `row` is a linear combination of the independent `rows` with coefficients that do not
+/// depend on the symbols `moving`. Then it follows from the rows in every configuration.
+/// False if it is no such combination, or if no random point could be evaluated.
 #[must_use]
 pub(crate) fn follows_everywhere(arena: &Arena, rows: &[Vec<Expr>], row: &[Expr], moving: &FxHashSet<Expr>) -> bool {
     let all: Vec<Expr> = rows.iter().flatten().chain(row).copied().collect();
@@ -76,15 +80,17 @@ pub(crate) fn follows_everywhere(arena: &Arena, rows: &[Vec<Expr>], row: &[Expr]
     false
 }
 
-/// Largest number of random fields that are tried for a point where all entries have values.
+/// Largest number of random fields that are tried for a point where all entries of a matrix have
+/// values.
 const DRAWS: usize = 40;
 
-/// Coefficients by which the first `count` rows sum up to the row after them, modulo a prime. `values` holds all rows,
-/// one after another. `None` if there are no such coefficients.
+/// Coefficients of the linear combination of the first `count` rows that equals the row after them,
+/// modulo a prime. `values` holds all rows of length `width`, concatenated.
+/// `None` if the row is no such combination, or if the first rows are dependent.
 fn shares(field: Field, values: &[u64], count: usize, width: usize) -> Option<Vec<u64>> {
     let mut basis = Basis::new(field);
-    // Each row gets a 1 of its own behind it. The remainder of the last row then shows how much of each row was
-    // subtracted.
+    // Each row is extended by a unit vector of its own. The remainder of the last row then shows
+    // how much of each row was subtracted.
     let tagged = |at: usize| {
         let own = (0..count).map(|other| u64::from(other == at));
         values[at * width..(at + 1) * width].iter().copied().chain(own).collect::<Vec<u64>>()
@@ -96,7 +102,8 @@ fn shares(field: Field, values: &[u64], count: usize, width: usize) -> Option<Ve
     left[..width].iter().all(|x| *x == 0).then(|| left[width..].to_vec())
 }
 
-/// Residues of a matrix at four random points, each modulo another prime. Each is computed when it is asked for.
+/// Residues of a matrix at four random points, each modulo another prime, as (field, rows). Each
+/// point is computed only when the iterator reaches it.
 pub(crate) fn in_fields<'a>(
     arena: &'a Arena,
     matrix: &'a [Vec<Expr>],
@@ -108,28 +115,30 @@ pub(crate) fn in_fields<'a>(
     residues(arena, matrix.concat(), 4).map(move |(field, values)| (field, rows(values)))
 }
 
-/// Independent rows modulo a prime, each reduced by the rows before it.
+/// Basis of a row space modulo a prime: independent rows, each reduced by the rows before it.
 pub(crate) struct Basis {
+    /// Prime field of the entries of the rows.
     field: Field,
-    /// Rows of the basis as (pivot column, row with 1 there).
+    /// Rows of the basis, as pairs (pivot column, row with the entry 1 in that column).
     rows: Vec<(usize, Vec<u64>)>,
 }
 
 impl Basis {
-    /// Creates a basis without rows.
+    /// Creates an empty basis over a prime field.
     pub fn new(field: Field) -> Self {
         Self { field, rows: Vec::new() }
     }
 
-    /// Number of independent rows.
+    /// Number of rows of the basis: the rank so far.
     pub fn len(&self) -> usize {
         self.rows.len()
     }
 
-    /// Independent columns x of this length, for which all rows of the basis give row · x = 0.
+    /// Basis of the null space: independent vectors x of the given length with row · x = 0 for all
+    /// rows of the basis.
     pub fn null_space(&self, length: usize) -> Vec<Vec<u64>> {
         let f = self.field;
-        // Each row with 0 in the columns of the pivots of all others.
+        // Rows with 0 in the pivot columns of all other rows.
         let mut rows = self.rows.clone();
         for at in 0..rows.len() {
             let (column, row) = rows[at].clone();
@@ -152,7 +161,8 @@ impl Basis {
         (0..length).filter(|column| !is_pivot(column)).map(vector).collect()
     }
 
-    /// Remainder of a row after multiples of the rows of the basis are subtracted: it is 0 in their pivot columns.
+    /// Remainder of a row after elimination by the rows of the basis. Its entries in their pivot
+    /// columns are 0.
     fn reduce(&self, mut row: Vec<u64>) -> Vec<u64> {
         let f = self.field;
         for (column, known) in &self.rows {
@@ -167,8 +177,8 @@ impl Basis {
         row
     }
 
-    /// Adds a row if it does not depend on the rows of the basis. Returns the column of its pivot; `None` if it depends
-    /// on them.
+    /// Adds a row to the basis if it is independent of the rows there, and returns its pivot
+    /// column. `None` if the row is dependent; the basis then stays unchanged.
     pub fn take(&mut self, row: Vec<u64>) -> Option<usize> {
         let f = self.field;
         let mut row = self.reduce(row);
@@ -182,7 +192,8 @@ impl Basis {
     }
 }
 
-/// Independent rows of a matrix as (row, column of its pivot), and the first row that depends on the rows before it.
+/// Eliminates a matrix over a field. Returns its independent rows as pairs (row, pivot column), and
+/// the first row that depends on earlier rows, or `None`.
 fn eliminate(f: Field, rows: Vec<Vec<u64>>) -> (Vec<(usize, usize)>, Option<usize>) {
     let (mut basis, mut independent, mut dependent) = (Basis::new(f), Vec::new(), None);
     for (at, row) in rows.into_iter().enumerate() {

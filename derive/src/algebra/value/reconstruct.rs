@@ -1,18 +1,21 @@
-//! Formulas from residues: rational numbers, and sums of given terms with rational coefficients.
+//! Reconstruction of numbers from residues: rational numbers, surds, and rational coefficients of
+//! linear combinations.
 //!
-//! Each result is a guess, since other numbers have the same residues; the caller must prove it.
+//! Each result is a guess, since other numbers have the same residue. The caller must prove it.
 
 use super::field::Field;
 use crate::algebra::Rational;
 
-/// Largest numerator and denominator that are looked for. Two different fractions within this limit have different
-/// residues modulo a prime of 61 bits, since 2 · 2^48 is far below it.
+/// Largest numerator and denominator of a reconstructed fraction. Two different fractions within
+/// this limit have different residues modulo a prime of 61 bits, since 2 · 2^48 is far below the
+/// prime.
 const LARGEST: u64 = 1 << 24;
 
-/// Rational number with small numerator and denominator that has this residue; `None` if there is none.
+/// Reconstructs the rational number with a small numerator and denominator from its residue in the
+/// field `f`. `None` if there is no such number.
 ///
-/// P. S. Wang, "A p-adic algorithm for univariate partial fractions", SYMSAC (1981) 212–217: the remainders of Euclid's
-/// algorithm.
+/// P. S. Wang, "A p-adic algorithm for univariate partial fractions", SYMSAC (1981) 212–217. It
+/// uses the remainders of Euclid's algorithm.
 #[must_use]
 pub fn rational(f: Field, residue: u64) -> Option<Rational> {
     let (mut last, mut rest) = (i128::from(f.prime), i128::from(residue));
@@ -29,15 +32,16 @@ pub fn rational(f: Field, residue: u64) -> Option<Rational> {
     Rational::fraction(i64::try_from(n).ok()?, i64::try_from(d).ok()?)
 }
 
-/// Largest denominator of a and b that is tried for a number a + b √n.
+/// Largest common denominator of a and b that is tried in the search for a number a + b √n.
 const DENOMINATORS: u64 = 144;
-/// Largest numerator of a and b that is tried for a number a + b √n.
+/// Largest numerator of a and b that is tried in the search for a number a + b √n.
 const BESIDE: i64 = 288;
-/// Radicands n that are tried for a number a + b √n.
+/// Radicands n that are tried in the search for a number a + b √n.
 const ROOTS: [i64; 3] = [2, 3, 6];
 
-/// Numbers (a, n, b) for which a + b √n has this residue, with small rational a and b, and n one of 2, 3 and 6. All
-/// denominators, and all numerators of b, are tried. `None` if none fits.
+/// Reconstructs a number a + b √n from its residue in the field `f`, and returns (a, n, b). The
+/// numbers a and b ≠ 0 are small and rational; n is 2, 3 or 6.
+/// The search tries all denominators, and all numerators of b. `None` if no number fits.
 #[must_use]
 pub fn surd(f: Field, residue: u64) -> Option<(Rational, i64, Rational)> {
     for n in ROOTS {
@@ -59,8 +63,8 @@ pub fn surd(f: Field, residue: u64) -> Option<(Rational, i64, Rational)> {
     None
 }
 
-/// Brings a matrix modulo a prime to reduced echelon form, and returns the columns of its pivots: the first columns
-/// that are independent.
+/// Brings a matrix over the field `f` to reduced echelon form and removes its zero rows. Returns
+/// the pivot columns: the first columns that are independent.
 pub fn reduced(f: Field, rows: &mut Vec<Vec<u64>>) -> Vec<usize> {
     let columns = rows.first().map_or(0, Vec::len);
     let mut pivots = Vec::new();
@@ -84,8 +88,8 @@ pub fn reduced(f: Field, rows: &mut Vec<Vec<u64>>) -> Vec<usize> {
     pivots
 }
 
-/// Unique solution x of Σ x_k column_k = last column. Each row is an equation; there are more equations than unknowns.
-/// `None` if there is no solution, or more than one.
+/// Unique solution x of the linear system Σ xₖ columnₖ = last column over the field `f`. Each row
+/// of the matrix is an equation. `None` if there is no solution, or more than one.
 #[must_use]
 pub fn solved(f: Field, mut rows: Vec<Vec<u64>>) -> Option<Vec<u64>> {
     let unknowns = rows.first()?.len() - 1;

@@ -1,7 +1,9 @@
-//! Values of terms and their slopes along a direction, modulo a random prime: dual numbers.
+//! Tangents: values of terms and their derivatives along a direction, modulo a random prime, as
+//! dual numbers.
 //!
-//! The slope of a term is found by the rules of differentiation from residues alone. It shares no code with
-//! [`crate::algebra::term::calculus`], which builds terms, so that it can check the derivatives built there.
+//! The derivative of a term is computed by the rules of differentiation from residues alone. It
+//! shares no code with [`crate::algebra::term::calculus`], which builds terms, so that it can check
+//! the derivatives built there.
 
 use super::field::Field;
 use super::points::{Draw, Residues};
@@ -9,33 +11,35 @@ use crate::algebra::term::fold::{Fold, Values};
 use crate::algebra::{Arena, Expr, Function, Rational};
 use rustc_hash::FxHashMap;
 
-/// Largest number of points that are drawn until all terms have residues at one of them.
+/// Largest number of random points that are tried until all terms have residues.
 const MOST_DRAWN: usize = 8;
 
-/// Dual number a + b ε with ε² = 0, modulo a prime: a value and its slope.
+/// Dual number a + b ε with ε² = 0, modulo a prime. It holds the value a of a term and its
+/// derivative b along a direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dual {
-    /// The value a.
+    /// Value a of the dual number a + b ε, a residue.
     pub value: u64,
-    /// The slope b.
+    /// Derivative b of the dual number a + b ε along the direction, a residue.
     pub slope: u64,
 }
 
 impl Dual {
-    /// True if the value and the slope are zero.
+    /// True if both the value and the derivative are zero.
     #[must_use]
     pub fn is_zero(self) -> bool {
         self == Self::default()
     }
 
-    /// Difference self − factor · other of dual numbers.
+    /// Dual number self − factor · other, in the field `f`.
     #[must_use]
     pub fn minus(self, f: Field, factor: Self, other: Self) -> Self {
         let across = f.add(f.mul(factor.value, other.slope), f.mul(factor.slope, other.value));
         Self { value: f.sub(self.value, f.mul(factor.value, other.value)), slope: f.sub(self.slope, across) }
     }
 
-    /// Quotient self/other of dual numbers; `None` if the value of `other` is zero.
+    /// Quotient self/other of dual numbers in the field `f`; `None` if the value of `other` is
+    /// zero.
     #[must_use]
     pub fn over(self, f: Field, other: Self) -> Option<Self> {
         let inverse = f.inverse(other.value)?;
@@ -46,25 +50,30 @@ impl Dual {
     }
 }
 
-/// Values and slopes of terms at random points with random directions, each point modulo another prime.
+/// Values and directional derivatives of terms at random points. Each point has another prime and
+/// another random direction.
 pub struct Tangents<'a> {
+    /// Arena of the terms.
     arena: &'a Arena,
+    /// Terms whose values and derivatives are computed.
     terms: &'a [Expr],
-    /// Each symbol that varies, with the symbol whose residue is its slope.
+    /// Each symbol that varies, with the symbol whose residue is its rate.
     along: FxHashMap<Expr, Expr>,
+    /// Search for random points at which all terms have residues.
     draw: Draw<'a>,
 }
 
 impl<'a> Tangents<'a> {
-    /// Prepares these terms along a direction: pairs of a symbol and of the symbol that stands for its slope.
+    /// Prepares the terms for evaluation. `along` is the direction: pairs (symbol, symbol that
+    /// stands for its rate).
     #[must_use]
     pub fn new(arena: &'a Arena, terms: &'a [Expr], along: &[(Expr, Expr)]) -> Self {
         let all: Vec<Expr> = terms.iter().chain(along.iter().flat_map(|(x, d)| [x, d])).copied().collect();
         Self { arena, terms, along: along.iter().copied().collect(), draw: Draw::with_slopes(arena, &all) }
     }
 
-    /// Values and slopes of all terms, in their order, at the next point at which each term has both; `None` if there
-    /// is none among the points that are tried.
+    /// Draws the next point at which every term has a value and a derivative. Returns its field and
+    /// a dual number per term, in their order. `None` if no point was found in eight attempts.
     pub fn next(&mut self) -> Option<(Field, Vec<Dual>)> {
         (0..MOST_DRAWN).find_map(|_| {
             let point = self.draw.point()?;
@@ -78,11 +87,15 @@ impl<'a> Tangents<'a> {
     }
 }
 
-/// Rules for the slopes of terms whose residues are known.
+/// Rules that compute the derivatives of terms along a direction, from the residues of the terms.
 struct Slopes<'a> {
+    /// Prime field of the point.
     field: Field,
+    /// Residue of each term at the point.
     values: &'a Values<'a, u64>,
+    /// Rules by which the residues of the terms were computed.
     residues: &'a Residues<'a>,
+    /// Direction: each symbol that varies, with the symbol whose residue is its rate.
     along: &'a FxHashMap<Expr, Expr>,
 }
 
@@ -107,7 +120,7 @@ impl Fold for Slopes<'_> {
     }
     fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, u64>) -> Option<u64> {
         let f = self.field;
-        // d Π b^n = Σ n b^(n−1) db · Π of the others.
+        // d Π b^n = Σ n b^(n−1) db · Π of the other factors.
         let mut sum = 0;
         for (at, (base, n)) in factors.iter().enumerate().filter(|(_, (base, _))| of[*base] != 0) {
             let times = f.rational(&Rational::integer(i64::from(*n)))?;
@@ -129,7 +142,8 @@ impl Fold for Slopes<'_> {
 }
 
 impl Slopes<'_> {
-    /// Derivative f'(x) at the residue of an argument; `None` if it has none.
+    /// Residue of the derivative f′(x) at the argument of a function; `None` if it has no residue
+    /// at this point.
     fn derivative(&self, function: Function, argument: Expr) -> Option<u64> {
         let (f, x) = (self.field, self.values[argument]);
         let other = |function| self.residues.exponential(function, argument, self.values);

@@ -1,8 +1,9 @@
-//! Minors of a matrix of constraints, and their common zeros.
+//! Minors of a constraint matrix and their common zeros: the poses in which constraints lose rank.
 //!
-//! A matrix has fewer than r independent rows exactly where all of its minors of r rows are zero (J. M. Selig,
-//! *Geometric Fundamentals of Robotics*, 2nd edition (2005), § 4.6). The minors are expanded without a division. Rows
-//! that share no column are treated apart: the whole matrix loses rank where one of its parts does.
+//! A matrix has fewer than r independent rows exactly where all its r × r minors are zero (J. M.
+//! Selig, *Geometric Fundamentals of Robotics*, 2nd edition (2005), § 4.6). The minors are expanded
+//! without a division. Blocks of rows that share no column are treated apart: the whole matrix
+//! loses rank where one of its blocks does.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::contract::contract;
@@ -13,39 +14,46 @@ use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::bare;
 use rustc_hash::FxHashSet;
 
-/// Largest number of rows of a minor. `MOST_MINORS` limits the minors of one part, `MOST_FORMULAS` the formulas of all
-/// parts together.
+/// Largest number of rows of a minor that is expanded.
 const MOST_ROWS: usize = 4;
+/// Largest number of minors of one block of rows.
 const MOST_MINORS: usize = 200;
+/// Largest number of formulas of all blocks together.
 const MOST_FORMULAS: usize = 20;
-/// Most characters of a formula that a proof shows.
+/// Largest number of characters of a formula that a proof shows.
 const LONGEST: usize = 120;
 
-/// A matrix of constraints with the known properties of its entries.
+/// Matrix of constraints, with known properties of its entries: default values and terms that are
+/// zero.
 pub struct Matrix<'a> {
+    /// Rows of the matrix: the coefficients of the rates in each constraint.
     pub rows: &'a [Vec<Expr>],
-    /// Number of rows at the beginning that are independent; the others follow from these, except in single poses.
+    /// Number of rows at the beginning that are independent in most poses. The later rows follow from
+    /// these, except in single poses.
     pub rank: usize,
-    /// Symbols of parameters with their default values.
+    /// Symbols of the parameters with their default values, in SI units.
     pub known: &'a [(Expr, f64)],
-    /// Terms that are zero in every closed pose.
+    /// Left sides of the loop equations: terms that are zero in every closed pose.
     pub loops: &'a [Expr],
-    /// Symbols of the coordinates.
+    /// Symbols of the coordinates; other symbols are constant.
     pub places: &'a [Expr],
 }
 
-/// Poses where the rows of a matrix lose rank, as common zeros of formulas.
+/// Poses where the rows of a constraint matrix lose rank, as common zeros of formulas.
 pub struct Surfaces {
-    /// Formulas that are all zero exactly in the poses where rank is lost; empty if it is proved that no such pose
-    /// exists.
+    /// Formulas that are all zero exactly in the poses where rank is lost. Empty if it is proved that
+    /// no such pose exists.
     pub all_zero: Vec<Expr>,
-    /// Texts of terms that are never zero. They prove that parts of the matrix never lose rank.
+    /// Sentences that name a term that is never zero. Each proves that one block of the matrix never
+    /// loses rank.
     pub never: Vec<String>,
-    /// Factors without coordinates that a proof assumes nonzero, although nothing states that they are positive.
+    /// Factors without coordinates that a proof assumes nonzero because they are nonzero at the default
+    /// values.
     pub taken: Vec<Expr>,
 }
 
-/// Finds the poses where the rows of a matrix lose rank; `None` if there are too many minors.
+/// Finds the poses where the rows of a constraint matrix lose rank; `None` if there are too many
+/// minors.
 pub fn surfaces(arena: &mut Arena, matrix: &Matrix<'_>) -> Option<Surfaces> {
     let mut found = Surfaces { all_zero: Vec::new(), never: Vec::new(), taken: Vec::new() };
     let mut sets: Vec<Vec<Expr>> = Vec::new();
@@ -74,7 +82,8 @@ pub fn surfaces(arena: &mut Arena, matrix: &Matrix<'_>) -> Option<Surfaces> {
     Some(found)
 }
 
-/// Formulas that are all zero exactly where all formulas of at least one set are zero; `None` if there are too many.
+/// Formulas that are all zero exactly where all formulas of at least one of the sets are zero:
+/// their products. `None` if there are too many products.
 fn any_of(arena: &mut Arena, sets: Vec<Vec<Expr>>) -> Option<Vec<Expr>> {
     let mut all: Vec<Expr> = Vec::new();
     for set in sets {
@@ -94,13 +103,18 @@ fn any_of(arena: &mut Arena, sets: Vec<Vec<Expr>>) -> Option<Vec<Expr>> {
     Some(all)
 }
 
-/// Rows of a matrix that share columns, with their columns and the number of independent rows.
+/// Block of a constraint matrix: rows that share columns and no column with other rows.
 struct Part {
+    /// Indices of the rows of the block.
     rows: Vec<usize>,
+    /// Indices of the columns in which the rows have entries.
     columns: Vec<usize>,
+    /// Number of rows of the block that are independent in most poses.
     rank: usize,
 }
 
+/// Splits a constraint matrix into blocks that share no column. Blocks without an independent row
+/// are left out.
 fn parts(matrix: &Matrix<'_>) -> Vec<Part> {
     let mut list: Vec<Part> = Vec::new();
     for (at, row) in matrix.rows.iter().enumerate() {
@@ -119,12 +133,13 @@ fn parts(matrix: &Matrix<'_>) -> Vec<Part> {
         part.rows.sort_unstable();
         list.push(part);
     }
-    // Rows that are zero, or that are no independent rows, restrict nothing.
+    // A block without an independent row restricts no motion.
     list.retain(|part| part.rank > 0);
     list
 }
 
-/// Minors of a part that are not zero, each once; `None` if there are too many.
+/// Nonzero minors of a block of rows, each once; `None` if there are more than `MOST_MINORS`, or if
+/// they have too many rows.
 fn minors(arena: &mut Arena, simplifier: &mut Simplifier, rows: &[Vec<Expr>], part: &Part) -> Option<Vec<Expr>> {
     let choices = |n: usize| (0..part.rank).fold(1_usize, |count, k| count.saturating_mul(n - k) / (k + 1));
     if part.rank > MOST_ROWS || choices(part.rows.len()).saturating_mul(choices(part.columns.len())) > MOST_MINORS {
@@ -143,7 +158,7 @@ fn minors(arena: &mut Arena, simplifier: &mut Simplifier, rows: &[Vec<Expr>], pa
     Some(found)
 }
 
-/// All choices of `count` items, in the order of the items.
+/// All subsets of `count` items, each in the order of the items.
 fn combinations(items: &[usize], count: usize) -> Vec<Vec<usize>> {
     let Some(left) = count.checked_sub(1) else { return vec![Vec::new()] };
     let with = |at: usize| {
@@ -152,7 +167,8 @@ fn combinations(items: &[usize], count: usize) -> Vec<Vec<usize>> {
     (0..items.len().saturating_sub(left)).flat_map(with).collect()
 }
 
-/// Determinant of chosen rows and columns, expanded along its first row.
+/// Determinant of the submatrix with the rows `chosen` and the columns `columns`, expanded along
+/// its first row.
 fn minor(arena: &mut Arena, rows: &[Vec<Expr>], chosen: &[usize], columns: &[usize]) -> Expr {
     let Some((first, rest)) = chosen.split_first() else { return Expr::ONE };
     let mut terms = Vec::new();
@@ -165,8 +181,8 @@ fn minor(arena: &mut Arena, rows: &[Vec<Expr>], chosen: &[usize], columns: &[usi
     arena.sum(&terms)
 }
 
-/// Factors of a minor that may be zero in a pose, each once. Factors without coordinates that are nonzero at the
-/// default values are left out and added to `taken`.
+/// Factors of a minor that may be zero in a pose, each with the power 1. Factors without
+/// coordinates that are nonzero at the default values are left out and added to `taken`.
 fn moving_factors(arena: &mut Arena, matrix: &Matrix<'_>, minor: Expr, taken: &mut Vec<Expr>) -> Vec<(Expr, i32)> {
     let minor = contract(arena, minor);
     let minor = bare(arena, minor);
@@ -185,13 +201,14 @@ fn moving_factors(arena: &mut Arena, matrix: &Matrix<'_>, minor: Expr, taken: &m
     moving
 }
 
-/// Value of a term without coordinates at the default values; `None` if a parameter has none.
+/// Value of a term without coordinates, at the default values of the parameters; `None` if a
+/// parameter has no default.
 fn value(arena: &Arena, e: Expr, known: &[(Expr, f64)]) -> Option<f64> {
     let (inputs, values): (Vec<Expr>, Vec<f64>) = known.iter().copied().unzip();
     Some(Tape::new(arena, &inputs, &[e]).ok()?.evaluate(&values)[0])
 }
 
-/// Removes the factors that all products have in common, and returns them.
+/// Removes the factors that all products have in common, and returns these factors.
 fn take_common(all: &mut [Vec<(Expr, i32)>]) -> Vec<(Expr, i32)> {
     let Some((first, others)) = all.split_first() else { return Vec::new() };
     let common: FxHashSet<(Expr, i32)> =
@@ -204,12 +221,14 @@ fn take_common(all: &mut [Vec<(Expr, i32)>]) -> Vec<(Expr, i32)> {
     common
 }
 
+/// Product of factors with positive powers, as a term.
 fn product(arena: &mut Arena, factors: &[(Expr, i32)]) -> Expr {
     arena.try_product(factors).expect("positive powers")
 }
 
-/// Proves that terms are never all zero; returns the proof in words. Either one term is never zero, or the sum of all
-/// squares is never zero. The sum may be reduced by a multiple of a term that is zero in every closed pose.
+/// Proves that terms are never zero at once, and returns the proof in words; `None` if no proof is
+/// found. Either one term is never zero, or the sum of all squares is never zero. A multiple of a
+/// term that is zero in closed poses may be subtracted from the sum.
 fn not_all_zero(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -236,13 +255,14 @@ fn not_all_zero(
     })
 }
 
+/// Sentence that a term is never 0; `what` names the term. A long formula is left out.
 fn shown(arena: &Arena, what: &str, e: Expr) -> String {
     let formula = text(arena, e);
     if formula.len() > LONGEST { format!("{what} is never 0") } else { format!("{what}, {formula}, is never 0") }
 }
 
-/// True if a term is zero in no pose: by its range, or, without coordinates, at the default values. In the second case
-/// the term is added to `taken`.
+/// True if a term is proved nonzero in every pose by its range, or if it has no coordinates and is
+/// nonzero at the default values. In the second case the term is added to `taken`.
 fn is_nonzero(arena: &Arena, matrix: &Matrix<'_>, e: Expr, taken: &mut Vec<Expr>) -> bool {
     if never_zero(arena, e) {
         return true;
@@ -253,7 +273,8 @@ fn is_nonzero(arena: &Arena, matrix: &Matrix<'_>, e: Expr, taken: &mut Vec<Expr>
     is_taken
 }
 
-/// Difference of a sum and the multiple of another sum by which one of their common terms cancels.
+/// Sum less the multiple of another sum that cancels one of their common terms. `None` if they have
+/// no common term.
 fn less_multiple(arena: &mut Arena, simplifier: &mut Simplifier, sum: Expr, other: Expr) -> Option<Expr> {
     let terms = |arena: &Arena, e: Expr| match arena.node(e) {
         Node::Sum(_, terms) => terms.to_vec(),

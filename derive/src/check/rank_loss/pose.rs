@@ -1,4 +1,4 @@
-//! Search for poses in which the rows of constraints lose rank, in doubles.
+//! Search, in doubles, for a pose in which the constraints of a mechanism lose rank.
 
 use crate::algebra::value::evaluate::Tape;
 use crate::algebra::{Arena, Expr};
@@ -6,40 +6,46 @@ use crate::model::constraints::closed_poses::{Poses, reach};
 use crate::model::{Model, Unit};
 use nalgebra::DMatrix;
 
-/// Largest number of unknowns for which poses are searched.
+/// Largest number of unknowns (coordinates and components of λ) for which poses are searched.
 const MOST_UNKNOWNS: usize = 120;
-/// Singular value below which a row is lost, for rows of length 1. It allows for the rounding of a double root.
+/// Singular value below which a rank is lost, for rows scaled to length 1. It allows for the
+/// rounding of a double root.
 const LOST: f64 = 1e-5;
 
-/// Largest absolute value of the instants that are drawn, s.
+/// Largest absolute value of the random instants of driven mechanisms, s.
 const SECONDS: f64 = 10.0;
-/// Residual allowed for rounding in an equation whose slopes vanish in the pose.
+/// Residual up to which an equation whose derivatives vanish in the pose counts as satisfied; it
+/// allows for rounding.
 const FLAT: f64 = 1e-14;
 
-/// Result of a search for a pose in which rank is lost.
+/// Result of the search for a pose in which constraints lose rank.
 pub struct Sought {
-    /// Pose with a value for each coordinate, and last the instant if it matters; then the rank in the pose. `None` if
-    /// none was found.
+    /// Pose with rank loss, as (coordinate, value) with the instant last if it matters, and the rank in
+    /// that pose. `None` if none was found.
     pub pose: Option<(Vec<(String, f64)>, usize)>,
-    /// Number of random places from which the search started.
+    /// Number of random poses from which the search started.
     pub tries: usize,
 }
 
-/// Rows of constraints. The first `rank` rows are independent except in single poses.
+/// Constraint matrix of a model whose first `rank` rows are independent, except in single poses.
 pub struct Constraints<'a> {
+    /// Model that the constraints belong to.
     pub model: &'a Model,
+    /// Rows of the matrix: the coefficients of the rates in each constraint.
     pub rows: &'a [Vec<Expr>],
+    /// Number of leading rows that are independent in most poses.
     pub rank: usize,
-    /// Indices of the coordinates that have a column.
+    /// Indices of the coordinates that the columns of the matrix belong to.
     pub columns: &'a [usize],
-    /// Symbols of parameters with their default values.
+    /// Symbols of the parameters with their default values, in SI units.
     pub known: &'a [(Expr, f64)],
-    /// Terms that are zero in closed poses.
+    /// Left sides of the loop equations: terms that are zero in closed poses.
     pub closed: &'a [Expr],
 }
 
 impl Constraints<'_> {
-    /// Searches for a closed pose in which the rows lose rank.
+    /// Searches for a closed pose in which the rows lose rank. The result has no pose if none was found
+    /// or if there are too many unknowns.
     pub fn sought(&self, arena: &mut Arena) -> Sought {
         let nothing = Sought { pose: None, tries: 0 };
         let Self { model, columns, .. } = *self;
@@ -74,8 +80,8 @@ impl Constraints<'_> {
         Sought { pose, tries: poses.tries() }
     }
 
-    /// Terms that are zero where loops are closed and Aᵀ λ = 0 for as many orthonormal λ as the loss of rank requires.
-    /// Also returns the symbols of all components of λ.
+    /// Equations of the search, as terms to be made zero: the closed loops, and Aᵀ λ = 0 for as many
+    /// orthonormal λ as the loss of rank requires. Also returns the symbols of all components of λ.
     fn equations(&self, arena: &mut Arena) -> (Vec<Expr>, Vec<Expr>) {
         let mut equations = self.closed.to_vec();
         let vectors = self.rows.len() - self.rank + 1;
@@ -97,7 +103,7 @@ impl Constraints<'_> {
         (equations, multipliers.concat())
     }
 
-    /// Number of independent rows in a pose, within rounding; `None` if an entry has no value.
+    /// Numerical rank of the constraint matrix in the pose `q`; `None` if an entry has no finite value.
     fn rank_in(&self, arena: &Arena, places: &[Expr], q: &[f64]) -> Option<usize> {
         let inputs: Vec<Expr> = self.known.iter().map(|(symbol, _)| *symbol).chain(places.iter().copied()).collect();
         let tape = Tape::new(arena, &inputs, &self.rows.concat()).ok()?;
@@ -109,7 +115,7 @@ impl Constraints<'_> {
         }
         for mut row in matrix.row_iter_mut() {
             let size = row.norm();
-            // A row that is itself zero is lost as it stands.
+            // A row that is zero within rounding is not scaled: it counts as lost.
             if size > LOST {
                 row /= size;
             }

@@ -1,4 +1,5 @@
-//! Changes of coordinates that are tried: orders, signs, zeros, and absolute for relative angles.
+//! Changes of coordinates that the search tries: orders, signs, zeros, and absolute angles for
+//! relative angles.
 
 use super::CoordinateTable;
 use crate::algebra::term::calculus::Substitution;
@@ -7,22 +8,26 @@ use crate::algebra::{Arena, Expr};
 use crate::model::Model;
 use crate::publication::Publication;
 
-/// Most choices of coordinates that are tried.
+/// Largest number of coordinate choices that are tried.
 const MOST: usize = 20_000;
-/// Number of coordinates up to which all orders and all changes of them are tried.
+/// Number of coordinates up to which all orders, signs and quarter turns are tried.
 const FEW: usize = 3;
 
-/// Change of coordinates: each coordinate of the publication as a sum of coordinates of the model and quarter turns.
+/// Change of coordinates: each coordinate of the publication is a sum of the model's coordinates
+/// plus quarter turns.
 #[derive(Clone)]
 pub(super) struct Change {
+    /// Factors −1, 0 or 1, n × n: row i gives the publication's coordinate i in the model's
+    /// coordinates.
     pub(super) rows: Vec<Vec<i8>>,
+    /// Constant added to each coordinate, in quarter turns of π/2 rad.
     pub(super) quarters: Vec<i8>,
-    /// Number of places at which the change differs from none.
+    /// Number of differences from the identity; an exchange of order counts as two.
     pub(super) size: usize,
 }
 
 impl Change {
-    /// This change after another one.
+    /// Composition of two changes: `other` first, then `self`.
     pub(super) fn after(&self, other: &Self) -> Self {
         let n = self.rows.len();
         let product = |i: usize, of: &dyn Fn(usize) -> i8| (0..n).map(|k| self.rows[i][k] * of(k)).sum::<i8>();
@@ -33,14 +38,15 @@ impl Change {
 }
 
 impl PartialEq for Change {
-    /// True if two changes are the same up to whole turns.
+    /// True if two changes are equal up to whole turns.
     fn eq(&self, other: &Self) -> bool {
         let turns = |(a, b): (&i8, &i8)| (a - b).rem_euclid(4) == 0;
         self.rows == other.rows && self.quarters.iter().zip(&other.quarters).all(turns)
     }
 }
 
-/// Changes of the coordinates `moving` that are tried, those with the fewest changes first. The first is none.
+/// Changes of the coordinates with the indices `moving`, those with the fewest differences first.
+/// The first is the identity.
 pub(super) fn changes(model: &Model, moving: &[usize]) -> Vec<Change> {
     let n = model.coordinates.len();
     let is_angle = |at: usize| model.coordinates[at].unit.is_plain();
@@ -82,11 +88,13 @@ pub(super) fn changes(model: &Model, moving: &[usize]) -> Vec<Change> {
     list
 }
 
+/// Identity matrix, n × n, of small integers: the change of coordinates that changes nothing.
 pub(super) fn identity(n: usize) -> Vec<Vec<i8>> {
     (0..n).map(|i| (0..n).map(|j| i8::from(i == j)).collect()).collect()
 }
 
-/// Orders of coordinates of equal units: all of a few coordinates, else exchanges of two.
+/// Permutations of the indices `moving` among coordinates of equal unit: all for up to three, else
+/// single exchanges.
 fn orders(model: &Model, moving: &[usize]) -> Vec<Vec<usize>> {
     let fits = |order: &Vec<usize>| {
         order.iter().zip(moving).all(|(a, b)| model.coordinates[*a].unit == model.coordinates[*b].unit)
@@ -110,7 +118,9 @@ fn orders(model: &Model, moving: &[usize]) -> Vec<Vec<usize>> {
     list
 }
 
-/// Signs and quarter turns of coordinates: all of a few coordinates, else of at most two, or the same of all angles.
+/// Choices of (sign, quarter turns) for each coordinate of `moving`; lengths get signs only.
+/// Up to three coordinates: all combinations. More: at most two changed, or all angles changed
+/// alike.
 fn signs(moving: &[usize], is_angle: &dyn Fn(usize) -> bool) -> Vec<Vec<(i8, i8)>> {
     let all = [(1, 0), (-1, 0), (1, 1), (1, -1), (1, 2), (-1, 1), (-1, -1), (-1, 2)];
     let options = |at: usize| if is_angle(at) { &all[..] } else { &all[..2] };
@@ -150,8 +160,11 @@ fn signs(moving: &[usize], is_angle: &dyn Fn(usize) -> bool) -> Vec<Vec<(i8, i8)
     list
 }
 
-/// Table `[coordinates]` of a change: the coordinates and plain speeds of the model that change, then those that the
-/// publication declares.
+/// Table `[coordinates]` for a change: model coordinates and speeds that change, then the
+/// publication's own coordinates.
+///
+/// # Errors
+/// Message if a changed speed of the model is not the rate of one coordinate.
 pub(super) fn table(
     model: &Model,
     arena: &mut Arena,

@@ -1,8 +1,8 @@
-//! Comparison of the declarations of two models: defaults, units and signs of parameters, the domain, and every element
-//! of the mechanism.
+//! Comparison of the declarations of two models: parameters, units, signs, the domain, and all
+//! elements of the mechanism.
 //!
-//! Invariant: terms are compared by algebra, so that `pi/2 > abs(q)` is `abs(q) < pi/2`. Titles, remarks and the order
-//! of a file are not compared, because no number depends on them.
+//! Invariant: terms are compared by algebra, so that `pi/2 > abs(q)` equals `abs(q) < pi/2`.
+//! Titles, remarks and the order of a file are not compared, because no number depends on them.
 
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::term::transfer::Transfer;
@@ -31,7 +31,7 @@ pub enum Section {
 }
 
 impl Section {
-    /// Noun for an entry of the section.
+    /// English noun for one entry of the section, such as "parameter" or "force".
     #[must_use]
     pub const fn noun(self) -> &'static str {
         match self {
@@ -55,18 +55,18 @@ impl Section {
 /// Property of a declaration that can differ between two models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Property {
-    /// Default value of a parameter.
+    /// Default value of a parameter differs.
     Default,
-    /// Unit of a parameter or coordinate.
+    /// Unit of a parameter or generalized coordinate differs.
     Unit,
-    /// Statement that a parameter is positive.
+    /// Statement that a parameter is positive is in only one model.
     Positive,
     /// Definition of an element: its place, the points where it acts, its components, or its condition.
     Definition,
 }
 
 impl Property {
-    /// Name of the property in JSON.
+    /// Name of the property in JSON output, such as "default".
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -78,16 +78,16 @@ impl Property {
     }
 }
 
-/// Kind of difference between two declarations.
+/// Difference between the declarations of one element in an old and a new model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Edit {
-    /// The declaration is only in the new model.
+    /// The declaration exists only in the new model.
     Added,
-    /// The declaration is only in the old model.
+    /// The declaration exists only in the old model.
     Removed,
-    /// The declaration is in both models, with a different property.
+    /// The declaration is in both models, but a property differs.
     Changed {
-        /// Property that differs.
+        /// Property of the declaration that differs between the models.
         property: Property,
         /// Text of the property in the old model, for people.
         old: String,
@@ -96,40 +96,46 @@ pub enum Edit {
     },
 }
 
-/// Declaration that differs between two models.
+/// Declaration that differs between an old and a new model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Declaration {
     /// Section of the model file that contains the declaration.
     pub section: Section,
-    /// Name of the declared element.
+    /// Name of the declared element, such as a parameter, body or force.
     pub name: String,
-    /// Kind of the difference.
+    /// Difference between the old and the new declaration.
     pub edit: Edit,
 }
 
-/// Declared element of a model: properties that are compared as text, terms that are compared by algebra, and its text
-/// for people.
+/// Element that a model declares: properties compared as text, terms compared by algebra, and a
+/// text for people.
 struct Element {
+    /// Section of the model file that declares the element.
     section: Section,
     name: String,
+    /// Properties of the element that are compared as text, each with its text.
     properties: Vec<(Property, String)>,
-    /// Names to which the element refers, in a fixed order: parents, axes, points where it acts.
+    /// Frames, points and bodies that the element refers to, as text: parents, axes, points where
+    /// it acts.
     place: String,
+    /// Formulas of the element, such as components, compared by algebra.
     terms: Vec<Expr>,
-    /// Definition as written in the model file, if it is one formula.
+    /// Definition as written in the model file; `None` unless it is one formula.
     written: Option<String>,
 }
 
 impl Element {
+    /// Element without properties and without a written definition.
     fn new(section: Section, name: &str, place: String, terms: Vec<Expr>) -> Self {
         Self { section, name: name.to_owned(), properties: Vec::new(), place, terms, written: None }
     }
 
+    /// Copy of the element with the given properties.
     fn with(self, properties: Vec<(Property, String)>) -> Self {
         Self { properties, ..self }
     }
 
-    /// Definition of the element, in one line.
+    /// Definition of the element as one line of text for people.
     fn definition(&self, arena: &Arena) -> String {
         if let Some(written) = &self.written {
             return written.clone();
@@ -143,8 +149,10 @@ impl Element {
     }
 }
 
-/// Lists every declaration that differs, in the order of the new model's file, then those that only the old model has.
-/// The terms of the new model are in `arena`.
+/// Lists every declaration that differs between two models; the terms of the new model are in
+/// `arena`.
+/// Declarations of the new model come first, in the order of its file, then those that only the old
+/// model has.
 pub fn declarations(
     old: &Model,
     old_arena: &Arena,
@@ -182,7 +190,7 @@ pub fn declarations(
     list
 }
 
-/// Declared elements of a model, in the order of the sections.
+/// Elements that a model declares, in the order of the sections of a model file.
 fn elements(model: &Model) -> Vec<Element> {
     let mut list = variables(model);
     list.extend(geometry(model));
@@ -192,6 +200,7 @@ fn elements(model: &Model) -> Vec<Element> {
     list
 }
 
+/// Parameters, generalized coordinates and generalized speeds as elements.
 fn variables(model: &Model) -> Vec<Element> {
     let bare = |section, name: &str| Element::new(section, name, String::new(), Vec::new());
     let parameters = model.parameters.iter().map(|p| {
@@ -210,13 +219,15 @@ fn variables(model: &Model) -> Vec<Element> {
     parameters.chain(coordinates).chain(speeds).collect()
 }
 
-/// Default of a parameter as a person writes it: a decimal or a fraction, whichever is shorter.
+/// Default value of a parameter as text: a decimal or a fraction, whichever is shorter; "none"
+/// without a default.
 fn default_of(parameter: &Parameter) -> String {
     let Some(value) = &parameter.value else { return "none".to_owned() };
     let (decimal, fraction) = (value.to_f64().to_string(), value.to_string());
     if fraction.len() < decimal.len() { fraction } else { decimal }
 }
 
+/// Frames and points as elements, each with its parent and its rotation or position.
 fn geometry(model: &Model) -> Vec<Element> {
     let frames = model.frames.iter().map(|frame| match &frame.rotation {
         None => Element::new(Section::Frames, &frame.name, "inertial".to_owned(), Vec::new()),
@@ -240,6 +251,7 @@ fn geometry(model: &Model) -> Vec<Element> {
     frames.chain(points).collect()
 }
 
+/// Bodies and particles as elements, with mass, inertia and added mass.
 fn bodies(model: &Model) -> Vec<Element> {
     let one = |body: &crate::model::Body| {
         let centre = &model.points[body.centre].name;
@@ -261,6 +273,7 @@ fn bodies(model: &Model) -> Vec<Element> {
     list
 }
 
+/// Gravity, forces, torques, potentials and declared reactions as elements.
 fn loads(model: &Model) -> Vec<Element> {
     let frame = |index: usize| &model.frames[index].name;
     let body = |index: usize| &model.bodies[index].name;
@@ -298,6 +311,7 @@ fn loads(model: &Model) -> Vec<Element> {
     list
 }
 
+/// Constraints, loops and conditions of the domain as elements.
 fn conditions(model: &Model) -> Vec<Element> {
     let by = |reaction: Option<usize>| {
         reaction.map_or_else(String::new, |r| format!(", enforced by {}", model.reactions[r].name))

@@ -1,15 +1,16 @@
-//! Model with everything that is known of it, for the comparison of two models.
+//! Model with its equations and its proof, as input to the comparison of two models.
 
 use crate::mechanics::Derivations;
 use crate::model::Model;
 use crate::prove::Proof;
 
-/// Model with its derivations and its proof, for comparison.
+/// Model with its derived equations and its proof, for comparison with another model.
 pub struct Derived<'a> {
-    /// Model that is compared.
+    /// Model whose equations are compared with those of another model.
     pub model: &'a Model,
-    /// Equations of the model by every formulation.
+    /// Equations of motion of the model, by each formulation.
     pub derivations: &'a mut Derivations,
-    /// Proof of the model; without it, first integrals are not compared.
+    /// Proof of the model's equations and first integrals; `None` leaves first integrals out of the
+    /// comparison.
     pub proof: Option<&'a Proof>,
 }

@@ -1,4 +1,5 @@
-//! Comparison of two models: changes of the equations of motion, entry by entry, and of the declarations.
+//! Comparison of two models: changes of the equations of motion, entry by entry, and of the
+//! declarations.
 
 use super::declarations::{Declaration, declarations};
 use super::derived_model::Derived;
@@ -9,18 +10,19 @@ use crate::algebra::term::transfer::Transfer;
 use crate::algebra::text::definitions::write_down;
 use crate::mechanics::{Derivations, Formulation};
 
-/// Entry of the equations in two models, compared.
+/// Entry of the equations of motion that differs between an old and a new model.
 #[derive(Clone, Debug)]
 pub struct Change {
-    /// Name of the entry: `kane M[u1, u2']`, `T`, `u1`.
+    /// Name of the entry, such as `kane M[u1, u2']`, `T` or `u1`.
     pub name: String,
-    /// Value in the old model, written in the new model's store; `None` if the old model lacks the entry.
+    /// Value in the old model, as a term in the new model's arena; `None` if the old model lacks
+    /// the entry.
     pub old: Option<Expr>,
     /// Value in the new model; `None` if the new model lacks the entry.
     pub new: Option<Expr>,
-    /// Simplified difference new − old; `None` if a value is missing.
+    /// Difference new − old, simplified; `None` if the entry is missing in a model.
     pub difference: Option<Expr>,
-    /// Verdict on the equality of the values; `None` if a value is missing.
+    /// Verdict on the equality of the two values; `None` if the entry is missing in a model.
     pub verdict: Option<Verdict>,
 }
 
@@ -31,8 +33,8 @@ pub struct ModelDifference {
     pub changes: Vec<Change>,
     /// Number of entries that were compared, including those of only one model.
     pub compared: usize,
-    /// Formulations that only the old model has, with the reason why the new one lacks them. Their entries are not
-    /// compared.
+    /// Formulations that only the old model has, with the reason why the new model lacks them;
+    /// their entries are not compared.
     pub formulations_lost: Vec<(Formulation, String)>,
     /// Formulations that only the new model has; their entries are not compared.
     pub formulations_gained: Vec<Formulation>,
@@ -40,40 +42,43 @@ pub struct ModelDifference {
     pub integrals_lost: Vec<String>,
     /// Names of first integrals that only the new model has.
     pub integrals_gained: Vec<String>,
-    /// Old variables that the new model writes otherwise, if the motion is proved to be the same in them; else empty.
+    /// Old variables as formulas in the new variables, if a proof shows the motion unchanged; else
+    /// empty.
     pub variables: Vec<VariableChange>,
     /// Declarations that differ: defaults, units, the domain, elements of the mechanism.
     pub declarations: Vec<Declaration>,
 }
 
 impl ModelDifference {
-    /// All formulas of the changed entries that documents show.
+    /// Formulas of the changed entries that documents show: old, new and difference.
     #[must_use]
     pub fn shown(&self) -> Vec<Expr> {
         self.changes.iter().flat_map(|change| [change.old, change.new, change.difference]).flatten().collect()
     }
 
-    /// Gives the named terms of the new model the names that every document about it uses. Terms that only the old
-    /// model or a difference has get names of their own. `derivations` are the new model's.
+    /// Gives written names to the named terms of the comparison, for use in documents.
+    /// Terms of the new model get the names that all documents about it use. Terms that only the
+    /// old model or a difference has get their own names. `derivations` belong to the new model.
     pub fn write_names(&self, derivations: &mut Derivations) {
         derivations.write_names();
         write_down(&mut derivations.kinematics.arena, "diff", &self.shown());
     }
 
-    /// True if the equations of motion are the same.
+    /// True if the equations of motion of both models are equal.
     #[must_use]
     pub fn has_same_equations(&self) -> bool {
         self.changes.is_empty() && self.formulations_lost.is_empty() && self.formulations_gained.is_empty()
     }
 
-    /// True if the models have no difference that can change a number.
+    /// True if the models do not differ in anything that can change a number.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.has_same_equations() && self.declarations.is_empty()
     }
 }
 
-/// Compares two models. Terms of the old model are written in the new model's store, symbol by name.
+/// Compares two models. Terms of the old model are copied to the new model's arena, with symbols
+/// matched by name.
 pub fn diff_models(old: &mut Derived<'_>, new: &mut Derived<'_>) -> ModelDifference {
     let (lost, gained) = (only(old.derivations, new.derivations), only(new.derivations, old.derivations));
     let before = entries(old, &lost);
@@ -103,7 +108,7 @@ pub fn diff_models(old: &mut Derived<'_>, new: &mut Derived<'_>) -> ModelDiffere
     }
 }
 
-/// Changes between entries of equal names, and entries that only one model has.
+/// Differences between entries of equal names, and non-zero entries that only one model has.
 fn changes(
     old: &Derivations,
     before: &[(String, Expr)],
@@ -139,7 +144,7 @@ fn changes(
     list
 }
 
-/// Names of a model's first integrals, in words.
+/// Names of a model's first integrals, in words; empty without a proof.
 fn integrals(of: &Derived<'_>) -> Vec<String> {
     of.proof
         .iter()
@@ -148,13 +153,14 @@ fn integrals(of: &Derived<'_>) -> Vec<String> {
         .collect()
 }
 
-/// Formulations that the first model has and the second lacks.
+/// Formulations whose equations exist in the derivations `one` but not in `other`.
 fn only(one: &Derivations, other: &Derivations) -> Vec<Formulation> {
     Formulation::ALL.into_iter().filter(|f| one.get(*f).is_some() && other.get(*f).is_none()).collect()
 }
 
-/// Compared entries by name: speeds, kinematic equations, energies, and the system of each formulation not in
-/// `left_out`.
+/// Entries of a model that are compared, with their names: speeds, kinematic equations, energies,
+/// matrices and forcing.
+/// Formulations in `left_out` are omitted.
 fn entries(of: &Derived<'_>, left_out: &[Formulation]) -> Vec<(String, Expr)> {
     let (model, derivations) = (of.model, &*of.derivations);
     let arena = &derivations.kinematics.arena;

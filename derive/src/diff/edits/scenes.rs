@@ -1,22 +1,22 @@
-//! Comparison of two scene files key by key, as they are written.
+//! Comparison of two scene files key by key, as written.
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::read::Reader;
 use toml::{Table, Value};
 
-/// Key of a scene file whose value differs between two files.
+/// Key of a scene file whose value differs between an old and a new file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Setting {
-    /// Path of the key in the file: `start.q1`.
+    /// Path of the key in the file, such as `start.q1`.
     pub key: String,
-    /// Old value of the key as TOML; `None` if the key is new.
+    /// Old value of the key as TOML text; `None` if the key is new.
     pub old: Option<String>,
-    /// New value of the key as TOML; `None` if the key was removed.
+    /// New value of the key as TOML text; `None` if the key was removed.
     pub new: Option<String>,
 }
 
-/// Lists the keys whose values differ, in alphabetical order. Titles and remarks are not compared, because no number
-/// depends on them.
+/// Lists the keys whose values differ between two scene files, in alphabetical order.
+/// Titles and remarks are not compared, because no number depends on them.
 ///
 /// # Errors
 /// [`Diagnostics`] if a file is not TOML.
@@ -30,7 +30,11 @@ pub fn diff_scenes(old: &Source, new: &Source) -> Result<Vec<Setting>, Diagnosti
     Ok(settings.filter(|setting| setting.old != setting.new).collect())
 }
 
-/// Keys of a file that are no tables, each with its value as TOML.
+/// Keys of a TOML file with their values as text; tables are flattened to paths, and titles and
+/// remarks left out.
+///
+/// # Errors
+/// `Diagnostics` if the file is not TOML.
 fn settings(source: &Source) -> Result<Vec<(String, String)>, Diagnostics> {
     Reader::parse(source)?;
     let table: Table = source.text.parse().map_err(|error: toml::de::Error| {
@@ -52,7 +56,7 @@ fn settings(source: &Source) -> Result<Vec<(String, String)>, Diagnostics> {
     Ok(list)
 }
 
-/// Text of a number as a reader expects it: 1.0 is written as 1, and 1e-9 not as 0.000000001.
+/// Text of a number as people write it: 1 for 1.0, and 1e-9 for 0.000000001.
 fn number(x: f64) -> String {
     if x.fract() == 0.0 && x.abs() < 1e15 { format!("{x}") } else { format!("{x:?}") }
 }

@@ -1,9 +1,10 @@
-//! Change of variables between two models of one mechanism: renamed parameters and coordinates, other signs and zeros
-//! of coordinates, other speeds.
+//! Search for a change of variables between two models of one mechanism: renamed parameters and
+//! coordinates, other signs and zeros of coordinates, other speeds.
 //!
-//! Numbers choose the change, and algebra proves it: with the old variables as formulas in the new ones, T is the new
-//! T, V is the new V up to a constant, the old constraints hold, and the accelerations of the new model satisfy every
-//! old row of Kane's equations. Models with loops are left out: their coordinates are tied by equations.
+//! Numbers choose the change, and algebra proves it. The old variables are formulas in the new
+//! variables. Then the old T must equal the new T, and the old V the new V up to a constant. The
+//! old constraints must hold, and the accelerations of the new model must satisfy every old row of
+//! Kane's equations. Models with loops are left out: equations tie their coordinates together.
 
 use super::derived_model::Derived;
 use crate::algebra::meaning::compare::Comparer;
@@ -16,32 +17,33 @@ use crate::algebra::{Arena, Expr, Rational};
 use crate::mechanics::{Formulation, Quantities, rates_to_speeds};
 use crate::model::{Model, TIME, Unit};
 
-/// Most changes of variables that are compared in numbers.
+/// Largest number of changes of variables that are compared in numbers.
 const MOST: usize = 20_000;
-/// Most changes that are proved after numbers did not reject them.
+/// Largest number of changes for which a proof is tried, after numbers did not reject them.
 const MOST_PROOFS: usize = 4;
-/// Most orders in which renamed parameters or coordinates of one unit are matched.
+/// Largest number of permutations in which renamed parameters or coordinates of one unit are
+/// matched.
 const MOST_ORDERS: usize = 720;
-/// Number of states in which the energies are compared.
+/// Number of random states at which the energies of both models are compared.
 const STATES: usize = 3;
 /// Relative difference below which two energies count as equal.
 const NEAR: f64 = 1e-9;
-/// Quarter turns by which the zero of an angle may be moved.
+/// Constants, in quarter turns of π/2 rad, by which the zero of an angle may be moved.
 const QUARTERS: [i8; 4] = [0, 1, 2, -1];
 
-/// Kind of an old variable that the new model writes otherwise.
+/// Kind of an old variable that the new model expresses differently.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VariableKind {
-    /// A parameter.
+    /// Parameter of the model.
     Parameter,
-    /// A coordinate.
+    /// Generalized coordinate of the model.
     Coordinate,
-    /// A generalized speed.
+    /// Generalized speed of the model.
     Speed,
 }
 
 impl VariableKind {
-    /// Noun for the variable.
+    /// English noun for the kind of variable, such as "coordinate".
     #[must_use]
     pub const fn noun(self) -> &'static str {
         match self {
@@ -52,34 +54,41 @@ impl VariableKind {
     }
 }
 
-/// Old variable as a formula in variables of the new model.
+/// Old variable expressed as a formula in variables of the new model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VariableChange {
-    /// Kind of the variable.
+    /// Kind of the old variable: parameter, coordinate or speed.
     pub kind: VariableKind,
-    /// Name in the old model.
+    /// Name of the variable in the old model.
     pub old: String,
     /// Formula in variables of the new model, as text.
     pub new: String,
 }
 
-/// Coordinate of the old model: ± a coordinate of the new one, plus quarter turns.
+/// Coordinate of the old model as ± a coordinate of the new model, plus quarter turns.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Image {
+    /// Index of the coordinate in the new model that corresponds to the old one.
     to: usize,
+    /// True if the new coordinate has the sign −; false for +.
     is_turned: bool,
+    /// Constant added to the coordinate, in quarter turns of π/2 rad.
     quarters: i8,
 }
 
-/// Change of variables: the new parameter of each old one, the image of each old coordinate.
+/// Proposed change of variables: the new parameter for each old parameter, and the image of each
+/// old coordinate.
 #[derive(Clone)]
 struct Choice {
+    /// Index of the new parameter for each old parameter.
     parameters: Vec<usize>,
+    /// Image of each old coordinate in the new coordinates.
     images: Vec<Image>,
 }
 
-/// Variables of the old model that the new one writes otherwise, if the motion is proved to be the same; `None` if no
-/// such change is found, or if nothing changes but the form.
+/// Old variables as formulas in the new ones, if a proof shows that the motion is the same.
+/// Returns `None` if no such change of variables is found, or if every variable keeps its name and
+/// meaning.
 pub fn changed_variables(old: &mut Derived<'_>, new: &mut Derived<'_>) -> Option<Vec<VariableChange>> {
     let (before, after) = (old.model, new.model);
     let counts = |m: &Model| (m.parameters.len(), m.coordinates.len(), m.speeds.len(), m.motion_constraints.len());
@@ -103,7 +112,8 @@ pub fn changed_variables(old: &mut Derived<'_>, new: &mut Derived<'_>) -> Option
     None
 }
 
-/// Choices of variables, those with the fewest changes first.
+/// Changes of variables to try, those with the fewest changed signs and zeros first; at most 20
+/// 000.
 fn choices(old: &Model, new: &Model) -> Vec<Choice> {
     let parameters = |m: &Model| m.parameters.iter().map(|p| (p.name.clone(), p.unit.clone())).collect::<Vec<_>>();
     let coordinates = |m: &Model| m.coordinates.iter().map(|c| (c.name.clone(), c.unit.clone())).collect::<Vec<_>>();
@@ -126,7 +136,9 @@ fn choices(old: &Model, new: &Model) -> Vec<Choice> {
     list
 }
 
-/// Matches of old with new names: equal names with one another, the others in every order in which units are equal.
+/// Matches of old with new names. Equal names match each other; other names are matched in every
+/// order with equal units.
+/// Each match lists the index of the new name for each old name.
 fn orders(old: &[(String, Unit)], new: &[(String, Unit)]) -> Vec<Vec<usize>> {
     let mut list: Vec<Vec<usize>> = vec![Vec::new()];
     for (name, unit) in old {
@@ -141,7 +153,8 @@ fn orders(old: &[(String, Unit)], new: &[(String, Unit)]) -> Vec<Vec<usize>> {
     list
 }
 
-/// Images of the coordinates in an order, with `size` of them turned or moved; at most `most`.
+/// Images of the coordinates matched in `order`, of which exactly `size` have another sign or zero;
+/// at most `most` lists.
 fn images(order: &[usize], size: usize, is_angle: &impl Fn(usize) -> bool, most: usize) -> Vec<Vec<Image>> {
     let mut list: Vec<(Vec<Image>, usize)> = vec![(Vec::new(), 0)];
     for (done, to) in order.iter().enumerate() {
@@ -164,25 +177,33 @@ fn images(order: &[usize], size: usize, is_angle: &impl Fn(usize) -> bool, most:
     list.into_iter().map(|(images, _)| images).collect()
 }
 
-/// Energies of both models in numbers, at a few random states of the new model.
+/// Energies of both models in numbers, at random states of the new model.
 struct Energies {
-    /// T and V of the old model, of its parameters, coordinates and rates.
+    /// Program for T and V of the old model, in J; its inputs are the old parameters, coordinates
+    /// and rates.
     old: Tape,
-    /// Parameters of the new model, equal in all states: V may have its zero elsewhere.
+    /// Random values of the new model's parameters, equal in all states, so that V may differ by a
+    /// constant.
     parameters: Vec<f64>,
+    /// Random states of the new model at which the energies are compared.
     states: Vec<State>,
 }
 
-/// State of the new model with its energies.
+/// State of the new model with its kinetic and potential energy.
 struct State {
+    /// Values of the generalized coordinates at the state.
     coordinates: Vec<f64>,
+    /// Rates q̇ of the coordinates, permitted by the constraints.
     rates: Vec<f64>,
+    /// Kinetic energy T of the new model at the state.
     kinetic: f64,
+    /// Potential energy V of the new model at the state.
     potential: f64,
 }
 
 impl Energies {
-    /// Energies of two models; `None` if a model has none, or if no state has numbers.
+    /// Energies of two models at random states; `None` if a model has no Kane equations, or if no
+    /// states have finite values.
     fn new(old: &mut Derived<'_>, new: &mut Derived<'_>) -> Option<Self> {
         let of = |derived: &mut Derived<'_>| {
             let model = derived.model;
@@ -219,7 +240,8 @@ impl Energies {
         None
     }
 
-    /// True if T is equal, and V up to a constant, in all states.
+    /// True if, after the change of variables, T is equal in all states, and V is equal up to a
+    /// constant.
     fn agree(&self, choice: &Choice) -> bool {
         let mut zero: Option<f64> = None;
         self.states.iter().all(|state| {
@@ -239,13 +261,14 @@ impl Energies {
     }
 }
 
-/// Random number whose size is 0.3 to 1.7, of either sign.
+/// Random number with an absolute value from 0.3 to 1.7, of either sign.
 fn drawn(generator: &mut Generator) -> f64 {
     let size = 0.3 + f64::from(u32::try_from(generator.next() % 1_400_000).unwrap_or(0)) * 1e-6;
     if generator.next().is_multiple_of(2) { size } else { -size }
 }
 
-/// Variables that change, if the change is proved.
+/// Old variables that change, if algebra proves the proposed change of variables; `None` without a
+/// proof.
 fn proved(old: &mut Derived<'_>, new: &mut Derived<'_>, choice: &Choice) -> Option<Vec<VariableChange>> {
     let (before, after) = (old.model, new.model);
     let mut put = Put::new(old, new, choice);
@@ -295,16 +318,20 @@ fn proved(old: &mut Derived<'_>, new: &mut Derived<'_>, choice: &Choice) -> Opti
     Some(put.described(&mut quantities))
 }
 
-/// Old variables as formulas in the new ones, in the arena of the new model.
+/// Old variables as formulas in the new variables, as terms in the arena of the new model.
 struct Put {
-    /// Old symbols, by name, with their values in q, u and u̇ of the new model.
+    /// Substitution of the old symbols by their values in q, u and u̇ of the new model.
     values: Substitution,
+    /// Old parameters, by name, as terms of the new model.
     parameters: Vec<(String, Expr)>,
+    /// Old coordinates, by name, as terms of the new model.
     coordinates: Vec<(String, Expr)>,
+    /// Old generalized speeds, by name, as terms of the new model.
     speeds: Vec<(String, Expr)>,
 }
 
 impl Put {
+    /// Formulas for the old variables under the proposed change `choice`.
     fn new(old: &mut Derived<'_>, new: &mut Derived<'_>, choice: &Choice) -> Self {
         let (before, after) = (old.model, new.model);
         let (from, arena) = (&old.derivations.kinematics.arena, &mut new.derivations.kinematics.arena);
@@ -344,7 +371,7 @@ impl Put {
         Self { values: Substitution::new(&values), parameters, coordinates, speeds }
     }
 
-    /// Term of the old model in the variables of the new one.
+    /// Term `e` of the old model, in the arena `from`, rewritten in the variables of the new model.
     fn term(&mut self, quantities: &mut Quantities<'_>, from: &Arena, e: Expr) -> Expr {
         let arena = &mut quantities.derivations.kinematics.arena;
         let e = Transfer::of_other_model(from, "_old").term(arena, e);
@@ -352,7 +379,7 @@ impl Put {
         quantities.in_speeds(e)
     }
 
-    /// Variables that are not the new ones of equal name.
+    /// List of the old variables that differ from the new variable with the same name.
     fn described(self, quantities: &mut Quantities<'_>) -> Vec<VariableChange> {
         let mut list = Vec::new();
         let mut add = |quantities: &mut Quantities<'_>, kind, old: &str, value: Expr| {
@@ -377,7 +404,7 @@ impl Put {
 }
 
 impl Image {
-    /// Old coordinate as a formula in the symbol of the new one.
+    /// Value of the old coordinate as a formula in `symbol`, the new coordinate.
     fn of(self, arena: &mut Arena, symbol: Expr) -> Expr {
         let turned = if self.is_turned { arena.neg(symbol) } else { symbol };
         let pi = arena.pi();

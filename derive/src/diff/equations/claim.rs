@@ -1,4 +1,4 @@
-//! Claims of printed entries, as data, with which wrong entries are traced to one another.
+//! Claims of printed entries, as data for tracing wrong entries to one another.
 
 use super::rows::{Match, Row};
 use crate::algebra::Expr;
@@ -9,7 +9,7 @@ use crate::mechanics::{Formulation, QuantityKind, RowName};
 pub enum Claim {
     /// Value of a named quantity, as printed and as derived.
     Value {
-        /// Kind of the quantity, with its indices.
+        /// Kind of the named quantity, with its indices.
         kind: QuantityKind,
         /// Printed value, with the symbols of the text replaced by their values.
         printed: Expr,
@@ -18,59 +18,64 @@ pub enum Claim {
         /// Formulation by which the publication says that it found the value; `None` if it does not say.
         by: Option<Formulation>,
     },
-    /// Row of a printed system as a whole.
+    /// Claim of a whole row of a printed system.
     Row {
-        /// Index of the system or listing.
+        /// Index, among the tables, of the system or program (listing) with the row.
         table: usize,
-        /// Index of the row.
+        /// Index of the row in its system.
         row: usize,
     },
-    /// Single entry of a row of a printed system.
+    /// Claim of a single entry in a row of a printed system.
     Entry {
-        /// Index of the system or listing.
+        /// Index, among the tables, of the system or program (listing) with the entry.
         table: usize,
-        /// Index of the row.
+        /// Index of the row that contains the entry.
         row: usize,
-        /// Index of the column.
+        /// Index of the column that contains the entry; the right-hand side is the last column.
         column: usize,
     },
-    /// Number stated in the publication.
+    /// Number that the publication states, such as an initial value.
     Number {
-        /// Ids of the entries that the number contradicts.
+        /// Ids of the entries that the printed number contradicts.
         against: Vec<String>,
     },
-    /// Row of a printed system near a point that is the expansion of an earlier printed row.
+    /// Row of a printed system that holds near a point and expands an earlier printed row.
     Expansion {
-        /// Index of the earlier system or listing.
+        /// Index, among the tables, of the system or program (listing) that has the earlier row.
         table: usize,
-        /// Index of the row in it.
+        /// Index of the earlier row in its system or program (listing).
         row: usize,
     },
-    /// Row of equations in which a slope ∂/∂t with q and q̇ held is printed instead of the rate d/dt.
+    /// Row in which a partial derivative ∂/∂t, with q and q̇ held constant, is printed instead of
+    /// the total derivative d/dt.
     HeldTime,
-    /// A claim that is not traced to others, such as a definition or another formula near a point.
+    /// Statement that is not traced to other entries, such as a definition or a formula that holds
+    /// only near a point.
     Other,
 }
 
-/// Printed system beside the derived rows with which it was matched. Columns are in the order of the derived unknowns.
+/// Printed system with the derived rows with which it was matched. Columns follow the order of the
+/// derived unknowns.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// Formulation that the system was compared with.
+    /// Formulation whose derived system was compared with the printed system.
     pub formulation: Formulation,
-    /// Name of each derived row.
+    /// Name of each row of the derived system, such as its speed or coordinate.
     pub names: Vec<RowName>,
-    /// Symbols of the derived unknowns.
+    /// Symbols of the unknowns of the derived system, in the order of the columns.
     pub unknowns: Vec<Expr>,
     /// Rows of the derived system, in the order of `names`.
     pub derived: Vec<Row>,
-    /// Rows of the printed system.
+    /// Rows of the printed system, in its own order; columns follow `unknowns`.
     pub printed: Vec<Row>,
-    /// Match of each printed row with the derived rows.
+    /// Match of each printed row with the derived rows, in the order of `printed`.
     pub matches: Vec<Match>,
 }
 
 impl Table {
-    /// Index of the derived row of which a printed row is a multiple, and the factor. `None` for a combination of rows.
+    /// Index of the derived row of which the printed row `row` is a multiple, and the factor
+    /// printed ÷ derived.
+    /// Returns `None` for a printed row that is a combination of several derived rows.
     pub fn matched(&self, row: usize) -> Option<(usize, Expr)> {
         match &self.matches[row] {
             Match::Row { at, factor } => Some((*at, *factor)),

@@ -1,4 +1,4 @@
-//! Derived system with which a printed system is compared.
+//! Derived system of equations with which a printed system is compared.
 
 use super::claim::Table;
 use super::rows::{Match, Row};
@@ -7,19 +7,22 @@ use crate::algebra::solve::linear::LinearForm;
 use crate::mechanics::{Formulation, Kinematics, Quantities, RowName, balances};
 use crate::model::{Model, MotionConstraintKind};
 
-/// System in the order of the derived unknowns. Each row is its entries, then its right-hand side.
+/// Linear system whose columns are in the order of the derived unknowns; each row ends with its
+/// right-hand side.
 #[derive(Clone)]
 pub struct Ordered {
-    /// Name of each row.
+    /// Name of each row, such as its speed, coordinate or balance.
     pub names: Vec<RowName>,
-    /// Symbols of the unknowns.
+    /// Symbols of the unknowns (accelerations, multipliers, reactions), in the order of the
+    /// columns.
     pub unknowns: Vec<Expr>,
-    /// Rows of the system, each with its right-hand side last.
+    /// Rows of the system: one coefficient for each unknown, then the right-hand side.
     pub rows: Vec<Row>,
 }
 
-/// Derived system of a formulation. Balances have components in `frame`, the publication's frame, if it is stated. The
-/// error is the reason why there is no system.
+/// Derived system of the formulation `system`. Newton–Euler balances have components in `frame` if
+/// it is stated.
+/// The error is the reason why the formulation has no system.
 pub fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Option<usize>) -> Result<Ordered, String> {
     let model = quantities.model;
     let found = quantities.derivations.list.iter().find(|(f, _)| *f == system).map(|(_, result)| result.clone());
@@ -62,7 +65,8 @@ pub fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Opti
     Ok(Ordered { names: equations.rows, unknowns, rows })
 }
 
-/// True if an unknown is the acceleration of time, or the multiplier of its rate, which is 1.
+/// True if an unknown is the second derivative of time, or the multiplier of the clock constraint
+/// t' = 1.
 pub fn is_of_time(model: &Model, unknown: Expr) -> bool {
     let is_second_rate = model.time().is_some_and(|at| model.coordinates[at].second_rate == unknown);
     let mut constraints = model.motion_constraints.iter();
@@ -70,7 +74,8 @@ pub fn is_of_time(model: &Model, unknown: Expr) -> bool {
 }
 
 impl Ordered {
-    /// The system without the row and the acceleration of time, a coordinate of the model that publications have not.
+    /// Removes the rows and unknowns of time, which is a coordinate of the model but not of
+    /// publications.
     pub fn without_time(self, model: &Model) -> Self {
         let is_row_of_time = |name: &RowName| match name {
             RowName::Coordinate(at) => model.time() == Some(*at),
@@ -86,7 +91,7 @@ impl Ordered {
         Self { names, unknowns: kept.into_iter().map(|at| unknowns[at]).collect(), rows }
     }
 
-    /// Table of this system beside the printed rows that were matched with it.
+    /// Combines this derived system with the printed rows and their matches in one table.
     pub fn beside(self, formulation: Formulation, printed: Vec<Row>, matches: Vec<Match>) -> Table {
         let Self { names, unknowns, rows } = self;
         Table { formulation, names, unknowns, derived: rows, printed, matches }

@@ -1,21 +1,27 @@
-//! Proof in numbers that a row is no combination of other rows: at one permitted state it is independent of them.
+//! Numerical proof that a row is no linear combination of other rows.
+//!
+//! The row is independent of the others at one permitted state. A permitted state satisfies the
+//! model's constraints and its domain.
 
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::{Arena, Expr};
 
-/// Largest part of a row that rounding may leave where a row is a combination of the others.
+/// Largest relative remainder that rounding may leave of a row that is a combination of the others.
 const ROUNDED_OFF: f64 = 1e-6;
 
-/// True if the last row is independent of the others at a permitted state, by far more than rounding makes.
+/// True if the last row is linearly independent of the others at a state that the model's
+/// constraints permit.
+/// The remainder must exceed rounding by far; false proves nothing.
 pub fn is_independent(arena: &mut Arena, comparer: &mut Comparer, rows: &[Vec<Expr>]) -> bool {
     let Some(mut samples) = comparer.permitted().samples(arena, &rows.concat()) else { return false };
     let width = rows[0].len();
     samples.find_map(|values| remainder(values.chunks(width))).is_some_and(|left| left > ROUNDED_OFF)
 }
 
-/// Part of the last row that is left beside the space of the rows before it, relative to the row. Each row is made
-/// perpendicular to those before it, twice, so that little rounding is left. `None` if the rows before it are nearly
-/// dependent.
+/// Norm of the last row's component perpendicular to all rows before it, relative to the row's
+/// norm.
+/// Gram–Schmidt runs twice for each row, to keep rounding small. Returns `None` if the earlier rows
+/// are nearly dependent.
 fn remainder<'a>(rows: impl Iterator<Item = &'a [f64]>) -> Option<f64> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     let mut left = 1.0;

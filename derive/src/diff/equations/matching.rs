@@ -1,45 +1,52 @@
-//! Search for the derived row, or the combination of derived rows, that a printed row was meant to be.
+//! Search for the derived row, or the combination of derived rows, that the author of a printed row
+//! meant.
 //!
-//! A row that is right with any factor is matched with it. Of other rows the match with fewest wrong entries wins,
-//! where plain factors count less than involved ones: 1, a number, a monomial of parameters, another term of
-//! parameters. A factor that depends on the state makes a whole row right, or is no match: a wrong row would be
-//! compared with a multiple that nobody meant. The search runs modulo random primes and proves nothing.
+//! A printed row that is right up to a factor is matched with its derived row. For other rows, the
+//! match with the fewest wrong entries wins. Plain factors cost less than involved factors; the
+//! order is 1, a number, a monomial of parameters, another term of parameters. A factor that
+//! depends on the state is accepted only if it makes the whole row right: nobody means a wrong row
+//! with such a factor. The search runs modulo random primes and proves nothing.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::solve::linear::solve;
 use crate::algebra::value::rank::in_fields;
 use crate::algebra::{Arena, Expr, Function, Node};
 
-/// Match of a printed row that the search found.
+/// Match that the search proposes for a printed row, not yet proved.
 pub enum Found {
-    /// One derived row. The factor is the ratio of the entries in a column, or 1 without a column.
+    /// Multiple of one derived row. The factor is the ratio printed ÷ derived of the entries in
+    /// `column`.
     Row {
-        /// Index of the derived row.
+        /// Index of the derived row that matches the printed row.
         at: usize,
         /// Column whose printed entry over its derived entry is the factor; `None` for the factor 1.
         column: Option<usize>,
     },
-    /// Sum of multiples of derived rows, with a constant multiplier for each, in all entries but one.
+    /// Sum of derived rows, with one constant multiplier for each. It agrees with the printed row
+    /// in all entries except one.
     Combination(Vec<Expr>),
 }
 
-/// Cost of a wrong entry; costs of factors are relative to it.
+/// Cost of one wrong entry; the costs of factors are fractions of it.
 const WRONG: usize = 100;
-/// Most rows of a system of which combinations are tried.
+/// Largest number of rows of a system whose combinations are tried.
 const MOST_ROWS: usize = 4;
 
-/// A derived row with a factor, and how well it agrees with a printed row.
+/// Multiple of a derived row, with a count of the entries in which it agrees with a printed row.
 #[derive(Clone, Copy)]
 struct Candidate {
+    /// Index of the derived row that is compared with the printed row.
     at: usize,
+    /// Column whose ratio printed ÷ derived is the factor; `None` for the factor 1.
     column: Option<usize>,
-    /// Number of entries that disagree.
+    /// Number of entries that disagree with the printed row.
     wrong: usize,
-    /// Number of entries that agree and are not zero.
+    /// Number of entries that agree with the printed row and are not zero.
     right: usize,
 }
 
-/// Best match of a printed row. Row number `index` is preferred where nothing else decides. `parameters` are the
+/// Best match of a printed row with the rows of a derived system.
+/// Derived row number `index` is preferred if several are equally good. `parameters` are the
 /// symbols that do not depend on the state.
 pub fn best_match(
     arena: &mut Arena,
@@ -81,15 +88,18 @@ pub fn best_match(
     best.1
 }
 
-/// Derived row of which a printed row is a multiple in all entries, and a column whose quotient is the factor. `None`
-/// if there is no such row.
+/// Index of a derived row of which the printed row is an exact multiple, and a column whose ratio
+/// gives the factor.
+/// Returns `None` if no derived row is such a multiple, or if only the factor 1 is found without a
+/// column.
 #[must_use]
 pub fn explained(arena: &Arena, printed: &[Expr], derived: &[Vec<Expr>], index: usize) -> Option<(usize, usize)> {
     let own = index.min(derived.len() - 1);
     candidates(arena, printed, derived, own).into_iter().find_map(|c| Some((c.at, c.column.filter(|_| c.wrong == 0)?)))
 }
 
-/// Every derived row with the factor 1 and with each ratio of a printed to a derived entry, the row `own` first.
+/// Candidates for a match: each derived row with the factor 1 and with each ratio printed ÷
+/// derived, the row `own` first.
 fn candidates(arena: &Arena, printed: &[Expr], derived: &[Vec<Expr>], own: usize) -> Vec<Candidate> {
     let mut all = derived.to_vec();
     all.push(printed.to_vec());
@@ -130,7 +140,7 @@ fn candidates(arena: &Arena, printed: &[Expr], derived: &[Vec<Expr>], own: usize
     list
 }
 
-/// Cost of a factor other than 1; `None` for one that depends on the state.
+/// Cost of a factor that is not 1; `None` if the factor depends on the state.
 fn cost_of_factor(arena: &Arena, parameters: &[Expr], factor: Expr) -> Option<usize> {
     let parts = arena.reachable(&[factor]);
     if parts.iter().any(|e| arena.symbol_name(*e).is_some() && !parameters.contains(e)) {
@@ -146,8 +156,9 @@ fn cost_of_factor(arena: &Arena, parameters: &[Expr], factor: Expr) -> Option<us
     })
 }
 
-/// Constant multipliers of the derived rows whose combination agrees with a printed row in all entries but one, with
-/// their cost. `None` if there are none.
+/// Constant multipliers with which derived rows sum to a printed row in all entries except one, and
+/// the cost of this match.
+/// Returns `None` if there are no such multipliers, or if the system has more than four rows.
 fn nearly_combined(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -179,8 +190,8 @@ fn nearly_combined(
     best
 }
 
-/// True if a term contains |x| or sign x. Such a term may vanish on one side of a surface, where a row with the term as
-/// factor states nothing.
+/// True if a term contains |x| or sign x. Such a term can be zero in a whole region, and a row
+/// multiplied by it states nothing there.
 fn is_one_sided(arena: &Arena, e: Expr) -> bool {
     arena.reachable(&[e]).iter().any(|p| matches!(arena.node(*p), Node::Apply(Function::Abs | Function::Sign, _)))
 }

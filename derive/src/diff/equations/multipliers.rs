@@ -1,8 +1,9 @@
-//! Multipliers of printed equations, whose names, signs and sizes are the author's choice.
+//! Lagrange multipliers of printed equations, whose names, signs and sizes are the author's choice.
 //!
-//! Aᵀλ = Aᵀ B μ for λ = B μ. Equations of motion with μ are equivalent to those with λ for every regular B. Rows that
-//! agree with the derived rows, or with combinations of these, up to their multipliers determine B. B is used if it
-//! explains more rows than λ = μ does. One B holds for all entries of a publication.
+//! With λ = B μ, Aᵀλ = Aᵀ B μ. So equations of motion with the author's μ are equivalent to those
+//! with the derived λ, for every regular matrix B. Printed rows that agree with derived rows,
+//! except in their multipliers, determine B. B is used if it explains more rows than λ = μ does.
+//! One B holds for all entries of a publication.
 
 use super::derived_system::Ordered;
 use super::matching::explained;
@@ -14,29 +15,36 @@ use crate::algebra::value::rank::echelon;
 use crate::algebra::{Arena, Expr};
 use std::cmp::Reverse;
 
-/// Most choices of rows that determine multipliers.
+/// Largest number of choices of rows from which a matrix B is computed.
 const MOST_CHOICES: usize = 50;
 
-/// Coefficients of the multipliers in a printed row, and in the multiple or the combination of derived rows that agrees
-/// with it in all other coefficients.
+/// Multipliers' coefficients in a printed row, and in derived rows that agree with it in all other
+/// coefficients.
 #[derive(Clone)]
 struct Pair {
+    /// Coefficients of the derived multipliers λ in the multiple or combination of derived rows.
     derived: Row,
+    /// Coefficients of the printed multipliers μ in the printed row.
     printed: Row,
-    /// True if the factors of the derived rows are 1.
+    /// True if every derived row in the combination has the factor 1.
     is_plain: bool,
 }
 
-/// Multipliers of a publication: what its entries show of them, and the matrix B that explains most of the entries.
+/// Multipliers of a publication: coefficients collected from its entries, and the matrix B (λ = B
+/// μ) that explains most.
 #[derive(Default)]
 pub struct Multipliers {
+    /// Coefficients of printed and derived multipliers, from all entries so far.
     pairs: Vec<Pair>,
+    /// Number of entries that mention multipliers.
     entries: usize,
+    /// Matrix B chosen for all entries; `None` before the choice.
     decided: Option<Vec<Row>>,
 }
 
 impl Multipliers {
-    /// Decides on one matrix B for all entries, if several mention multipliers. True if it did.
+    /// Chooses one matrix B for all entries if at least two mention multipliers. Returns true if B
+    /// was chosen.
     pub fn decide(&mut self, terms: &mut Terms<'_>, parameters: &[Expr]) -> bool {
         let Some(width) = self.pairs.first().map(|pair| pair.printed.len()).filter(|_| self.entries > 1) else {
             return false;
@@ -47,34 +55,38 @@ impl Multipliers {
     }
 }
 
-/// Form of a matrix B, the plainest first. Of matrices that explain the same number of rows the plainest is meant.
+/// Form of a matrix B, the plainest first. If several matrices explain the same number of rows, the
+/// plainest is chosen.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Form {
-    /// The unit matrix: λ = μ.
+    /// The unit matrix: the printed multipliers are the derived ones, λ = μ.
     Derived,
-    /// All entries are numbers.
+    /// All entries of the matrix are numbers.
     Numbers,
-    /// All entries are parameters and numbers.
+    /// All entries of the matrix are terms in parameters.
     Parameters,
-    /// Entries depend on the state, and the determinant is 1 or −1, as of a rotation.
+    /// Entries depend on the state, and the determinant is 1 or −1, as for a rotation matrix.
     Turning,
-    /// Another matrix.
+    /// Matrix B of any form not listed before.
     Other,
 }
 
-/// Measure of how well a matrix B explains pairs; the higher, the better.
+/// Score of a matrix B: the higher it is, the better B explains the printed multipliers.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Score {
-    /// Number of pairs that it explains.
+    /// Number of row pairs that the matrix explains.
     explained: usize,
-    /// Number of these whose derived rows have the factor 1.
+    /// Number of explained row pairs whose derived rows have the factor 1.
     plain: usize,
+    /// Form of the matrix, reversed so that a plainer form gives a higher score.
     form: Reverse<Form>,
 }
 
 impl Terms<'_> {
-    /// Writes the derived rows with the printed multipliers, and describes these in words. `known` are the multipliers
-    /// of the publication. `None` if the printed multipliers are the derived ones.
+    /// Rewrites the derived rows in the printed multipliers, and returns a description of the
+    /// printed multipliers.
+    /// `known` holds the multipliers found in the publication so far. Returns `None` if the printed
+    /// multipliers equal the derived ones, or if the rows mention none.
     pub fn adapt(
         &mut self,
         order: &mut Ordered,
@@ -119,8 +131,9 @@ impl Terms<'_> {
         is_mentioned.then(|| self.words(order, &columns, &change))
     }
 
-    /// Matrix B that explains most pairs, with its score. Of matrices that explain as many, the plainest is meant.
-    /// Scales of single multipliers are tried first, and mixed multipliers if these leave a pair unexplained.
+    /// Matrix B, `width` × `width`, that explains most row pairs, with its score; the plainest if
+    /// several explain as many.
+    /// Diagonal matrices are tried first, and full matrices only if a pair stays unexplained.
     fn best(&mut self, pairs: &[Pair], width: usize, parameters: &[Expr]) -> (Score, Vec<Row>) {
         let as_derived = unit(width);
         let mut best = (self.score(pairs, &as_derived, Form::Derived), as_derived);
@@ -140,7 +153,7 @@ impl Terms<'_> {
         best
     }
 
-    /// Puts a matrix in the place of the best one if its score is higher.
+    /// Replaces the best matrix by the matrix `change` if `change` has a higher score.
     fn prefer(&mut self, best: &mut (Score, Vec<Row>), change: Vec<Row>, pairs: &[Pair], parameters: &[Expr]) {
         let form = self.form(&change, parameters);
         let score = self.score(pairs, &change, form);
@@ -149,14 +162,17 @@ impl Terms<'_> {
         }
     }
 
+    /// Score of the matrix B `change`, whose form is `form`.
     fn score(&mut self, pairs: &[Pair], change: &[Row], form: Form) -> Score {
         let explained: Vec<&Pair> = pairs.iter().filter(|pair| self.explains(pair, change)).collect();
         let plain = explained.iter().filter(|pair| pair.is_plain).count();
         Score { explained: explained.len(), plain, form: Reverse(form) }
     }
 
-    /// Diagonal matrix B: each multiplier has a factor of its own, by the first pair that shows it, the pair `first`
-    /// before the others. `None` if a pair shows that the multipliers are mixed.
+    /// Diagonal matrix B in which each multiplier has its own factor, read from the first pair that
+    /// contains the multiplier.
+    /// The pair `first` is read before all others. Returns `None` if this pair shows that the
+    /// multipliers are mixed.
     fn scaled(&mut self, pairs: &[Pair], first: usize, width: usize) -> Option<Vec<Row>> {
         let mut change = unit(width);
         let mut known = vec![false; width];
@@ -182,8 +198,8 @@ impl Terms<'_> {
         Some(change)
     }
 
-    /// Coefficients of the multipliers in the printed rows that agree with derived rows, or with combinations of these,
-    /// up to their multipliers.
+    /// Coefficients of multipliers in each printed row that agrees with derived rows in all other
+    /// coefficients.
     fn pairs(&mut self, order: &Ordered, printed: &[Row], columns: &[usize]) -> Vec<Pair> {
         let without = |row: &Row| {
             let mut row = row.clone();
@@ -239,6 +255,7 @@ impl Terms<'_> {
         list
     }
 
+    /// Form of a matrix B: numbers, parameters, rotation-like, or other.
     fn form(&mut self, change: &[Row], parameters: &[Expr]) -> Form {
         let arena = &mut *self.arena;
         let is_fixed = |arena: &Arena, e: Expr| {
@@ -255,8 +272,8 @@ impl Terms<'_> {
         }
     }
 
-    /// Matrix B with derived · B = printed for as many pairs as there are multipliers. `None` if it is not determined,
-    /// or not regular.
+    /// Solves derived · B = printed for the matrix B, from as many pairs as there are multipliers.
+    /// Returns `None` if the pairs do not determine B, or if B is not regular.
     fn change(&mut self, pairs: &[&Pair]) -> Option<Vec<Row>> {
         let rows: Vec<Row> = pairs.iter().map(|pair| seen(self.arena, self.comparer, &pair.derived)).collect();
         let (independent, _) = echelon(self.arena, &rows)?;
@@ -270,18 +287,19 @@ impl Terms<'_> {
         (zero_test(self.arena, regular) == ZeroTest::NonZero).then_some(change)
     }
 
-    /// Number of pairs that agree if the printed multipliers are those of the matrix B, `change`.
+    /// Number of pairs for which derived · B = printed, with B = `change`.
     fn explained(&mut self, pairs: &[Pair], change: &[Row]) -> usize {
         pairs.iter().filter(|pair| self.explains(pair, change)).count()
     }
 
-    /// True if the coefficients of a pair agree with the multipliers of the matrix B, `change`.
+    /// True if derived · B = printed for a pair, with B = `change`.
     fn explains(&mut self, pair: &Pair, change: &[Row]) -> bool {
         let expected = self.times(&pair.derived, change);
         let mut same = |(a, b): (&Expr, &Expr)| self.comparer.compare(self.arena, *a, *b).is_equal();
         expected.iter().zip(&pair.printed).all(&mut same)
     }
 
+    /// Product of a row and a square matrix, simplified.
     fn times(&mut self, row: &[Expr], matrix: &[Row]) -> Row {
         let mut result = Vec::new();
         for column in 0..matrix.len() {
@@ -293,13 +311,14 @@ impl Terms<'_> {
         result
     }
 
+    /// Describes the printed multipliers: each derived multiplier as a sum of the printed ones.
     fn words(&mut self, order: &Ordered, columns: &[usize], change: &[Row]) -> String {
         let mut list = Vec::new();
         for (row, line) in columns.iter().zip(change) {
             let own: Vec<Expr> = columns.iter().map(|c| order.unknowns[*c]).collect();
             let terms: Vec<Expr> = line.iter().zip(own).map(|(k, m)| self.arena.mul(*k, m)).collect();
             let sum = self.arena.sum(&terms);
-            // What is the author's as it is derived goes without saying.
+            // A multiplier that the author uses exactly as derived needs no mention.
             if sum == order.unknowns[*row] {
                 continue;
             }
@@ -310,7 +329,7 @@ impl Terms<'_> {
     }
 }
 
-/// Choices of `size` out of `count` indices, in ascending order; the first ones if there are many.
+/// Subsets of `size` of the indices below `count`, each in ascending order; at most 50.
 fn choices(count: usize, size: usize) -> Vec<Vec<usize>> {
     let mut list: Vec<Vec<usize>> = vec![Vec::new()];
     for _ in 0..size {
@@ -324,6 +343,7 @@ fn choices(count: usize, size: usize) -> Vec<Vec<usize>> {
     list
 }
 
+/// Unit matrix as terms, n × n.
 fn unit(n: usize) -> Vec<Row> {
     (0..n).map(|i| (0..n).map(|k| if i == k { Expr::ONE } else { Expr::ZERO }).collect()).collect()
 }

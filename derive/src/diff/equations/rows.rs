@@ -1,7 +1,8 @@
-//! Comparison of linear systems row by row. Each printed row may have a factor of its own.
+//! Comparison of linear systems row by row; each printed row may have its own factor.
 //!
-//! The factor is searched (`matching`), so that a row with one wrong entry is still matched, and this entry is
-//! named. The search proves nothing. Its result is then proved entry by entry.
+//! A search (`matching`) finds the factor, so that a row with one wrong entry is still matched, and
+//! the wrong entry can be named. The search proves nothing. Its result is then proved entry by
+//! entry.
 
 use super::independence::is_independent;
 use super::matching::{Found, best_match};
@@ -16,71 +17,76 @@ use crate::algebra::value::modular::{ZeroTest, has_roots, zero_test};
 use crate::algebra::value::rank::echelon;
 use crate::algebra::{Arena, Expr, Function, Node};
 
-/// Row of a linear system: entries, then the right-hand side.
+/// Row of a linear system: one coefficient for each unknown, then the right-hand side.
 pub type Row = Vec<Expr>;
 
-/// Match of a printed row with derived rows.
+/// Match of a printed row with rows of the derived system.
 #[derive(Clone, Debug)]
 pub enum Match {
-    /// The printed row is a multiple of one derived row, in most entries.
+    /// Printed row that is a multiple of one derived row, in most entries.
     Row {
-        /// Index of the derived row.
+        /// Index of the derived row that the printed row is a multiple of.
         at: usize,
         /// Factor with printed = factor · derived in most entries.
         factor: Expr,
     },
-    /// The printed row is a combination of derived rows, in all entries or in all but one.
+    /// Printed row that is a linear combination of derived rows, in all entries or in all except
+    /// one.
     Combination {
         /// Multipliers, one for each derived row; empty if they are too long or too many to be stated.
         multipliers: Vec<Expr>,
     },
 }
 
-/// Tools for the comparison of terms.
+/// Arena, simplifier and comparer for the comparison of terms.
 pub struct Terms<'a> {
-    /// Store of all terms.
+    /// Arena that holds all compared terms.
     pub arena: &'a mut Arena,
-    /// Simplifier, which finds short forms of terms.
+    /// Simplifier that finds short forms of terms.
     pub simplifier: &'a mut Simplifier,
-    /// Comparer, which decides the equality of terms.
+    /// Comparer that decides whether two terms are equal.
     pub comparer: &'a mut Comparer,
 }
 
-/// Judgement of a printed row against the derived rows.
+/// Judgement of one printed row against the derived rows.
 #[derive(Clone, Debug)]
 pub struct RowJudgement {
-    /// Derived rows with which the printed row was matched.
+    /// Derived rows, with factors, that the printed row was matched with.
     pub by: Match,
-    /// Verdicts of printed against expected, for each entry and the right-hand side.
+    /// Verdicts on printed = expected, one for each entry; the right-hand side is last.
     pub entries: Vec<Verdict>,
-    /// Expected values, for each entry and the right-hand side.
+    /// Expected value of each entry, the right-hand side last: matched derived rows times their
+    /// factors.
     pub expected: Row,
-    /// Regions in which equal entries are equal, for each entry and the right-hand side.
+    /// Region of states in which each right entry equals its expected value; the right-hand side is
+    /// last.
     pub holds: Vec<Holds>,
-    /// True if entries are equal to the digits printed only.
+    /// True if entries agree only to the number of digits printed.
     pub is_rounded: bool,
 }
 
 impl RowJudgement {
-    /// True if every entry has its expected value.
+    /// True if every entry of the row, with the right-hand side, has its expected value.
     #[must_use]
     pub fn is_right(&self) -> bool {
         self.entries.iter().all(Verdict::is_equal)
     }
 
-    /// Region in which all equal entries of the row are equal.
+    /// Region of states in which all right entries of the row equal their expected values.
     #[must_use]
     pub fn holds(&self) -> Holds {
         self.holds.iter().fold(Holds::EVERYWHERE, |all, one| all | *one)
     }
 }
 
-/// Most rows of a system whose combinations of rows are written out and proved entry by entry.
+/// Largest number of rows of a system for which a combination of rows is written out and proved
+/// entry by entry.
 pub(super) const WRITTEN: usize = 6;
-/// Longest multipliers that are stated, in characters.
+/// Longest multiplier, in characters, that a match reports.
 const LONGEST: usize = 200;
 
-/// Judges a printed row against the derived rows; `index` is its number from 0. All rows must have the same length.
+/// Judges a printed row against the derived rows; `index` is the row's number, from 0. All rows
+/// have the same length.
 /// `parameters` are the symbols that do not depend on the state.
 pub fn judge(terms: &mut Terms<'_>, parameters: &[Expr], printed: &Row, derived: &[Row], index: usize) -> RowJudgement {
     let Terms { arena, simplifier, comparer } = terms;
@@ -146,14 +152,18 @@ pub fn judge(terms: &mut Terms<'_>, parameters: &[Expr], printed: &Row, derived:
     }
 }
 
-/// Entries of a row in permitted states, with equal angles as equal terms.
+/// Row rewritten for states that the model's constraints permit: dependent symbols are replaced by
+/// their values.
+/// Equal angles become equal terms.
 pub fn seen(arena: &mut Arena, comparer: &mut Comparer, row: &Row) -> Row {
     let put: Row = row.iter().map(|e| comparer.permitted().put(arena, *e)).collect();
     put.into_iter().map(|e| comparer.with_plain_angles(arena, e)).collect()
 }
 
-/// Multipliers λ with Σ λ_i derived_i = printed; empty for large systems. `None` if the printed row is no combination
-/// of the derived rows. The error is the reason why this cannot be decided.
+/// Multipliers λ with Σ λᵢ · derivedᵢ = printed, one for each derived row; an empty list if too
+/// many or too long.
+/// Returns `None` if the printed row is not a combination of the derived rows. The error is the
+/// reason why no decision is possible.
 pub(super) fn combination(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -208,8 +218,8 @@ pub(super) fn combination(
     Ok(Some(if short { multipliers } else { Vec::new() }))
 }
 
-/// Rows in which symbols stand for the roots, absolute values and signs among the parts `all`. Equal roots have the
-/// same symbol r, and r² stands for the argument of a square root.
+/// Rows in which free symbols replace the roots, absolute values and signs among the terms `all`.
+/// Equal roots get the same symbol r, and r² replaces the argument of a square root.
 fn with_free_roots(arena: &mut Arena, all: &[Expr], rows: Vec<Row>) -> Vec<Row> {
     let mut put: Vec<(Expr, Expr)> = Vec::new();
     let mut known: Vec<(Function, Expr, Expr)> = Vec::new();

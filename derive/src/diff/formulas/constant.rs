@@ -1,4 +1,4 @@
-//! Test for terms that do not depend on the state.
+//! Tests for terms that do not depend on the state, or that keep their value in every motion.
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
@@ -6,7 +6,7 @@ use crate::algebra::term::calculus::Differential;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::mechanics::Quantities;
 
-/// True if a term has the same value in every state.
+/// True if a term has the same value in every state: its derivatives by q, u and q̇ are zero.
 pub fn is_constant(quantities: &mut Quantities<'_>, e: Expr) -> bool {
     let model = quantities.model;
     let arena = &mut quantities.derivations.kinematics.arena;
@@ -17,8 +17,8 @@ pub fn is_constant(quantities: &mut Quantities<'_>, e: Expr) -> bool {
     })
 }
 
-/// True if a term keeps its value in every motion of the mechanism: it does not depend on the speeds, and its rate is 0
-/// in permitted states.
+/// True if a term keeps its value in every motion that the constraints permit.
+/// Then it does not depend on the speeds, and its time derivative is 0.
 pub fn is_kept(quantities: &mut Quantities<'_>, comparer: &mut Comparer, e: Expr) -> bool {
     let model = quantities.model;
     let e = quantities.in_speeds(e);

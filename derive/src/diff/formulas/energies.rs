@@ -1,5 +1,7 @@
-//! Free parts of energies: a constant, the potential of loads that the model states as forces, and in L the time
-//! derivative of a function of q and t. Equations of motion do not depend on them.
+//! Free parts of energies, on which the equations of motion do not depend.
+//!
+//! These are a constant and the potential of loads that the model states as forces. In L, the time
+//! derivative of a function of q and t is free, too.
 
 use super::constant::{is_constant, is_kept};
 use super::entries::{Judge, LONGEST, Printed};
@@ -13,16 +15,18 @@ use crate::mechanics::{Energy, LoadPotential};
 use crate::model::Model;
 use crate::publication::has_decimals;
 
-/// Most loads of which some may have their potential in a printed energy.
+/// Largest number of loads whose potentials are tried, in each combination, as a part of a printed
+/// energy.
 const MOST_LOADS: usize = 4;
 
-/// Loads whose potential an energy may contain: their names in words, and their generalized forces at rest.
+/// Loads whose potential an energy may contain: their names in words, and their generalized forces
+/// at zero speeds.
 type Loads = (String, Vec<Expr>);
 
 impl Judge<'_, '_> {
-    /// Finding of a wrong energy by one mistake beside constant terms, which move the zero of the energy. `found` is
-    /// the finding without these. `None` if the energy differs in no constant term, or if no mistake is found so: no
-    /// slip, if `found` has another mistake.
+    /// Finding of a wrong energy that has another zero (a constant added) and one mistake.
+    /// `found` is the finding without the constant. Returns `None` if the energy has no additional
+    /// constant, or if the constant does not make the mistake clearer.
     pub(super) fn with_other_zero(
         &mut self,
         finding: Finding,
@@ -54,7 +58,9 @@ impl Judge<'_, '_> {
         found.change.is_some_and(|(own, _)| own != printed.value).then_some(found)
     }
 
-    /// Accepts an energy that differs from the derived one in what is free. `printed` is its value.
+    /// Accepts a printed energy if it differs from the derived energy only in free parts; else
+    /// returns the finding unchanged.
+    /// `printed` is the value of the printed energy.
     pub(super) fn up_to_free_parts(&mut self, finding: Finding, energy: Energy, printed: Expr) -> Finding {
         let finding = self.up_to_its_zero(finding, printed);
         let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
@@ -66,7 +72,7 @@ impl Judge<'_, '_> {
             let remark = format!("printed − derived{shown} is the time derivative of a function of q and t");
             return finding.accepted("up to a time derivative", remark);
         }
-        // The energy of gravity contains no other.
+        // The energy of gravity contains the potential of no other load.
         let loads = if energy == Energy::Gravity { Vec::new() } else { self.loads() };
         let found = loads.into_iter().find(|(_, forces)| match energy {
             Energy::Lagrangian => self.is_rate(difference, forces) || self.is_potential(difference, forces, Expr::ONE),
@@ -77,12 +83,14 @@ impl Judge<'_, '_> {
         finding.accepted("with the potential of a load", remark)
     }
 
-    /// Accepts an energy that differs by a constant: it is the same energy with another zero.
+    /// Accepts a printed energy that differs from the derived one by a constant: only its zero
+    /// differs.
     fn up_to_its_zero(&mut self, finding: Finding, printed: Expr) -> Finding {
         let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
             return finding;
         };
-        // On the constraints, and with the numbers that the print has in the place of parameters.
+        // The difference is tested as it is, on the constraints, and with printed numbers for
+        // parameters.
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let permitted = self.comparer.permitted().put(arena, difference);
         let parameters = &self.quantities.model.parameters;
@@ -106,7 +114,8 @@ impl Judge<'_, '_> {
         finding.accepted("up to a constant", remark)
     }
 
-    /// Loads that the derived energy leaves out: all together, then each choice of some.
+    /// Loads that the derived energy leaves out, with their generalized forces: all together, then
+    /// each combination of them.
     fn loads(&mut self) -> Vec<Loads> {
         let model = self.quantities.model;
         let kinematics = &mut self.quantities.derivations.kinematics;
@@ -130,7 +139,8 @@ impl Judge<'_, '_> {
         list
     }
 
-    /// True if these forces do the work −`sign` times the change of a term in every motion that the constraints permit.
+    /// True if, in every motion that the constraints permit, the given forces do work equal to
+    /// −`sign` times the change of `term`.
     fn is_potential(&mut self, term: Expr, forces: &[Expr], sign: Expr) -> bool {
         let model = self.quantities.model;
         let term = self.quantities.in_speeds(term);
@@ -162,8 +172,8 @@ impl Judge<'_, '_> {
         })
     }
 
-    /// True if a part of L gives Lagrange's equations these forces and nothing else. Without forces it is the time
-    /// derivative of a function of q and t.
+    /// True if the part `term` of L adds exactly the given forces to Lagrange's equations.
+    /// Without forces, `term` is the time derivative of a function of q and t.
     fn is_rate(&mut self, term: Expr, forces: &[Expr]) -> bool {
         let model = self.quantities.model;
         let term = self.quantities.in_rates(term);
@@ -189,12 +199,12 @@ impl Judge<'_, '_> {
     }
 }
 
-/// Indices of the coordinates but time.
+/// Indices of the generalized coordinates, without time.
 fn moving(model: &Model) -> impl Iterator<Item = usize> + '_ {
     (0..model.coordinates.len()).filter(|at| model.time() != Some(*at))
 }
 
-/// Forces where nothing moves: a damper works in motion alone. `None` if a force has no value there.
+/// Forces at zero rates q̇, where dampers vanish; `None` if a force has no value there.
 fn at_rest(arena: &mut Arena, model: &Model, forces: &[Expr]) -> Option<Vec<Expr>> {
     let mut at_rest = Substitution::new(&model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect::<Vec<_>>());
     let resting = forces.iter().map(|force| at_rest.apply(arena, *force)).collect();

@@ -16,34 +16,35 @@ use crate::algebra::{Expr, Node};
 use crate::mechanics::{Formulation, Kinematics, Quantities, Quantity, QuantityKind};
 use crate::publication::{Names, has_decimals};
 
-/// Most rounds in which sums of a derived value are shortened.
+/// Largest number of rounds of shortening that a derived value gets before it is shown.
 const MOST_ROUNDS: usize = 4;
 
-/// Longest text of a printed and of a derived value that are set against one another as a whole, in bytes.
+/// Longest text, in bytes, of a printed or derived value that a finding contrasts as a whole.
 pub(super) const LONGEST: usize = 70;
 
-/// Longest list of wrong terms in the place of which two changes of the formula are sought, in bytes.
+/// Longest list of wrong terms, in bytes, that is reported. For a longer list, two changes of the
+/// formula are searched for.
 const LONGEST_LIST: usize = 150;
 
-/// Variables in which a printed formula is compared.
+/// Variables in which a printed formula is compared with the derived one.
 #[derive(Clone, Copy, Debug)]
 pub struct Reading {
-    /// True if the variables are q and q̇, false if they are q and u.
+    /// True if the formula is in q and q̇; false if it is in q and u.
     pub in_rates: bool,
-    /// True if accelerations in the formula stand for their derived values.
+    /// True if accelerations in the formula are replaced by their derived values.
     pub is_solved: bool,
 }
 
 impl Reading {
-    /// Reading of the formulas of a system, in the variables of its formulation.
+    /// Reading for the formulas of a printed system: the variables are those of its formulation.
     pub fn of(formulation: Formulation) -> Self {
         Self { in_rates: formulation.is_in_rates(), is_solved: false }
     }
 
-    /// Value of a printed term, with derived quantities in the place of their names.
+    /// Value of a printed term, in which derived quantities replace their names.
     ///
     /// # Errors
-    /// The reason why the term has no value.
+    /// Reason why the term has no value.
     pub fn value(self, quantities: &mut Quantities<'_>, names: &Names, e: Expr) -> Result<Expr, String> {
         let e = names.resolve(quantities, e)?;
         let e = if self.is_solved { quantities.solved(e)? } else { e };
@@ -51,44 +52,47 @@ impl Reading {
     }
 }
 
-/// A formula as printed, and its value.
+/// Formula as printed, with its value in the variables of the comparison.
 #[derive(Clone, Copy, Debug)]
 pub struct Printed {
-    /// Formula as printed, with the names of the publication.
+    /// Formula as printed, in the names of the publication.
     pub raw: Expr,
     /// Value of the formula, in the variables in which it is compared.
     pub value: Expr,
-    /// Variables in which the formula is compared.
+    /// Variables in which the printed formula is compared with the derived value.
     pub reading: Reading,
 }
 
-/// Judge of the entries of a publication, one by one.
+/// Judge of the entries of a publication, with all tools and earlier results.
 pub struct Judge<'a, 'b> {
     /// Derived quantities with which entries are compared.
     pub quantities: &'a mut Quantities<'b>,
-    /// Comparer, which decides the equality of terms and remembers normal forms.
+    /// Comparer that decides the equality of terms and stores their normal forms.
     pub comparer: &'a mut Comparer,
-    /// Values of the names that the publication gives to derived quantities.
+    /// Derived values of the names that the publication uses.
     pub names: &'a Names,
-    /// Printed systems before this entry.
+    /// Printed systems that come before the judged entry.
     pub earlier: &'a [Table],
-    /// Point near which the formula claims to hold; `None` if the formula claims to hold everywhere.
+    /// Point near which the entry holds, with the order; `None` if the entry claims to hold
+    /// everywhere.
     pub near: Option<Near>,
-    /// Number of changes that may still be tried to name mistakes.
+    /// Number of changes that may still be tried in the search for mistakes.
     pub changes_left: &'a mut usize,
-    /// Abbreviations of the publication, and those that are known to be wrong.
+    /// Abbreviations of the publication, with those known to be wrong.
     pub book: &'a mut Book,
-    /// Multipliers of the publication.
+    /// Lagrange multipliers as the publication defines them.
     pub multipliers: &'a mut Multipliers,
-    /// Parameters with the numbers that the publication, or else the model, gives them.
+    /// Parameters with their numbers, from the publication or else from the model.
     pub numbers: &'a [(Expr, Expr)],
 }
 
 impl Judge<'_, '_> {
-    /// Judges `quantity = printed`, and returns the claim of the entry.
+    /// Judges the entry `quantity = printed`; returns its finding and its claim (the statement as
+    /// data, for tracing mistakes).
     pub fn equation(&mut self, finding: Finding, quantity: &Quantity, printed: Expr) -> TracedFinding {
         let (raw, in_rates) = (printed, self.quantities.mentions_rates(printed));
-        // An acceleration in the formula for an acceleration stands for its derived value.
+        // In a formula for an acceleration, other accelerations are replaced by their derived
+        // values.
         let is_solved = matches!(quantity.kind(), QuantityKind::SpeedRate(_) | QuantityKind::SecondRate(_));
         let both = self.names.resolve(self.quantities, printed).and_then(|printed| {
             let derived = self.quantities.value(quantity)?;
@@ -99,7 +103,7 @@ impl Judge<'_, '_> {
             Ok(both) => both,
             Err(why) => return Finding { judgement: Judgement::Undecided(why), ..finding }.with_claim(Claim::Other),
         };
-        // The definition of a speed contains rates, in whatever variables the entry is printed.
+        // The definition of a speed contains rates, whichever variables the printed entry uses.
         let in_rates = in_rates || self.quantities.mentions_rates(derived);
         let derived = if in_rates { self.quantities.before_constraints(quantity.kind(), derived) } else { derived };
         let mut rewrite = |e: Expr| if in_rates { self.quantities.in_rates(e) } else { self.quantities.in_speeds(e) };
@@ -108,7 +112,7 @@ impl Judge<'_, '_> {
         let printed = Printed { raw, value: printed, reading: Reading { in_rates, is_solved } };
         let TracedFinding { finding: found, claim } = self.value(finding.clone(), quantity.kind(), printed, derived);
         let finding = match quantity.kind() {
-            // What is added to an energy is an energy.
+            // Only a difference with the unit of an energy can be a free part of an energy.
             QuantityKind::Energy(energy) if energy.has_a_zero() => {
                 let found = self.with_other_zero(finding, &found, printed, derived).unwrap_or(found);
                 if self.units(raw, derived).is_none() {
@@ -122,7 +126,8 @@ impl Judge<'_, '_> {
         finding.with_claim(claim)
     }
 
-    /// Judges a printed value of a quantity against the derived value; both are in the same variables.
+    /// Judges a printed value of a quantity against the derived value; both are in the same
+    /// variables.
     pub fn value(&mut self, finding: Finding, kind: &QuantityKind, printed: Printed, derived: Expr) -> TracedFinding {
         if let Some(near) = &mut self.near {
             near.keep_products_of(self.quantities, &[printed.value]);
@@ -140,7 +145,8 @@ impl Judge<'_, '_> {
         finding.with_claim(Claim::Value { kind: kind.clone(), printed: printed.value, derived, by: None })
     }
 
-    /// Judges a printed against a derived value. Adds the difference and, if the values have a constant ratio, the
+    /// Judges a printed value against a derived value.
+    /// For a wrong value, adds the difference and, if the ratio of the values is constant, the
     /// factor; else the mistake.
     pub fn compare(&mut self, finding: Finding, printed: Printed, derived: Expr) -> Finding {
         let arena = &mut self.quantities.derivations.kinematics.arena;
@@ -164,7 +170,8 @@ impl Judge<'_, '_> {
             finding.difference = Some(difference);
             let factor = constant_ratio(self.quantities, self.comparer, printed.value, derived);
             finding.factor = factor.or_else(|| {
-                // Rates that follow from others, as of a rolling wheel, are written in these.
+                // On the constraints, rates that depend on others, as for a rolling wheel, are
+                // written in the independent rates.
                 let arena = &mut self.quantities.derivations.kinematics.arena;
                 let [own, right] = [printed.value, derived].map(|e| self.comparer.permitted().put(arena, e));
                 constant_ratio(self.quantities, self.comparer, own, right)
@@ -179,8 +186,9 @@ impl Judge<'_, '_> {
                         Node::Apply(..) => true,
                         _ => false,
                     });
-                    // A factor in parameters may come of an abbreviation that the formula is multiplied or divided by.
-                    // Where all is constant, any mistake makes a factor: one with sums and functions says nothing.
+                    // A factor in parameters may come from a wrong abbreviation. If both values are
+                    // constant, any mistake gives a factor, so a factor with sums or functions says
+                    // nothing.
                     let is_number = arena.as_number(factor).is_some();
                     let found = self.mistake_in_abbreviations(printed, derived, Search::Values);
                     let found = found.filter(|mistake| !mistake.abbreviations.is_empty());
@@ -199,7 +207,8 @@ impl Judge<'_, '_> {
         finding
     }
 
-    /// Remark that the units of a printed value convict it; `None` if they fit.
+    /// Remark that the unit of a printed value is inconsistent or not the derived unit; `None` if
+    /// the units fit or are unknown.
     fn units(&self, printed: Expr, derived: Expr) -> Option<String> {
         let (model, arena) = (self.quantities.model, &self.quantities.derivations.kinematics.arena);
         let has_parameters = |e: Expr| model.parameters.iter().any(|p| arena.mentions(e, p.symbol));
@@ -216,8 +225,9 @@ impl Judge<'_, '_> {
         }
     }
 
-    /// Mistake in a printed value: the wrong term of a sum, the smallest change that makes the formula right, all wrong
-    /// terms of a sum, or the whole values if they are short.
+    /// Describes the mistake in a printed value, in the shortest way found.
+    /// It is a single wrong term of a sum, or the smallest change that makes the formula right.
+    /// Else it is a list of all wrong terms, or both whole values if they are short.
     pub fn mistake(&mut self, printed: Printed, derived: Expr, difference: Expr) -> Mistake {
         if let Some(mistake) = self.mistake_in_abbreviations(printed, derived, Search::Values) {
             return mistake;
@@ -258,27 +268,31 @@ impl Judge<'_, '_> {
         Mistake::of_one(vec![format!("{before} should be {after}")], (printed.value, derived), slip)
     }
 
-    /// Slip that is the whole mistake of a printed value, also in an abbreviation; `None` if there is no such slip.
+    /// Single slip that explains the whole error of a printed value, also in an abbreviation;
+    /// `None` if there is none.
     pub fn slip(&mut self, printed: Printed, derived: Expr) -> Option<Mistake> {
         let found = self.mistake_in_abbreviations(printed, derived, Search::Slips);
         found.or_else(|| self.changed(printed, derived, Search::Slips))
     }
 
-    /// One change of a printed value, with its abbreviations written out, that makes it right; `None` if there is none.
+    /// Single change that makes a printed value right, with its abbreviations written out; `None`
+    /// if there is none.
     fn changed(&mut self, printed: Printed, derived: Expr, search: Search) -> Option<Mistake> {
         let Repair { words, parts, slip, .. } =
             self.with_tools(printed, |tools, formula, _| repair(tools, formula, derived, search))?;
         Some(Mistake { words: vec![words], change: parts, slip: Some(slip), abbreviations: Vec::new() })
     }
 
-    /// Mistake of a formula that uses abbreviations, found with the abbreviations as symbols; `None` if there are none,
-    /// or if no mistake is found.
+    /// Mistake of a formula that uses abbreviations, found with the abbreviations kept as symbols.
+    /// Returns `None` if the formula uses no abbreviation, or if no mistake is found.
     fn mistake_in_abbreviations(&mut self, printed: Printed, derived: Expr, search: Search) -> Option<Mistake> {
         let found = self.with_tools(printed, |tools, _, book| book.mistake(tools, printed.raw, derived, search))?;
         Some(Mistake { words: found.words, change: found.parts, slip: found.slip, abbreviations: found.abbreviations })
     }
 
-    /// Descriptions of two mistakes that are all of a formula's, with abbreviations as symbols if they are found so.
+    /// Descriptions of two mistakes that together explain the whole error of a formula; `None` if
+    /// none are found.
+    /// Abbreviations are kept as symbols if the mistakes are found in this way, else written out.
     fn two_mistakes(&mut self, printed: Printed, derived: Expr) -> Option<Vec<String>> {
         self.with_tools(printed, |tools, formula, book| {
             if let Some(found) = book.two_mistakes(tools, printed.raw, derived) {
@@ -288,8 +302,9 @@ impl Judge<'_, '_> {
         })
     }
 
-    /// Searches for repairs of a formula, with abbreviations written out, or with those of the book. Near a point, the
-    /// changed formula is expanded before it is compared.
+    /// Runs `search` for repairs of a printed formula, with the formula, the tools and the record
+    /// of abbreviations.
+    /// If the entry holds near a point, changed formulas are expanded before they are compared.
     fn with_tools<T>(
         &mut self,
         printed: Printed,
@@ -306,7 +321,8 @@ impl Judge<'_, '_> {
         search(&mut tools, &mut formula, self.book)
     }
 
-    /// Shortest form of a term that is equal in permitted states.
+    /// Shorter form of a term that is equal to it in all states that the constraints permit, found
+    /// in at most four rounds.
     fn shortened(&mut self, e: Expr) -> Expr {
         let mut short = e;
         // The shortened term may contain more sums that can be shortened.
@@ -321,7 +337,7 @@ impl Judge<'_, '_> {
         short
     }
 
-    /// Simplified form of a term.
+    /// Simplifies a term of the derivations; the result is equal to it everywhere.
     pub fn simplify(&mut self, e: Expr) -> Expr {
         let kinematics = &mut self.quantities.derivations.kinematics;
         kinematics.simplifier.simplify(&mut kinematics.arena, e)

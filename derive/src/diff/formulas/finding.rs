@@ -1,4 +1,4 @@
-//! Finding: one entry of a publication with its judgement.
+//! Finding: the judgement of a printed entry, with the data that explain it.
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Verdict, Witness};
@@ -6,27 +6,27 @@ use crate::algebra::meaning::permitted::Holds;
 use crate::diff::equations::claim::Claim;
 use crate::diff::repairs::Slip;
 
-/// Remark on an entry that is equal to the digits printed only.
+/// Remark on an entry that equals the derived value only to the digits printed.
 pub(in crate::diff) const ROUNDED: &str =
     "to the digits printed, with the numbers of the parameters, and 0 for inputs without one";
 
 /// Judgement of a printed entry against the derived value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Judgement {
-    /// The entry is equal in meaning to the derived value.
+    /// The printed entry equals the derived value.
     Equal,
-    /// The entry is equal to the derived value up to a factor.
+    /// The printed entry equals the derived value times a factor.
     Scaled,
-    /// The entry differs in meaning from the derived value.
+    /// The printed entry differs from the derived value.
     Different,
-    /// The equality is not decided, with the reason.
+    /// Neither equality nor difference is proved, for the given reason.
     Undecided(String),
-    /// The entry is a definition or number of the text, which no derived value can contradict.
+    /// The entry is a definition or a number of the text, which no derived value can contradict.
     Stated,
 }
 
 impl Judgement {
-    /// Word for the judgement in tables and JSON.
+    /// Word for the judgement in tables and JSON, such as "scaled".
     #[must_use]
     pub const fn word(&self) -> &'static str {
         match self {
@@ -40,7 +40,8 @@ impl Judgement {
 }
 
 impl Finding {
-    /// Finding of an entry that is equal up to a difference that does not count, with a remark on it.
+    /// Changes the judgement to "equal" for an entry whose difference `up_to` does not count, and
+    /// adds a remark on it.
     pub(in crate::diff) fn accepted(self, up_to: &'static str, remark: String) -> Self {
         Self {
             judgement: Judgement::Equal,
@@ -60,77 +61,87 @@ impl Finding {
     }
 }
 
-/// Mistake in a printed formula.
+/// Mistake in a printed formula: its description, the change that repairs it, and its kind.
 #[derive(Clone, Debug, Default)]
 pub(in crate::diff) struct Mistake {
-    /// Descriptions of the wrong parts; empty if none is short.
+    /// Descriptions of the wrong parts; empty if no description is short.
     pub(in crate::diff) words: Vec<String>,
-    /// Wrong part, and the right part in its place, if this is the whole mistake.
+    /// Wrong part and right part; `None` unless this change is the whole mistake.
     pub(in crate::diff) change: Option<(Expr, Expr)>,
-    /// Kind of the mistake, if there is one alone.
+    /// Kind of the mistake; `None` unless there is exactly one mistake of a known kind.
     pub(in crate::diff) slip: Option<Slip>,
-    /// Names of the abbreviations in whose formulas the mistakes are, if these are the whole mistake.
+    /// Names of the wrong abbreviations; empty unless their formulas contain all mistakes.
     pub(in crate::diff) abbreviations: Vec<String>,
 }
 
 impl Mistake {
-    /// Mistake of one part, with the right part in its place.
+    /// Mistake in one part; `change` is the wrong part with the right part.
     pub(in crate::diff) fn of_one(words: Vec<String>, change: (Expr, Expr), slip: Option<Slip>) -> Self {
         Self { words, change: Some(change), slip, ..Self::default() }
     }
 }
 
-/// One entry of a publication with its judgement.
+/// Judgement of one printed entry, with the data that explain it.
 #[derive(Clone, Debug)]
 pub struct Finding {
     /// Id of the entry in the publication file.
     pub id: String,
-    /// Section of the publication that contains the entry.
+    /// Section or page of the publication that contains the entry.
     pub section: String,
-    /// Judgement of the entry.
+    /// Judgement of the entry: equal, scaled, different, undecided or stated.
     pub judgement: Judgement,
-    /// Region in which the printed and the derived value are equal, if they are.
+    /// Region of states in which the printed value equals the derived one; everywhere, unless the
+    /// judgement limits it.
     pub holds: Holds,
-    /// Difference that an equal entry may have, in words, such as "up to a constant"; `None` for an exact equality.
+    /// Difference that an accepted entry may have, in words, such as "up to a constant"; `None` for
+    /// exact equality.
     pub up_to: Option<&'static str>,
-    /// Printed text of the entry, as transcribed.
+    /// Printed text of the entry, as transcribed in the publication file.
     pub printed: String,
-    /// Derived value; for scaled entries it is multiplied by the factor.
+    /// Derived value; for scaled entries it is multiplied by the factor. `None` if nothing was
+    /// derived.
     pub derived: Option<Expr>,
-    /// Factor with printed = factor · derived. For different entries, `Some` only if this holds exactly.
+    /// Factor printed ÷ derived; `None` without a common factor. For different entries, given only
+    /// if it holds exactly.
     pub factor: Option<Expr>,
-    /// Difference printed − derived, simplified.
+    /// Difference printed − derived, simplified; `None` unless the entry is different.
     pub difference: Option<Expr>,
-    /// Description of the mistake, in words: wrong terms with their right values, and wrong entries of rows. `None` if
-    /// it would be long.
+    /// Description of the mistake, in words: wrong terms or wrong entries of a row with their right
+    /// values.
+    /// `None` if the entry is right, or if the description would be long.
     pub wrong: Option<String>,
-    /// Wrong part of the printed formula, and the right part in its place, if this is the whole mistake.
+    /// Wrong part and right part of the printed formula; `None` unless this change is the whole
+    /// mistake.
     pub change: Option<(Expr, Expr)>,
-    /// Kind of the mistake, if there is one alone.
+    /// Kind of the mistake; `None` unless there is exactly one mistake of a known kind.
     pub slip: Option<Slip>,
-    /// Names of the abbreviations in whose formulas the mistakes are, if these are the whole mistake.
+    /// Names of the wrong abbreviations; empty unless their formulas contain all mistakes.
     pub abbreviations: Vec<String>,
-    /// Places of the mistakes in a row, such as "the right-hand side"; empty for other entries.
+    /// Places of the mistakes within a row, such as "the right-hand side"; empty for other entries.
     pub places: Vec<String>,
-    /// State in which the printed and the derived value differ.
+    /// State in which the printed and the derived value differ, with both values; `None` if none
+    /// was found.
     pub witness: Option<Witness>,
-    /// Further remarks, such as the matched row or the garbled part of the scan.
+    /// Further remarks, such as the matched derived row or an illegible part of the scan.
     pub remarks: Vec<String>,
 }
 
-/// A finding with the claim of its entry, by which wrong entries are traced to others.
+/// Finding with its claim: the entry's statement as data, by which wrong entries are traced to
+/// other entries.
 pub(in crate::diff) struct TracedFinding {
+    /// Finding of the entry, with its judgement.
     pub(in crate::diff) finding: Finding,
+    /// Claim of the entry, as data for tracing.
     pub(in crate::diff) claim: Claim,
 }
 
 impl Finding {
-    /// The finding with the claim of its entry.
+    /// Combines the finding with its claim: the entry's statement as data, for tracing mistakes.
     pub(in crate::diff) fn with_claim(self, claim: Claim) -> TracedFinding {
         TracedFinding { finding: self, claim }
     }
 
-    /// Finding of an entry with this judgement and no further data.
+    /// Finding of an entry with the given judgement and printed text, without further data.
     pub(in crate::diff) fn new(id: &str, section: &str, judgement: Judgement, printed: &str) -> Self {
         Self {
             id: id.to_owned(),
@@ -152,12 +163,12 @@ impl Finding {
         }
     }
 
-    /// Formulas of the finding that documents show.
+    /// Formulas of the finding that documents show: derived value, factor and difference.
     pub fn shown(&self) -> impl Iterator<Item = Expr> {
         [self.derived, self.factor, self.difference].into_iter().flatten()
     }
 
-    /// Adds the description of the mistake, if there is one.
+    /// Adds a mistake: its description, its repair and its kind.
     pub(in crate::diff) fn name_mistake(&mut self, mistake: Mistake) {
         let Mistake { words, change, slip, abbreviations } = mistake;
         (self.slip, self.abbreviations) = (slip, abbreviations);
@@ -166,7 +177,7 @@ impl Finding {
         self.change = change;
     }
 
-    /// Adds the verdict of a comparison with the derived value.
+    /// Adds the derived value and the verdict of the comparison with it.
     pub(in crate::diff) fn judged(mut self, verdict: Verdict, holds: Holds, derived: Expr) -> Self {
         self.derived = Some(derived);
         self.holds = holds;

@@ -1,7 +1,9 @@
-//! Judgement of printed numbers, parameters and initial values, by the definitions of the speeds and by one another.
+//! Judgement of printed numbers (parameters and initial values) by the definitions of the speeds
+//! and by one another.
 //!
-//! Numbers of one set count as rounded to as many decimals as its longest decimal has: ± half a unit of the last
-//! decimal. Formulas without decimals are exact. Two numbers contradict each other only beyond this rounding.
+//! All numbers of one set count as rounded to the same decimal: the last decimal of its longest
+//! number, ± half a unit. Formulas without decimals are exact. Two numbers contradict each other
+//! only if they differ by more than this rounding.
 
 use super::finding::{Finding, Judgement, TracedFinding};
 use crate::diff::equations::claim::Claim;
@@ -14,17 +16,23 @@ use crate::algebra::value::evaluate::Tape;
 use crate::model::Model;
 use crate::publication::{Entry, EntryKind, Initial, Publication};
 
-/// Value of a quantity from another place of the publication than the judged entry, with its uncertainty.
+/// Value of a quantity from elsewhere in the publication than the judged entry, with its
+/// uncertainty.
 struct Other {
+    /// Value of the quantity, in its SI unit.
     value: f64,
+    /// Uncertainty of the value by rounding, in the same unit.
     slack: f64,
+    /// Origin of the value, in words.
     from: String,
+    /// Numbers from which the value was computed, by name; empty if the value is printed itself.
     at: Vec<(String, f64)>,
-    /// Ids of the entries that state the value.
+    /// Ids of the entries that give the value.
     entries: Vec<String>,
 }
 
-/// Judges one number, and returns the claim with the entries that it contradicts.
+/// Judges one printed number of a parameter or of a start.
+/// The claim in the result lists the entries that the number contradicts.
 pub fn judge(model: &Model, publication: &Publication, entry: &Entry) -> TracedFinding {
     let EntryKind::Initial(initial) = &entry.kind else { unreachable!("asked for numbers only") };
     let mut finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, &initial.text);
@@ -59,16 +67,18 @@ pub fn judge(model: &Model, publication: &Publication, entry: &Entry) -> TracedF
     finding.with_claim(Claim::Number { against })
 }
 
-/// Text of a number with six significant digits, because printed numbers have no more.
+/// Text of a number, rounded to six significant digits.
 fn shown(x: f64) -> String {
     let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
     rounded.to_string()
 }
 
+/// Value of a term without symbols; "not a number" if it has none.
 fn number(model: &Model, e: Expr) -> f64 {
     Tape::new(&model.arena, &[], &[e]).map_or(f64::NAN, |tape| tape.evaluate(&[])[0])
 }
 
+/// Entries with numbers of one set, such as the initial values of one example.
 fn of_set<'a>(publication: &'a Publication, set: &'a str) -> impl Iterator<Item = (&'a Entry, &'a Initial)> {
     publication.entries.iter().filter_map(move |entry| match &entry.kind {
         EntryKind::Initial(initial) if initial.set == set => Some((entry, initial)),
@@ -76,7 +86,8 @@ fn of_set<'a>(publication: &'a Publication, set: &'a str) -> impl Iterator<Item 
     })
 }
 
-/// Uncertainty of a number: half a unit in the last decimal of its set; 0 for exact formulas.
+/// Uncertainty of a printed number: half a unit in the last decimal of its set; 0 for exact
+/// formulas.
 fn slack_of(publication: &Publication, initial: &Initial) -> f64 {
     if initial.decimals.is_none() {
         return 0.0;
@@ -85,8 +96,9 @@ fn slack_of(publication: &Publication, initial: &Initial) -> f64 {
     0.5 * 10_f64.powi(-i32::try_from(most).unwrap_or(0))
 }
 
-/// Value of a speed by its definition, from the coordinates and rates of its own set. `None` if one of these is not
-/// stated.
+/// Value of a generalized speed by its definition, from the coordinates and rates of the same set
+/// of numbers.
+/// Returns `None` if the quantity is no speed, or if a needed number is not stated.
 fn by_definition(model: &Model, publication: &Publication, initial: &Initial) -> Option<Other> {
     let speed = model.speeds.iter().find(|s| s.symbol == initial.quantity)?;
     let mut arena = model.arena.clone();
@@ -114,7 +126,7 @@ fn by_definition(model: &Model, publication: &Publication, initial: &Initial) ->
     })
 }
 
-/// Values of the quantity in other entries with initial values.
+/// Values that other entries print for the quantity of `entry`.
 fn repeated(model: &Model, publication: &Publication, entry: &Entry) -> Vec<Other> {
     let EntryKind::Initial(initial) = &entry.kind else { return Vec::new() };
     let others = publication.entries.iter().filter_map(|other| match &other.kind {

@@ -1,11 +1,13 @@
-//! Formulas that hold near a point. Printed and derived formulas are expanded up to an order in the deviations from the
-//! point.
+//! Formulas that hold near a point: printed and derived formulas are expanded up to an order in the
+//! deviations.
 //!
-//! The substitution x = x₀ + ε (x − x₀) for each variable that stays near the point gives Taylor series in ε. Two
-//! formulas are equal to an order if their series are equal to this order, whatever terms follow.
+//! The substitution x = x₀ + ε (x − x₀), for each variable that stays near the point, gives Taylor
+//! series in ε. Two formulas are equal up to an order if their series are equal up to this order;
+//! later terms do not count.
 //!
-//! Small parameters p = δ p count with the deviations, δ = ε. But a text may keep products of both, such as Ω ẋ in the
-//! linear equations of Foucault's pendulum. Its formulas are compared to the order in ε and to the order in δ.
+//! Small parameters, p = δ p, count as deviations, with δ = ε. But a text may keep products of a
+//! small parameter and a deviation, such as Ω ẋ in the linear equations of Foucault's pendulum.
+//! Then formulas are compared up to the order in ε and, separately, up to the order in δ.
 
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::term::steps::fresh_symbol;
@@ -15,27 +17,29 @@ use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::{Kinematics, Quantities};
 use crate::publication::Approximation;
 
-/// Point with the values that follow from it, and the order of an approximation.
+/// Point of an approximation, with the values that follow from it, and the order.
 pub struct Near {
-    /// Symbols of the variables near the point, each with its value at the point.
+    /// Symbols of the variables that stay near the point, each with its value at the point.
     point: Vec<(Expr, Expr)>,
-    /// Substitution x₀ + ε (x − x₀) for each of these symbols, with δ instead of ε for parameters.
+    /// Substitution of x₀ + ε (x − x₀) for each variable near the point, with δ instead of ε for
+    /// parameters.
     way: Substitution,
-    /// Symbol ε of the size of the deviations.
+    /// Symbol ε, which scales the deviations of variables.
     epsilon: Expr,
-    /// Symbol δ of the size of the parameters.
+    /// Symbol δ, which scales the deviations of parameters from their values at the point.
     delta: Expr,
-    /// True if ε and δ are of orders of their own, false if δ = ε.
+    /// True if ε and δ are expanded separately, each up to the order; false if δ = ε.
     keeps_products: bool,
     /// Order of the deviations up to which formulas hold.
     pub order: u32,
-    /// Description of the order and the point, in words.
+    /// Description of the order and the point, such as "to first order about q1 = 0".
     pub words: String,
 }
 
 impl Near {
-    /// Completes a stated point. A variable that stays near a value has a rate near zero. A speed or a rate whose
-    /// formula contains only such variables is near the value of the formula.
+    /// Completes a stated point with the rates and speeds that follow from it.
+    /// A variable that stays near a value has a rate near zero. A speed or rate whose formula
+    /// contains only such variables stays near the value of the formula.
     pub fn new(quantities: &mut Quantities<'_>, stated: &Approximation) -> Self {
         let model = quantities.model;
         let arena = &mut quantities.derivations.kinematics.arena;
@@ -97,8 +101,9 @@ impl Near {
         Self { point, way, epsilon, delta, keeps_products: false, order: stated.order, words }
     }
 
-    /// Compares what follows to the order in the deviations and to the order in the parameters, if one of these printed
-    /// formulas has a term of both that would be beyond the order otherwise.
+    /// Switches to separate orders in deviations and in parameters, if a printed formula needs it.
+    /// A formula needs it if it has a product of a deviation and a small parameter that would be
+    /// beyond the common order.
     pub fn keep_products_of(&mut self, quantities: &mut Quantities<'_>, printed: &[Expr]) {
         let parameters = quantities.model.p();
         if self.point.iter().all(|(symbol, _)| !parameters.contains(symbol)) {
@@ -118,7 +123,7 @@ impl Near {
         }
     }
 
-    /// Expands a formula up to `order`.
+    /// Expands a formula about the point up to `order`, by a Taylor series.
     ///
     /// # Errors
     /// Reason why the formula has no series at the point.
@@ -127,8 +132,9 @@ impl Near {
         self.up_to(quantities, e, order)
     }
 
-    /// Expands the coefficient of an unknown. If the unknown is zero at the point, it is a deviation itself, and the
-    /// expansion has one order less.
+    /// Expands the coefficient of an unknown about the point, so that the product with the unknown
+    /// has the right order.
+    /// If the unknown is zero at the point, the coefficient is expanded to one order less.
     ///
     /// # Errors
     /// Reason why the coefficient has no series at the point.
@@ -138,6 +144,10 @@ impl Near {
         self.up_to(quantities, e, order)
     }
 
+    /// Expands `e` about the point up to the given order in the deviations.
+    ///
+    /// # Errors
+    /// Reason why `e` has no series at the point.
     fn up_to(&mut self, quantities: &mut Quantities<'_>, e: Expr, order: u32) -> Result<Expr, String> {
         let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;
         let moved = self.way.apply(arena, e);
@@ -154,7 +164,11 @@ impl Near {
         Ok(simplifier.simplify(arena, sum))
     }
 
-    /// Sum of the terms of a Taylor series up to an order in a size, with 1 for the size.
+    /// Sum of the Taylor terms of `e` in the symbol `size`, up to an order, with 1 put for the
+    /// symbol.
+    ///
+    /// # Errors
+    /// Reason why `e` has no value or a kink at the point.
     fn series(&self, arena: &mut Arena, e: Expr, size: Expr, order: u32) -> Result<Expr, String> {
         let mut at_point = Substitution::new(&[(size, Expr::ZERO)]);
         if has_bend(arena, &mut at_point, size, e) {
@@ -177,12 +191,14 @@ impl Near {
         Ok(arena.sum(&sum))
     }
 
+    /// Message that a formula has no value at the point.
     fn no_value(&self) -> String {
         format!("it has no value there, and no series {}", self.words)
     }
 }
 
-/// True if an argument of |x| or sign x depends on ε and may vanish at the point, so that e has a bend there.
+/// True if `e` has a kink at the point: an argument of |x| or sign x depends on ε and may be zero
+/// there.
 fn has_bend(arena: &mut Arena, at_point: &mut Substitution, epsilon: Expr, e: Expr) -> bool {
     let bent: Vec<Expr> = arena
         .reachable(&[e])

@@ -1,4 +1,4 @@
-//! Ratio of terms that differ by a constant factor.
+//! Ratio of two terms that differ only by a factor in parameters.
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
@@ -6,7 +6,8 @@ use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::mechanics::{Kinematics, Quantities};
 
-/// Ratio a / b, simplified; `None` unless it depends on parameters only.
+/// Ratio a / b, simplified; `None` unless a and b are non-zero and the ratio depends on parameters
+/// only.
 pub fn constant_ratio(quantities: &mut Quantities<'_>, comparer: &mut Comparer, a: Expr, b: Expr) -> Option<Expr> {
     let parameters = quantities.model.p();
     let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;

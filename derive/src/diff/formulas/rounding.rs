@@ -1,7 +1,9 @@
-//! Printed numbers in the place of parameters, such as 2.1853 θ: the same as the derived value to the digits printed.
+//! Equality to the digits printed, for formulas with numbers in place of parameters, such as 2.1853
+//! θ.
 //!
-//! A decimal number stands for any number that rounds to it, half a unit of its last decimal up and down. Numbers stand
-//! for parameters only where no parameter is printed: a factor that is lost is a mistake, even where it is 1.
+//! A printed decimal number may be any number that rounds to it, half a unit of its last decimal up
+//! or down. Numbers may replace parameters only in a formula that mentions no parameter: a lost
+//! factor is a mistake, even if its value is 1.
 
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::term::calculus::{Differential, Substitution};
@@ -11,17 +13,18 @@ use crate::algebra::value::field::Generator;
 use crate::algebra::{Arena, Expr, Node, Rational};
 use crate::mechanics::Quantities;
 
-/// Number of states at which both values are compared.
+/// Number of random states at which the printed and the derived value are compared.
 const STATES: usize = 6;
-/// Most decimals of a printed number.
+/// Largest number of decimals with which a printed number counts as rounded.
 const MOST_DECIMALS: u32 = 15;
-/// Most printed numbers of a formula that may be rounded.
+/// Largest number of rounded numbers in a printed formula.
 const MOST_NUMBERS: usize = 40;
-/// Rounding of the comparison itself, relative to the values.
+/// Relative tolerance for rounding errors of the comparison itself.
 const ROUNDING: f64 = 1e-9;
 
-/// True if a printed value that has decimal numbers in the place of all parameters is the derived value to the digits
-/// printed. `values` are the parameters with their numbers; inputs may be printed.
+/// True if a printed value with numbers for all parameters equals the derived value, to the digits
+/// printed.
+/// `values` are the parameters with their numbers. Inputs may be mentioned.
 pub fn agrees_as_rounded(
     quantities: &mut Quantities<'_>,
     comparer: &mut Comparer,
@@ -70,22 +73,22 @@ pub fn agrees_as_rounded(
         let found = tape.evaluate(&state);
         let slack: f64 = decimals.iter().zip(&found[2..]).map(|(decimal, slope)| decimal.slack * slope.abs()).sum();
         let size = found[0].abs().max(found[1].abs());
-        // A state without values decides against.
+        // If a value is "not a number", the comparison is false.
         (found[0] - found[1]).abs() <= slack + ROUNDING * size
     })
 }
 
-/// A printed decimal number: the constant of a sum, or the factor of a term of a sum.
+/// Decimal number in a printed formula: the constant of a sum, or the factor of a term.
 struct Decimal {
-    /// Sum, or number alone, that the decimal stands in.
+    /// Sum that contains the number, or the number itself.
     sum: Expr,
-    /// Term whose factor the decimal is; 1 for a constant.
+    /// Term that the number multiplies; 1 for a constant.
     term: Expr,
-    /// Half a unit of the last decimal.
+    /// Uncertainty of the number: half a unit of its last decimal.
     slack: f64,
 }
 
-/// Decimal numbers within these terms.
+/// Finds the decimal numbers among the terms `parts`, each with its uncertainty.
 fn decimals(arena: &Arena, parts: &[Expr]) -> Vec<Decimal> {
     let mut list = Vec::new();
     for sum in parts {
@@ -106,7 +109,8 @@ fn decimals(arena: &Arena, parts: &[Expr]) -> Vec<Decimal> {
     list
 }
 
-/// Half a unit of the last decimal of a number; `None` if it has no decimals, or does not end.
+/// Uncertainty of a decimal number, half a unit of its last decimal; `None` for an integer or a
+/// non-terminating decimal.
 fn slack(number: &Rational) -> Option<f64> {
     let (_, denominator) = number.small()?;
     let places = (1..=MOST_DECIMALS).find(|places| 10_i64.pow(*places) % denominator == 0)?;

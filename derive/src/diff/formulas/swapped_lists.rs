@@ -1,7 +1,8 @@
-//! Two printed lists of numbers that are exchanged.
+//! Detection of two printed lists of numbers that are exchanged.
 //!
-//! In a set of numbers, the rates q̇ and the speeds u of equal index change places. If no number of the publication
-//! contradicts another one then, and some did before, the lists are swapped: one mistake, not one for each number.
+//! In a set of numbers, the rates q̇ and the speeds u of equal index are exchanged for a test. If
+//! this removes all contradictions between numbers of the publication, the lists are swapped. This
+//! is one mistake, not one for each number.
 
 use super::finding::Judgement;
 use super::initial::judge;
@@ -9,18 +10,18 @@ use crate::model::Model;
 use crate::publication::{Entry, EntryKind, Initial, Publication};
 use std::collections::BTreeSet;
 
-/// Two lists of numbers of one set that are printed in each other's place.
+/// Two lists of numbers of one set that are each printed in place of the other.
 pub struct Swapped {
-    /// Ids of all numbers of the two lists.
+    /// Ids of the entries of all numbers in both lists.
     pub entries: Vec<String>,
-    /// Description of the mistake.
+    /// Description of the mistake, with the names of the numbers.
     pub words: String,
 }
 
-/// Most numbers of a publication in which swapped lists are sought.
+/// Largest number of printed numbers among which swapped lists are searched for.
 const MOST_NUMBERS: usize = 200;
 
-/// Swapped lists of rates and speeds, at most one pair for each set.
+/// Finds exchanged lists of rates and speeds, at most one pair of lists for each set of numbers.
 pub fn swapped_lists(model: &Model, publication: &Publication) -> Vec<Swapped> {
     if numbers(publication).count() > MOST_NUMBERS || contradictions(model, publication) == 0 {
         return Vec::new();
@@ -29,6 +30,7 @@ pub fn swapped_lists(model: &Model, publication: &Publication) -> Vec<Swapped> {
     sets.into_iter().filter_map(|set| in_set(model, publication, set)).collect()
 }
 
+/// Entries of a publication that state a number of a parameter or of a start.
 fn numbers(publication: &Publication) -> impl Iterator<Item = (&Entry, &Initial)> {
     publication.entries.iter().filter_map(|entry| match &entry.kind {
         EntryKind::Initial(initial) => Some((entry, initial)),
@@ -36,11 +38,13 @@ fn numbers(publication: &Publication) -> impl Iterator<Item = (&Entry, &Initial)
     })
 }
 
+/// Number of printed numbers that other printed numbers contradict.
 fn contradictions(model: &Model, publication: &Publication) -> usize {
     numbers(publication).filter(|(e, _)| judge(model, publication, e).finding.judgement == Judgement::Different).count()
 }
 
-/// Lists of initial values of one set that are exchanged, if the exchange removes every contradiction.
+/// Exchanged lists of rates and speeds in one set; `None` unless the exchange removes every
+/// contradiction.
 fn in_set(model: &Model, publication: &Publication, set: &str) -> Option<Swapped> {
     let place = |symbol| {
         publication
@@ -69,7 +73,7 @@ fn in_set(model: &Model, publication: &Publication, set: &str) -> Option<Swapped
     if pairs.len() < 2 || contradictions(model, &turned) > 0 {
         return None;
     }
-    // Equal numbers are in their place in either list.
+    // Equal numbers are right in either list.
     let moved = |(rate, speed): &&(usize, usize)| {
         let value = |at: usize| match &publication.entries[at].kind {
             EntryKind::Initial(initial) => Some(initial.value),

@@ -1,32 +1,33 @@
-//! Wrong terms of a printed value, each with its right value.
+//! Wrong terms of a printed sum, each with its right value.
 //!
-//! Invariant: if every named term is corrected, the printed value is the derived value. If no such list is short, the
-//! list is empty. Each term of the difference belongs to the printed term of which it is a multiple, by a number. A
-//! term that belongs to no printed term is missing.
+//! Invariant: if every term in the list is corrected, the printed value equals the derived value.
+//! The list is empty if it would be long. Each term of the difference is assigned to the printed
+//! term of which it is a numerical multiple. A term without such a printed term is missing in
+//! print.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr, Node, Rational};
 use crate::diff::repairs::Slip;
 
-/// Most wrong terms that a list names.
+/// Largest number of wrong terms that are listed for one printed sum.
 const MOST: usize = 3;
-/// Longest text of a named term, in bytes.
+/// Half of the longest description of a wrong term, in bytes.
 const LONGEST: usize = 80;
 
-/// Mistake in one term of a sum.
+/// Mistake in a single term of a printed sum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WrongTerm {
-    /// A printed term that belongs to no derived value.
+    /// Printed term that should not be there.
     Extra(Expr),
-    /// A printed term, and the right term in its place.
+    /// Printed term, and the right term in its place.
     Other(Expr, Expr),
-    /// A derived term that is not printed.
+    /// Derived term that is not printed.
     Missing(Expr),
 }
 
 impl WrongTerm {
-    /// Kind of the mistake.
+    /// Kind of the mistake: an extra term, a lost term, a sign or a number.
     pub fn slip(self, arena: &mut Arena) -> Slip {
         match self {
             Self::Extra(_) => Slip::ExtraTerm,
@@ -41,7 +42,7 @@ impl WrongTerm {
         }
     }
 
-    /// Printed and right terms of the mistake.
+    /// Terms that the mistake mentions: the printed one, the right one, or both.
     pub fn parts(&self) -> impl Iterator<Item = Expr> {
         let (first, second) = match *self {
             Self::Extra(e) | Self::Missing(e) => (e, None),
@@ -50,7 +51,7 @@ impl WrongTerm {
         std::iter::once(first).chain(second)
     }
 
-    /// Description of the mistake in words.
+    /// Description of the mistake, in words.
     pub fn words(self, arena: &Arena) -> String {
         match self {
             Self::Extra(own) => format!("the term {} should not be there", text(arena, own)),
@@ -60,8 +61,8 @@ impl WrongTerm {
     }
 }
 
-/// Mistakes in single terms of a printed value, from `difference` = printed − derived. Empty if there are too many or
-/// too long terms.
+/// Wrong terms of a printed sum; `difference` is printed − derived.
+/// Returns an empty list if there are more than three wrong terms, or if a term is long.
 pub fn wrong_terms(arena: &mut Arena, simplifier: &mut Simplifier, printed: Expr, difference: Expr) -> Vec<WrongTerm> {
     let (printed, wrong) = (spread(arena, printed), spread(arena, difference));
     if printed.len() < 2 || wrong.len() > MOST {
@@ -80,7 +81,8 @@ pub fn wrong_terms(arena: &mut Arena, simplifier: &mut Simplifier, printed: Expr
     if found.iter().any(|term| term.words(arena).len() > 2 * LONGEST) { Vec::new() } else { found }
 }
 
-/// Terms of a sum, or of a product of one sum with other factors, multiplied out.
+/// Terms of a sum, or of a product of one sum with other factors, multiplied out; `e` itself if it
+/// is no sum.
 pub fn spread(arena: &mut Arena, e: Expr) -> Vec<Expr> {
     let scaled = |arena: &mut Arena, terms: &[(Expr, Rational)], constant: &Rational| {
         let mut list: Vec<Expr> = terms.iter().map(|(term, k)| arena.scale(*term, k)).collect();

@@ -1,4 +1,5 @@
-//! Consequences of printed systems for the motion: determinants, rates of first integrals, agreement of accelerations.
+//! Effects of printed systems on the motion: determinants, drift of first integrals, differences of
+//! accelerations.
 
 use super::motion::{Motion, Solved};
 use super::systems::MatchedMotion;
@@ -10,54 +11,59 @@ use crate::mechanics::{Derivations, Formulation, Kinematics};
 use crate::model::Model;
 use crate::prove::{Integral, Proof};
 
-/// Rate of a first integral of the true motion along printed equations.
+/// Time derivative that printed equations give to a first integral of the derived equations.
 #[derive(Clone, Debug)]
 pub struct Rate {
-    /// First integral of the derived equations.
+    /// First integral of the derived equations, constant in the true motion.
     pub integral: Integral,
-    /// Time derivative of the integral in q and u, simplified; 0 if the printed equations conserve it.
+    /// Time derivative of the integral along the printed equations, in q and u; 0 if they conserve
+    /// the integral.
     pub rate: Expr,
-    /// Verdict on the claim that the rate is zero.
+    /// Verdict on the claim that this time derivative is zero.
     pub verdict: Verdict,
 }
 
-/// Consequences of one printed system for the motion.
+/// Consequences of one printed system for the motion: its determinant, first integrals and
+/// accelerations.
 #[derive(Clone, Debug)]
 pub struct Consequences {
     /// Id of the printed system in the publication.
     pub system: String,
-    /// Determinants and verdict: printed, expected, and whether they are equal. The expected determinant is that of the
-    /// derived rows times their factors. `None` if it is not compared.
+    /// Determinant of the printed matrix, the expected determinant, and the verdict on their
+    /// equality; `None` if not compared.
+    /// The expected determinant is that of the matched derived rows times their factors.
     pub determinant: Option<(Expr, Expr, Verdict)>,
-    /// Rates of first integrals; empty if the system is singular everywhere or too large.
+    /// Time derivatives of the first integrals; empty if the system is singular everywhere or too
+    /// large to solve.
     pub rates: Vec<Rate>,
-    /// Verdict on the claim that the system's accelerations are the derived ones.
+    /// Verdict on the claim that the printed system gives the derived accelerations.
     pub accelerations: Verdict,
 }
 
 impl Consequences {
-    /// All formulas of the consequences that documents show.
+    /// Determinants and integral rates that documents show.
     pub fn shown(&self) -> impl Iterator<Item = Expr> {
         let determinants = self.determinant.iter().flat_map(|(printed, derived, _)| [*printed, *derived]);
         determinants.chain(self.rates.iter().map(|rate| rate.rate))
     }
 }
 
-/// Comparison of the accelerations that two printed systems give.
+/// Comparison of the accelerations from two printed systems of one publication.
 #[derive(Clone, Debug)]
 pub struct Agreement {
-    /// Id of the first system.
+    /// Id of the first printed system.
     pub left: String,
-    /// Id of the second system.
+    /// Id of the second printed system.
     pub right: String,
-    /// Verdict on the claim that the systems give equal accelerations.
+    /// Verdict on the claim that both systems give equal accelerations.
     pub verdict: Verdict,
 }
 
-/// Most unknowns of a system that is solved symbolically.
+/// Largest number of unknowns of a system that is solved symbolically.
 const MOST_UNKNOWNS: usize = 12;
 
-/// Finds the consequences of every printed system, and the agreement of every pair.
+/// Finds the consequences of every printed system for the motion, and compares the accelerations of
+/// every pair.
 pub fn draw(
     model: &Model,
     derivations: &mut Derivations,
@@ -115,6 +121,8 @@ pub fn draw(
     (list, agreements)
 }
 
+/// Verdict on the claim that two solved systems give the same rates q̇ and u̇ and the same
+/// violation of constraints.
 fn same_motion(derivations: &mut Derivations, comparer: &mut Comparer, a: &Solved, b: &Solved) -> Verdict {
     let arena = &mut derivations.kinematics.arena;
     let pairs = a.coordinate_rates.iter().zip(&b.coordinate_rates).chain(a.speed_rates.iter().zip(&b.speed_rates));
@@ -127,8 +135,10 @@ fn same_motion(derivations: &mut Derivations, comparer: &mut Comparer, a: &Solve
     crate::prove::all(verdicts)
 }
 
-/// Compares the determinant of the printed matrix with that of the derived rows times their factors. Returns (printed,
-/// expected, verdict); `None` unless the rows match different single derived rows.
+/// Compares the determinant of the printed matrix with that of the derived rows times their
+/// factors.
+/// Returns (printed, expected, verdict). `None` unless each printed row matches a different single
+/// derived row.
 fn judged_determinant(
     derivations: &mut Derivations,
     comparer: &mut Comparer,

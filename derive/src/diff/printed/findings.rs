@@ -1,4 +1,5 @@
-//! Findings on rows and entries of printed systems: the verdict, the wrong entries, and the mistake in each.
+//! Findings on rows and entries of printed systems: the verdict, the wrong entries, and the mistake
+//! in each.
 
 use super::whole_rows::WholeRow;
 use crate::diff::equations::derived_system::Ordered;
@@ -16,24 +17,26 @@ use crate::algebra::text::print::text;
 use crate::mechanics::Kinematics;
 use crate::publication::{Entry, System};
 
-/// Place of a row in a printed system.
+/// Place of a printed row: its system, and its index in the system.
 #[derive(Clone, Copy)]
 pub(super) struct RowPlace<'a> {
-    /// Index of the row, from 0.
+    /// Index of the row in its system, from 0.
     pub index: usize,
-    /// Printed system of the row.
+    /// Printed system that contains the row.
     pub system: &'a System,
 }
 
 impl Judge<'_, '_> {
-    /// Judges a row that is printed with decimals, which may stand for parameters.
+    /// Judges a row that is printed with decimal numbers, which may be rounded values of
+    /// parameters.
     pub(super) fn row_with_decimals(&mut self, row: &Row, order: &Ordered, index: usize) -> RowJudgement {
         let found = self.rounded(row, order, index).or_else(|| self.rounded_multiple(row, order, index));
         found.unwrap_or_else(|| self.row(row, order, index))
     }
 
-    /// Judgement of a row in numbers that is a derived row times a number, to the digits printed; `None` if there is no
-    /// such row.
+    /// Judgement of a purely numerical row that equals a derived row times a number, to the digits
+    /// printed.
+    /// Returns `None` if the row mentions parameters, or if no derived row fits.
     fn rounded_multiple(&mut self, row: &Row, order: &Ordered, index: usize) -> Option<RowJudgement> {
         let model = self.quantities.model;
         let mut put = Substitution::new(self.numbers);
@@ -75,7 +78,7 @@ impl Judge<'_, '_> {
         None
     }
 
-    /// Judges a row without decimals.
+    /// Judges a printed row exactly, without allowing for rounded numbers.
     pub(super) fn row(&mut self, row: &Row, order: &Ordered, index: usize) -> RowJudgement {
         let parameters = self.quantities.model.p();
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
@@ -83,8 +86,9 @@ impl Judge<'_, '_> {
         judge(&mut terms, &parameters, row, &order.rows, index)
     }
 
-    /// Judgement of a row that is a derived row to the digits printed, the one of equal number first; `None` if there
-    /// is no such row, or if the row is equal without rounding.
+    /// Judgement of a row that equals a derived row to the digits printed; the derived row with the
+    /// same index is tried first.
+    /// Returns `None` if no derived row fits, or if the row is equal without rounding.
     fn rounded(&mut self, row: &Row, order: &Ordered, index: usize) -> Option<RowJudgement> {
         let own = index.min(order.rows.len() - 1);
         for at in std::iter::once(own).chain((0..order.rows.len()).filter(|at| *at != own)) {
@@ -112,7 +116,9 @@ impl Judge<'_, '_> {
         None
     }
 
-    /// Finding of a printed row. A wrong row is told by its wrong entries, or as `whole`, if it is read as one formula.
+    /// Completes the finding of a printed row with its verdict and remarks.
+    /// A wrong row is described by its wrong entries, or by `whole` if the row is read as one
+    /// formula.
     pub(super) fn row_finding(
         &mut self,
         mut finding: Finding,
@@ -129,7 +135,7 @@ impl Judge<'_, '_> {
         finding.derived = Some(as_term(self, &judged.expected));
         match &judged.by {
             Match::Row { at, factor } => {
-                // The sides of an equation may be the other way round.
+                // An author may write the two sides of an equation the other way round.
                 let is_turned = system.row_texts.is_some() && *factor == Expr::MINUS_ONE;
                 if *factor != Expr::ONE && !is_turned {
                     finding.factor = Some(*factor);
@@ -152,7 +158,8 @@ impl Judge<'_, '_> {
             finding.up_to = Some("to the digits printed");
             finding.remarks.push(ROUNDED.to_owned());
         }
-        // A factor in parameters or of the state may be a wrong abbreviation, by which the whole row is multiplied.
+        // A factor that contains parameters or the state may come from a wrong abbreviation that
+        // multiplies the whole row.
         let arena = &self.quantities.derivations.kinematics.arena;
         let is_plain = matches!(&judged.by, Match::Row { factor, .. } if arena.as_number(*factor).is_some());
         let right = judged.entries.iter().filter(|verdict| verdict.is_equal()).count();
@@ -208,8 +215,10 @@ impl Judge<'_, '_> {
         self.contrasted(finding, order, &values, &judged.expected, witness)
     }
 
-    /// Finding of a wrong row with the difference of the row from what is expected, and a state in which they differ:
-    /// one of the whole row, unknowns included, or else of a wrong entry.
+    /// Adds to a wrong row's finding the difference printed − expected, and a state at which the
+    /// two differ.
+    /// The state is for the whole row, unknowns included; if none is found there, it is `of_entry`,
+    /// for one entry.
     pub(super) fn contrasted(
         &mut self,
         mut finding: Finding,
@@ -229,12 +238,13 @@ impl Judge<'_, '_> {
         finding
     }
 
-    /// Row as one term: Σ entry · unknown − right.
+    /// Residual of a row as one term: Σ entry · unknown − right side.
     pub(super) fn as_term(&mut self, row: &Row, unknowns: &[Expr]) -> Expr {
         row_term(&mut self.quantities.derivations.kinematics.arena, unknowns, row)
     }
 
-    /// Name of an entry of a row.
+    /// Name of a row's entry in words: the coefficient of `unknown`, or the right-hand side for
+    /// `None`.
     fn place(&self, unknown: Option<&Expr>) -> String {
         let arena = &self.quantities.derivations.kinematics.arena;
         match unknown {
@@ -243,7 +253,8 @@ impl Judge<'_, '_> {
         }
     }
 
-    /// Description of a wrong entry of a row, its place and what should be there, and the mistake.
+    /// Describes a wrong entry in words, with its place and its repair or its error; returns also
+    /// the mistake.
     fn wrong_place(&mut self, unknown: Option<&Expr>, printed: Printed, expected: Expr) -> (String, Mistake) {
         let place = self.place(unknown);
         let difference = self.quantities.derivations.kinematics.arena.sub(printed.value, expected);
@@ -256,6 +267,7 @@ impl Judge<'_, '_> {
         (format!("{place} is off by {}", text(arena, difference)), mistake)
     }
 
+    /// Completes the finding of a single entry of a row, the entry with the index `at`.
     pub(super) fn entry_finding(
         &mut self,
         finding: Finding,
@@ -287,7 +299,7 @@ impl Judge<'_, '_> {
     }
 }
 
-/// Finding of an entry before it is judged.
+/// Finding of an entry before its judgement: id, section and printed text.
 pub fn stated(id: &str, entry: &Entry, text: &str) -> Finding {
     Finding::new(id, &entry.section, Judgement::Stated, text)
 }

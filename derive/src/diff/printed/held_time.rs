@@ -1,4 +1,5 @@
-//! Rows of equations in which ∂/∂t, with q and q̇ held, is printed instead of d/dt.
+//! Detection of rows in which a partial derivative ∂/∂t, with q and q̇ held constant, is printed
+//! instead of d/dt.
 
 use super::systems::printed;
 use crate::algebra::Expr;
@@ -11,11 +12,12 @@ use crate::diff::formulas::finding::{Finding, Judgement};
 use crate::diff::repairs::Slip;
 use crate::publication::System;
 
-/// Description of the mistake.
+/// Text that describes the mistake in a finding.
 const WORDS: &str = "∂/∂t is printed instead of d/dt";
 
 impl Judge<'_, '_> {
-    /// Printed rows with d/dt in the place of every ∂/∂t; `None` if no row has a ∂/∂t.
+    /// Printed rows in which d/dt replaces every ∂/∂t; `None` if no row has a ∂/∂t, or if the entry
+    /// holds near a point.
     pub(super) fn with_total_rates(&mut self, system: &System, raw: &[Row], order: &Ordered) -> Option<Vec<Row>> {
         if self.near.is_some() {
             return None;
@@ -24,7 +26,9 @@ impl Judge<'_, '_> {
         printed(self.quantities, &names, system, &order.unknowns).ok()
     }
 
-    /// Judgement of the row `total`, with d/dt in the place of ∂/∂t, if the change makes a wrong or empty row right.
+    /// Judgement of the row `total`, in which d/dt replaces ∂/∂t, if `total` is right and the
+    /// printed `row` is wrong or zero.
+    /// Returns `None` if the replacement changes nothing, or if the printed row is right.
     pub(super) fn right_with(&mut self, total: &Row, row: &Row, order: &Ordered, index: usize) -> Option<RowJudgement> {
         if total == row {
             return None;
@@ -37,7 +41,8 @@ impl Judge<'_, '_> {
         Some(self.row(total, order, index)).filter(RowJudgement::is_right)
     }
 
-    /// Finding of such a row, with the row that it should be.
+    /// Completes the finding of a row with a wrong ∂/∂t; `right` is the judgement of the row with
+    /// d/dt.
     pub(super) fn held_time(
         &mut self,
         mut finding: Finding,

@@ -1,4 +1,4 @@
-//! Judgement of programs that compute the derivative of a state.
+//! Judgement of printed programs (listings) that compute the time derivative of a state.
 
 use super::findings::stated;
 use super::motion::Motion;
@@ -14,7 +14,9 @@ use crate::algebra::solve::linear::solve;
 use crate::mechanics::{Kinematics, Quantities, QuantityKind};
 use crate::publication::{Entry, Listing, Names, has_decimals};
 
-/// Indices of the model's coordinates and motion variables in the state of a listing; `None` for an absent variable.
+/// Places of the model's coordinates and of its motion variables (q̇ or u) in the state of a
+/// printed program (listing).
+/// Each place is an index into the state; `None` for a variable that the state lacks.
 fn places(quantities: &Quantities<'_>, listing: &Listing) -> (Vec<Option<usize>>, Vec<Option<usize>>) {
     let model = quantities.model;
     let variables = listing.formulation.variables(model);
@@ -22,13 +24,16 @@ fn places(quantities: &Quantities<'_>, listing: &Listing) -> (Vec<Option<usize>>
     (model.q().iter().map(place).collect(), variables.iter().map(place).collect())
 }
 
-/// Column of a listing's matrix for the motion variable at a place of its state.
+/// Column of a printed program's matrix for the motion variable with the index `at` in the
+/// program's state.
 fn column_of(listing: &Listing, at: usize) -> usize {
     listing.moving.iter().position(|moving| *moving == at).expect("a motion variable")
 }
 
-/// Listing as equations of motion, with its own q̇ and its own system or accelerations. A variable that its state lacks
-/// has the derivative 0. The second value is true if no variable is lacking.
+/// Converts a printed program (listing) to equations of motion, with its own q̇ and its own linear
+/// system or accelerations.
+/// A variable that the state lacks gets the derivative 0. The second value is true if the state
+/// lacks no variable. The error is the reason why a printed term has no value.
 pub fn listing_motion(
     quantities: &mut Quantities<'_>,
     names: &Names,
@@ -61,7 +66,8 @@ pub fn listing_motion(
 }
 
 impl Judge<'_, '_> {
-    /// Judges a program: its q̇ by the kinematic equations, its system row by row, or its accelerations one by one.
+    /// Judges a printed program: its q̇ by the kinematic equations, then its matrix row by row or
+    /// its accelerations.
     pub fn listing(&mut self, entry: &Entry, listing: &Listing) -> Judged {
         let undecided = |why: String| {
             let finding = Finding { judgement: Judgement::Undecided(why), ..stated(&entry.id, entry, "") };
@@ -134,7 +140,8 @@ impl Judge<'_, '_> {
         self.kept(Judged { findings, table, motion })
     }
 
-    /// Judges accelerations that a program states directly, by those that the derived system gives.
+    /// Judges accelerations that a program states directly, against those from the solved derived
+    /// system.
     fn accelerations(
         &mut self,
         entry: &Entry,
@@ -151,7 +158,8 @@ impl Judge<'_, '_> {
         let (_, variables) = places(self.quantities, listing);
         let mut places: Vec<(usize, usize)> =
             variables.into_iter().enumerate().filter_map(|(i, at)| Some((i, at?))).collect();
-        // A mistake of an abbreviation shows best where the abbreviation stands alone.
+        // A mistake of an abbreviation is clearest in an entry that consists of the abbreviation
+        // alone.
         places.sort_by_key(|(_, at)| !self.book.is_name(listing.derivative[*at]));
         for (i, at) in places {
             let (id, text) = (listing.derivative_id(&entry.id, at), &listing.derivative_texts[at]);

@@ -1,4 +1,4 @@
-//! Printed systems and listings of programs, judged and solved for their motion.
+//! Printed linear systems and printed programs (listings), judged and solved for their motion.
 
 pub(super) mod consequences;
 mod findings;

@@ -1,4 +1,5 @@
-//! Solution of a printed system for its motion: its accelerations, its determinant, the rates of first integrals.
+//! Printed or derived equations of motion as a linear system, solved symbolically for rates,
+//! accelerations and reactions.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::solve::linear::{determinant, solve};
@@ -7,42 +8,46 @@ use crate::algebra::{Arena, Expr};
 use crate::mechanics::{motion_rates, rates_to_speeds};
 use crate::model::Model;
 
-/// System of equations of motion as printed, or as derived.
+/// Equations of motion, printed or derived, as a linear system: matrix · unknowns = right.
 #[derive(Clone, Debug)]
 pub struct Motion {
-    /// Id of the printed system in the publication.
+    /// Id of the printed system in the publication, or the name of the formulation that derived it.
     pub id: String,
-    /// True if the variables are q̇ and not u.
+    /// True if the motion variables are the rates q̇; false if they are the generalized speeds u.
     pub in_rates: bool,
-    /// Rates q̇ in q and the variables.
+    /// Rates q̇ as functions of q and the motion variables, one for each coordinate.
     pub coordinate_rates: Vec<Expr>,
-    /// Matrix on the left-hand side, one row for each unknown.
+    /// Square matrix of coefficients: one row for each equation, one column for each unknown.
     pub matrix: Vec<Vec<Expr>>,
-    /// Right-hand sides of the rows.
+    /// Right-hand sides of the linear system, one for each row of the matrix.
     pub right: Vec<Expr>,
 }
 
-/// Motion that a system of equations gives, solved.
+/// Solution of a system of equations of motion for rates, accelerations and reactions.
 #[derive(Clone, Debug)]
 pub struct Solved {
-    /// Rates q̇ in q and u.
+    /// Rates q̇ as functions of q and u, one for each coordinate.
     pub coordinate_rates: Vec<Expr>,
-    /// Rates u̇ in q and u.
+    /// Accelerations u̇ as functions of q and u, one for each generalized speed.
     pub speed_rates: Vec<Expr>,
-    /// Deviation of q̈ from the q̈ that u̇ gives by q̇ = W u + w, in q and u. It is zero unless the system breaks a
-    /// motion constraint. Empty if q̈ is not among the unknowns, or if there are no motion constraints.
+    /// Difference between the solved q̈ and the q̈ that follows from u̇ by q̇ = W u + w, in q and
+    /// u.
+    /// It is zero unless the system violates a motion constraint. Empty if q̈ is not among the
+    /// unknowns, or without motion constraints.
     pub off_constraints: Vec<Expr>,
-    /// Multipliers or reactions in q and u, if they are among the unknowns; else empty.
+    /// Multipliers or reactions as functions of q and u; empty if the system has none among its
+    /// unknowns.
     pub reactions: Vec<Expr>,
 }
 
 impl Motion {
-    /// Determinant of the matrix, simplified.
+    /// Determinant of the system's matrix, simplified.
     pub fn determinant(&self, arena: &mut Arena, simplifier: &mut Simplifier) -> Expr {
         determinant(arena, simplifier, &self.matrix)
     }
 
-    /// Solves exactly for the accelerations; `None` if the matrix is singular everywhere.
+    /// Solves the system exactly for its accelerations and reactions; `None` if the matrix is
+    /// singular everywhere.
     pub fn solve(&self, model: &Model, arena: &mut Arena, simplifier: &mut Simplifier) -> Option<Solved> {
         let right: Vec<Vec<Expr>> = self.right.iter().map(|e| vec![*e]).collect();
         let (values, _) = solve(arena, simplifier, &self.matrix, &right).ok()?;
@@ -54,7 +59,7 @@ impl Motion {
             let coordinate_rates = self.coordinate_rates.clone();
             return Some(Solved { coordinate_rates, speed_rates: values, off_constraints: Vec::new(), reactions });
         }
-        // u̇ = d/dt (J q̇ + d) with the solved q̈, then with q̇ = W u + w.
+        // u̇ = d/dt (J q̇ + d), first with the solved q̈, then with q̇ = W u + w.
         let mut along: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         along.extend(model.coordinates.iter().zip(&values).map(|(c, value)| (c.rate, *value)));
         let mut d_dt = Differential::along(&along);
@@ -82,7 +87,7 @@ impl Motion {
 }
 
 impl Solved {
-    /// Time derivative of a function of q and u along this motion, simplified.
+    /// Time derivative of `e`, a function of q and u, along the solved motion; simplified.
     pub fn rate(&self, model: &Model, arena: &mut Arena, simplifier: &mut Simplifier, e: Expr) -> Expr {
         let mut along: Vec<_> = model.q().into_iter().zip(self.coordinate_rates.iter().copied()).collect();
         along.extend(model.u().into_iter().zip(self.speed_rates.iter().copied()));

@@ -1,15 +1,16 @@
-//! Printed systems and listings as equations of motion that can be written as code and run.
+//! Printed systems and programs (listings) of a publication as equations of motion that can be
+//! written as code and run.
 
 use crate::diff::motions;
 use crate::mechanics::{Derivations, Equations, EquationsOrigin, RowName};
 use crate::model::Model;
 use crate::publication::{EntryKind, Publication};
 
-/// Equations from every printed system and listing of a publication.
+/// Converts every printed system and listing of a publication to equations of motion.
 ///
-/// The equations are run exactly as printed, except for the order of the unknowns. Energies and the conversions between
-/// q̇ and u are the derived ones, so that a printed run can be measured. An incomplete system, such as one without all
-/// unknowns, is left out.
+/// The equations stay exactly as printed, except for the order of the unknowns. Energies and the
+/// conversions between q̇ and u are the derived ones, so that the error of a printed run can be
+/// measured. An incomplete system, such as a system that lacks unknowns, is left out.
 pub fn printed_equations(model: &Model, derivations: &mut Derivations, publication: &Publication) -> Vec<Equations> {
     let mut list = Vec::new();
     for motion in motions(model, derivations, publication) {

@@ -18,29 +18,33 @@ use crate::model::Model;
 use crate::publication::{Entry, Names, System, has_decimals, row_text};
 use std::cell::OnceCell;
 
-/// Printed system as equations of motion, with the derived matrix with which it is compared.
+/// Printed system as equations of motion, with the derived matrix that it was compared with.
 #[derive(Clone, Debug)]
 pub struct MatchedMotion {
-    /// Printed equations of motion.
+    /// Printed equations of motion, in the order of the derived unknowns.
     pub motion: Motion,
-    /// Matrix of the derived system.
+    /// Coefficient matrix of the derived system, without right-hand sides; empty if accelerations
+    /// are stated directly.
     pub matrix: Vec<Vec<Expr>>,
-    /// Match of each printed row.
+    /// Match of each printed row with the derived rows.
     pub rows: Vec<Match>,
 }
 
-/// Judgement of one printed system or listing.
+/// Judgement of one printed system or program (listing): findings, matched rows and motion.
 pub struct Judged {
-    /// Findings for rows and entries.
+    /// Findings for the rows and entries of the system, each with its claim (its statement as
+    /// data).
     pub findings: Vec<TracedFinding>,
-    /// Printed system beside the derived rows; `None` if the listing states accelerations directly.
+    /// Printed rows with the matched derived rows.
+    /// `None` if a program states accelerations directly, or if the entry holds only near a point.
     pub table: Option<Table>,
-    /// Printed system as equations of motion; `None` if it is incomplete.
+    /// Printed system as equations of motion; `None` if it is incomplete, or if the entry holds
+    /// only near a point.
     pub motion: Option<MatchedMotion>,
 }
 
-/// Rows of a system as printed, in the order of the derived unknowns. Unknowns that are not printed have the
-/// coefficient 0.
+/// Rows of a printed system, unchanged, in the order of the derived unknowns.
+/// An unknown that the system does not print gets the coefficient 0.
 fn rows_as_printed(system: &System, order: &[Expr]) -> Vec<Row> {
     let columns: Vec<Option<usize>> = order.iter().map(|x| system.unknowns.iter().position(|u| u == x)).collect();
     let row = |(entries, right): (&Vec<Expr>, &Expr)| {
@@ -50,7 +54,9 @@ fn rows_as_printed(system: &System, order: &[Expr]) -> Vec<Row> {
     system.matrix.iter().zip(&system.right).map(row).collect()
 }
 
-/// Printed rows in the order of the derived unknowns, with derived quantities in the place of their names.
+/// Printed rows in the order of the derived unknowns, in which derived quantities replace their
+/// names.
+/// The error is the reason why a printed term has no value.
 pub(super) fn printed(
     quantities: &mut Quantities<'_>,
     names: &Names,
@@ -77,7 +83,8 @@ pub(super) fn printed(
     Ok(rows)
 }
 
-/// Printed system as equations of motion; `None` unless it has all unknowns and rows of the derived system.
+/// Printed system as equations of motion; `None` unless it has all unknowns and all rows of the
+/// derived system.
 pub fn system_motion(quantities: &mut Quantities<'_>, names: &Names, entry: &Entry, system: &System) -> Option<Motion> {
     let order = derived(quantities, system.formulation, system.frame).ok()?;
     let rows = printed(quantities, names, system, &order.unknowns).ok()?;
@@ -85,13 +92,15 @@ pub fn system_motion(quantities: &mut Quantities<'_>, names: &Names, entry: &Ent
     is_motion.then(|| motion(quantities, &entry.id, system.formulation, &rows))
 }
 
-/// True if a system has an entry for the acceleration of time, or for the multiplier of its rate.
+/// True if a printed system has a non-zero entry for the acceleration of time or for the clock's
+/// multiplier.
 fn mentions_time(model: &Model, system: &System) -> bool {
     let mut columns = (0..system.unknowns.len()).filter(|at| is_of_time(model, system.unknowns[*at]));
     columns.any(|column| system.matrix.iter().any(|row| row[column] != Expr::ZERO))
 }
 
-/// True if printed rows are equations of motion: one for each unknown, with all unknowns, linear in them.
+/// True if printed rows are complete equations of motion: as many rows as unknowns, all unknowns
+/// present, rows linear.
 fn is_motion(quantities: &Quantities<'_>, system: &System, order: &Ordered, rows: &[Row]) -> bool {
     let arena = &quantities.derivations.kinematics.arena;
     let is_linear =
@@ -101,6 +110,7 @@ fn is_motion(quantities: &Quantities<'_>, system: &System, order: &Ordered, rows
     all_there && rows.len() == order.unknowns.len() && rows.iter().all(is_linear)
 }
 
+/// Equations of motion with the printed rows; each row ends with its right-hand side.
 fn motion(quantities: &Quantities<'_>, id: &str, formulation: Formulation, rows: &[Row]) -> Motion {
     let model = quantities.model;
     let in_rates = formulation.is_in_rates();
@@ -114,7 +124,7 @@ fn motion(quantities: &Quantities<'_>, id: &str, formulation: Formulation, rows:
 }
 
 impl Judge<'_, '_> {
-    /// Judges a printed system: each row, then each entry that has an id of its own.
+    /// Judges a printed system: each row, then each entry that has its own id.
     pub fn system(&mut self, entry: &Entry, system: &System) -> Judged {
         let model = self.quantities.model;
         let both = derived(self.quantities, system.formulation, system.frame).and_then(|order| {
@@ -168,7 +178,8 @@ impl Judge<'_, '_> {
             };
             let row_printed: Vec<Printed> =
                 raw[i].iter().zip(row).map(|(raw, value)| Printed { raw: *raw, value: *value, reading }).collect();
-            // Entries with verdicts of their own contrast with those of one derived row.
+            // If entries have their own verdicts, each is compared with an entry of a single
+            // derived row.
             let is_apart = system.matrix_ids.is_some() || system.right_ids.is_some();
             let whole = if is_apart { None } else { self.whole_row(&finding, &row_printed, &order, &solving, &judged) };
             let by = whole.as_ref().map_or_else(|| judged.by.clone(), |whole| whole.matched(judged.by.clone()));
@@ -207,8 +218,9 @@ impl Judge<'_, '_> {
         self.kept(Judged { findings, table: Some(table), motion })
     }
 
-    /// Finding of a printed row without unknowns that holds in the states of the mechanism alone, such as the equation
-    /// of a loop. `None` for another row; an identity, which holds anywhere, says nothing of the mechanism.
+    /// Finding of a printed row without unknowns that states a constraint of the mechanism, such as
+    /// a loop equation.
+    /// Returns `None` for any other row, including an identity that holds in all states.
     fn constraint(&mut self, finding: &Finding, row: &Row) -> Option<Finding> {
         let (right, entries) = row.split_last()?;
         if *right == Expr::ZERO || entries.iter().any(|entry| *entry != Expr::ZERO) {
@@ -222,8 +234,8 @@ impl Judge<'_, '_> {
         })
     }
 
-    /// Writes the derived rows with the multipliers of the printed rows. Describes the printed multipliers in words if
-    /// they differ.
+    /// Rewrites the derived rows in the multipliers that the printed rows use.
+    /// Returns a description of the printed multipliers; `None` if they equal the derived ones.
     fn own_multipliers(&mut self, order: &mut Ordered, rows: &[Row]) -> Option<String> {
         let multipliers: Vec<Expr> =
             self.quantities.model.motion_constraints.iter().map(|constraint| constraint.multiplier).collect();
@@ -233,8 +245,9 @@ impl Judge<'_, '_> {
         terms.adapt(order, rows, &multipliers, &parameters, self.multipliers)
     }
 
-    /// Expands derived and printed rows up to the order of an entry that holds near a point. Rows of other entries are
-    /// unchanged.
+    /// Expands derived and printed rows up to the order of an entry that holds near a point.
+    /// Rows of any other entry are returned unchanged. The error is the reason why an expansion
+    /// does not exist.
     pub(super) fn near(&mut self, order: Ordered, rows: Vec<Row>) -> Result<(Ordered, Vec<Row>), String> {
         let Some(near) = &mut self.near else { return Ok((order, rows)) };
         near.keep_products_of(self.quantities, &rows.concat());
@@ -252,8 +265,9 @@ impl Judge<'_, '_> {
         Ok((Ordered { rows: derived, ..order }, rows))
     }
 
-    /// Index of the earlier printed system, and of its row, whose expansion near the point of the entry is this row.
-    /// `None` if there is no such row, or if the entry holds everywhere.
+    /// Indices (table, row) of an earlier printed row whose expansion near the entry's point is
+    /// `row`.
+    /// Returns `None` if no earlier row has this expansion, or if the entry holds everywhere.
     fn expanded_from(&mut self, formulation: Formulation, unknowns: &[Expr], row: &Row) -> Option<(usize, usize)> {
         for (table, earlier) in self.earlier.iter().enumerate() {
             if earlier.formulation != formulation || earlier.unknowns != unknowns {
@@ -281,8 +295,10 @@ impl Judge<'_, '_> {
         None
     }
 
-    /// Result of an entry, without table and motion if the entry holds near a point. Such an entry is no equation of
-    /// the whole motion, and is traced to others only if it is the expansion of a row.
+    /// Removes table and motion from the result of an entry that holds only near a point; other
+    /// results are unchanged.
+    /// Such an entry is not an equation of the whole motion. It is traced to another row only if it
+    /// is the expansion of that row.
     pub(super) fn kept(&self, judged: Judged) -> Judged {
         if self.near.is_none() {
             return judged;
@@ -292,7 +308,9 @@ impl Judge<'_, '_> {
         Judged { findings, table: None, motion: None }
     }
 
-    /// Marks a right row as different if it depends on the rows above it: then an equation of motion is missing.
+    /// Marks a right row as different if it depends linearly on the rows above it, because an
+    /// equation of motion is missing.
+    /// Adds a remark if the system has too few equations to determine the motion.
     fn completeness(
         &self,
         findings: &mut [TracedFinding],

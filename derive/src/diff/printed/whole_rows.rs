@@ -1,8 +1,9 @@
-//! Wrong rows that are read as one formula.
+//! Reading of a wrong row as one formula, if its entries alone do not show the mistake.
 //!
-//! A row is compared entry by entry. A wrong row may differ in several entries by one mistake: a lost dot moves a term
-//! from one entry to another. And an equation that is solved for one unknown is no multiple of a derived row: it is
-//! compared with the value of the unknown that all derived rows give.
+//! Rows are compared entry by entry. One mistake can make several entries of a row wrong: a lost
+//! dot moves a term from one entry to another. Another case is an equation solved for one unknown:
+//! it is no multiple of a derived row, so it is compared with the value of the unknown that all
+//! derived rows give together.
 
 use crate::diff::equations::derived_system::Ordered;
 use crate::diff::equations::rows::{Match, Row, RowJudgement};
@@ -19,32 +20,37 @@ use crate::mechanics::Kinematics;
 use crate::publication::has_right_side;
 use std::cell::OnceCell;
 
-/// Most unknowns of a derived system that is solved for one of them.
+/// Largest number of unknowns of a derived system that is solved for the value of an unknown.
 const MOST_UNKNOWNS: usize = 8;
 
-/// Most derived rows, each divided by a coefficient, that a wrong row may be meant to be.
+/// Largest number of derived rows, each divided by a coefficient, with which a wrong row is
+/// compared.
 const MOST_MEANT: usize = 8;
 
-/// A wrong row, read as one formula.
+/// Result of reading a wrong row as one formula.
 pub(super) enum WholeRow {
-    /// The row is not linear in the unknowns, and right with the values that the derived rows give them.
+    /// The row is not linear in the unknowns, and holds with the values of the unknowns from the
+    /// derived rows.
     Holds,
-    /// One mistake makes the whole row wrong, compared with the row that is meant.
+    /// One mistake makes the whole row wrong; the second value is the derived row that the author
+    /// meant.
     Changed(Mistake, Row),
-    /// The row states the value of one unknown, and this is its finding.
+    /// The row states the value of an unknown, or of a sum of unknowns; its finding.
     Solved(Box<Finding>),
 }
 
-/// Derived rows, and the values that they give their unknowns once these are asked for.
+/// Derived rows with the values of their unknowns, which are computed when first needed.
 pub(super) struct Solving<'a> {
-    /// Derived rows that are solved: those of the system, before they are expanded near a point.
+    /// Derived rows of the system, exact even if the entry holds only near a point.
     pub order: &'a Ordered,
-    /// Values of the unknowns, once they were asked for; `None` if the rows do not determine them, or are many.
+    /// Values of the unknowns, empty until computed; `None` inside if the rows do not determine
+    /// them or have many unknowns.
     pub values: OnceCell<Option<Vec<Expr>>>,
 }
 
 impl WholeRow {
-    /// Match of the row: that of its entries, or none with a single derived row.
+    /// Match of the row for further use: the match `entries` if one mistake explains the row, else
+    /// no single derived row.
     pub fn matched(&self, entries: Match) -> Match {
         match self {
             Self::Changed(..) => entries,
@@ -54,8 +60,8 @@ impl WholeRow {
 }
 
 impl Judge<'_, '_> {
-    /// Reading of a wrong row as one formula; `None` if its entries, one by one, tell the mistake, or if nothing is
-    /// proved to be wrong.
+    /// Reads a wrong row as one formula.
+    /// Returns `None` if the entries alone show the mistake, or if no entry is proved wrong.
     pub(super) fn whole_row(
         &mut self,
         finding: &Finding,
@@ -72,7 +78,8 @@ impl Judge<'_, '_> {
         if solved.as_ref().is_some_and(|found| found.judgement == Judgement::Equal) {
             return solved.map(|found| WholeRow::Solved(Box::new(found)));
         }
-        // The value of a reaction or a multiplier is meant as such. An acceleration alone may also be a balance.
+        // A stated reaction or multiplier is meant as a value. A stated acceleration may also be a
+        // balance.
         let is_force = alone(row).is_some_and(|at| !self.quantities.mentions_accelerations(order.unknowns[at]));
         if is_force && solved.is_some() {
             return solved.map(|found| WholeRow::Solved(Box::new(found)));
@@ -98,8 +105,9 @@ impl Judge<'_, '_> {
         solved.map(|found| WholeRow::Solved(Box::new(found)))
     }
 
-    /// Rows that a wrong row may be meant to be: that of its match, then derived rows that are divided by a coefficient
-    /// of an unknown in parameters.
+    /// Rows that the author of a wrong row may have meant: the matched row, then derived rows
+    /// divided by a coefficient.
+    /// A coefficient is used as a divisor if it depends only on parameters.
     fn meant(&mut self, order: &Ordered, judged: &RowJudgement) -> Vec<Row> {
         let mut list = vec![judged.expected.clone()];
         let parameters = self.quantities.model.p();
@@ -125,7 +133,8 @@ impl Judge<'_, '_> {
         list
     }
 
-    /// True if a row that is not linear in the unknowns holds with their values.
+    /// True if a row that is not linear in the unknowns holds with the values of the unknowns from
+    /// the derived rows.
     fn holds_with_solutions(&mut self, row: &[Printed], solving: &Solving<'_>) -> bool {
         let order = solving.order;
         let values: Row = row.iter().map(|printed| printed.value).collect();
@@ -143,8 +152,9 @@ impl Judge<'_, '_> {
         put.undefined.is_none() && self.comparer.is_zero(arena, residual).is_equal()
     }
 
-    /// Finding of a row with one unknown as its value, or with a sum of unknowns, each times a number, as the value of
-    /// this sum. `None` unless the value is right or its mistake is named.
+    /// Finding of a row that states the value of one unknown, or of a sum of unknowns with
+    /// numerical factors.
+    /// Returns `None` unless the value is right or its mistake is found.
     fn solved(
         &mut self,
         finding: &Finding,
@@ -180,7 +190,7 @@ impl Judge<'_, '_> {
         let derived = self.simplify(derived);
         let value = Printed { raw, value, reading: right.reading };
         let mut found = self.compare(finding.clone(), value, derived);
-        // A sum that is contrasted as a whole has no named mistake.
+        // A difference of two whole sums does not name a mistake.
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let is_sum = matches!(arena.node(value.value), Node::Sum(_, terms) if terms.len() > 1);
         let is_named = found.factor.is_some()
@@ -198,12 +208,15 @@ impl Judge<'_, '_> {
         Some(found)
     }
 
-    /// Values of the unknowns by the derived rows; `None` if these do not determine them, or are many.
+    /// Values of the unknowns from the derived rows, computed once; `None` if the rows do not
+    /// determine them or are many.
     fn solutions(&mut self, solving: &Solving<'_>) -> Option<Vec<Expr>> {
         let order = solving.order;
         solving.values.get_or_init(|| self.solved_rows(order)).clone()
     }
 
+    /// Solves the independent derived rows for all unknowns; `None` unless they are as many as the
+    /// unknowns, at most eight.
     fn solved_rows(&mut self, order: &Ordered) -> Option<Vec<Expr>> {
         let n = order.unknowns.len();
         if n > MOST_UNKNOWNS {
@@ -221,7 +234,7 @@ impl Judge<'_, '_> {
         Some(values.into_iter().map(|value| value[0]).collect())
     }
 
-    /// Finding of a wrong row that is read as one formula.
+    /// Completes the finding of a wrong row that was read as one formula.
     pub(super) fn told_as_whole(
         &mut self,
         mut finding: Finding,
@@ -238,7 +251,7 @@ impl Judge<'_, '_> {
             WholeRow::Changed(mistake, expected) => {
                 let values: Row = row.iter().map(|printed| printed.value).collect();
                 let words = mistake.words.join(", ");
-                // The sign of a term on the right is turned.
+                // In left − right, a term of the right side has the opposite sign.
                 let has_right = has_right_side(&finding.printed);
                 let wrong = if has_right { format!("in left − right, {words}") } else { words };
                 finding.derived = Some(self.as_term(&expected, &order.unknowns));

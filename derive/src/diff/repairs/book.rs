@@ -1,8 +1,8 @@
-//! Mistakes in abbreviations that entries of a publication have shown so far.
+//! Record of mistakes that a publication's abbreviations have shown so far.
 //!
-//! A mistake in an abbreviation makes every formula wrong that uses it. It is named once, in the abbreviation's own
-//! formula. Later formulas are first read with the right formula in its place: they may be right then, or have a
-//! mistake of their own.
+//! A mistake in an abbreviation makes every formula wrong that uses the abbreviation. It is
+//! reported once, in the abbreviation's own formula. Later formulas are first read with the
+//! corrected abbreviation: they may be right then, or have a mistake of their own.
 
 use super::formula::Formula;
 use super::{Repair, Search, Slip, Tools, is_right, pair, repair, repairs_of_abbreviations};
@@ -11,48 +11,57 @@ use crate::algebra::{Arena, Expr};
 use crate::publication::Shorthand;
 use rustc_hash::FxHashSet;
 
-/// Abbreviation that is known to be wrong.
+/// Abbreviation known to be wrong, with its right formula and the description of its mistake.
 struct Correction {
+    /// Name of the wrong abbreviation.
     name: String,
-    /// Right formula, in the arena of the corrections.
+    /// Right formula of the abbreviation, in the arena of the corrected formulas.
     right: Expr,
+    /// Description of the mistake, such as "2*l should be l".
     words: String,
+    /// Wrong part and right part of the formula; `None` for a missing term.
     parts: Option<(Expr, Expr)>,
     slip: Slip,
 }
 
-/// Abbreviations of a publication, those that are known to be wrong, and those that right entries use.
+/// Record of a publication's abbreviations: those known to be wrong, and those that right entries
+/// use.
 pub struct Book {
     shorthand: Shorthand,
+    /// Store of the terms of the corrected formulas.
     arena: Arena,
     corrections: Vec<Correction>,
-    /// Names of abbreviations that right entries use: no mistake is sought in them.
+    /// Names of abbreviations that right entries use; they count as right, and no mistake is
+    /// searched for in them.
     trusted: FxHashSet<String>,
-    /// Mistakes in abbreviations that would be all of an entry's, each with the formulas of these entries.
+    /// Mistakes in abbreviations that would alone explain wrong entries, each with the formulas of
+    /// these entries.
     suspected: Vec<(Correction, Vec<Expr>)>,
 }
 
-/// Mistake of a formula that uses abbreviations.
+/// Mistakes found in a printed formula that uses abbreviations.
 pub struct Found {
-    /// Descriptions of the mistakes, one for each.
+    /// Descriptions of the mistakes, one text for each mistake.
     pub words: Vec<String>,
-    /// Wrong part and right part, if there is one mistake.
+    /// Wrong part and right part; `None` unless there is exactly one mistake with both parts.
     pub parts: Option<(Expr, Expr)>,
-    /// Kind of the mistake, if there is one.
+    /// Kind of the mistake; `None` unless there is exactly one mistake.
     pub slip: Option<Slip>,
-    /// Names of the abbreviations whose mistakes are all mistakes.
+    /// Names of the wrong abbreviations if every mistake of the formula lies in an abbreviation;
+    /// else empty.
     pub abbreviations: Vec<String>,
 }
 
 impl Book {
-    /// Book in which no abbreviation is wrong.
+    /// Record for `shorthand`, the publication's abbreviations, in which none is known to be wrong.
     pub fn new(shorthand: &Shorthand) -> Self {
         let (shorthand, arena) = (shorthand.clone(), Arena::new());
         let (corrections, suspected) = (Vec::new(), Vec::new());
         Self { shorthand, arena, corrections, trusted: FxHashSet::default(), suspected }
     }
 
-    /// Notes that an entry with this formula, abbreviations written out, is right.
+    /// Records that an entry is right, so that its abbreviations count as right. `raw` is its
+    /// formula with abbreviations written out.
     pub fn trust(&mut self, raw: Expr) {
         let Some(as_printed) = self.shorthand.as_printed(raw) else { return };
         let used = self.shorthand.used(as_printed);
@@ -73,12 +82,14 @@ impl Book {
         self.trusted.extend(apart.collect::<Vec<_>>());
     }
 
-    /// Drops the mistakes in abbreviations that right entries use, and believes those that would be all of several
-    /// entries'. True if entries may be judged otherwise with what the book knows now.
+    /// Discards corrections of abbreviations that right entries use. Accepts suspected mistakes
+    /// that would alone explain several entries.
+    /// Returns true if the record has corrections, so that entries may be judged differently now.
     pub fn learn(&mut self) -> bool {
         let mut suspected = std::mem::take(&mut self.suspected);
         let declared = |one: &Correction| self.shorthand.abbreviations().iter().position(|own| own.name == one.name);
-        // Of two mistakes that would explain the same entries, the one nearer to them is meant.
+        // If two mistakes would explain the same entries, the abbreviation declared last is
+        // preferred: it is the nearest to them.
         suspected.sort_by_key(|(one, entries)| std::cmp::Reverse((entries.len(), declared(one))));
         let mut explained: FxHashSet<Expr> = FxHashSet::default();
         for (suspect, entries) in suspected.into_iter().filter(|(_, entries)| entries.len() > 1) {
@@ -94,18 +105,20 @@ impl Book {
         had_corrections
     }
 
-    /// Keeps the quotient of two formulas as printed, if one of them uses an abbreviation.
+    /// Records the quotient of two formulas as printed, if either of them uses an abbreviation.
     pub fn keep_quotient(&mut self, model: &Arena, quotient: Expr, dividend: Expr, divisor: Expr) {
         self.shorthand.keep_quotient(model, quotient, dividend, divisor);
     }
 
-    /// True if a formula, with abbreviations written out, is printed as the name of an abbreviation alone.
+    /// True if a formula, given with abbreviations written out, is printed as the bare name of an
+    /// abbreviation.
     pub fn is_name(&self, raw: Expr) -> bool {
         self.shorthand.is_name(raw)
     }
 
-    /// Mistake of a printed formula that uses abbreviations, whose value with abbreviations written out is `raw`.
-    /// `None` if it uses none, or if no mistake is found.
+    /// Finds the mistake of a printed formula that uses abbreviations. `raw` is its value with
+    /// abbreviations written out.
+    /// Returns `None` if the formula uses no abbreviation, or if no mistake is found.
     pub fn mistake(&mut self, tools: &mut Tools<'_, '_>, raw: Expr, derived: Expr, search: Search) -> Option<Found> {
         let as_printed = self.shorthand.as_printed(raw)?;
         let mut formula = Formula::with_abbreviations(&self.shorthand, as_printed, &self.trusted);
@@ -139,8 +152,8 @@ impl Book {
         Some(Found { words: vec![found.words], parts: found.parts, slip: Some(found.slip), abbreviations })
     }
 
-    /// Two mistakes of a printed formula, also beside those of abbreviations that are known to be wrong. `None` if it
-    /// uses no abbreviation, or if no two mistakes are found.
+    /// Finds two mistakes of a printed formula, in addition to known mistakes of its abbreviations.
+    /// Returns `None` if the formula uses no abbreviation, or if no two mistakes are found.
     pub fn two_mistakes(&mut self, tools: &mut Tools<'_, '_>, raw: Expr, derived: Expr) -> Option<Found> {
         let as_printed = self.shorthand.as_printed(raw)?;
         let mut formula = Formula::with_abbreviations(&self.shorthand, as_printed, &self.trusted);
@@ -153,7 +166,8 @@ impl Book {
         Some(Found { words, parts: None, slip: None, abbreviations: Vec::new() })
     }
 
-    /// Puts the right formulas of known wrong abbreviations into a formula; returns the indices of those that it uses.
+    /// Replaces known wrong abbreviations of a formula by their right formulas; returns the indices
+    /// of the corrections used.
     fn corrected(&self, formula: &mut Formula) -> Vec<usize> {
         let mut used = Vec::new();
         let mut transfer = Transfer::new(&self.arena);
@@ -166,7 +180,8 @@ impl Book {
         used
     }
 
-    /// Notes the mistake of an abbreviation; returns its name.
+    /// Records a mistake found in an abbreviation and returns the abbreviation's name; `None` if
+    /// the mistake is elsewhere.
     fn note(&mut self, formula: &Formula, found: &Repair) -> Option<String> {
         let correction = self.correction(formula, found)?;
         let name = correction.name.clone();
@@ -175,7 +190,8 @@ impl Book {
         Some(name)
     }
 
-    /// Notes a mistake of an abbreviation that the entry with the formula `raw` may have instead of its own.
+    /// Records a mistake of an abbreviation that may explain the entry `raw` instead of a mistake
+    /// in the entry itself.
     fn suspect(&mut self, formula: &Formula, found: &Repair, raw: Expr) {
         let Some(correction) = self.correction(formula, found) else { return };
         let is_same = |one: &Correction| (&one.name, one.right) == (&correction.name, correction.right);
@@ -186,6 +202,8 @@ impl Book {
         }
     }
 
+    /// Converts a repair into a correction of its abbreviation; `None` if the repair is not in an
+    /// abbreviation.
     fn correction(&mut self, formula: &Formula, found: &Repair) -> Option<Correction> {
         let name = formula.parts[found.place?].name.clone();
         let right = Transfer::new(&formula.arena).term(&mut self.arena, found.changed);

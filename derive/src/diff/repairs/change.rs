@@ -1,43 +1,47 @@
-//! Changes of one place of a formula.
+//! Changes of a formula at one place, tried as repairs of a misprint.
 
 use super::pool::Pool;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashSet;
 
-/// Most changes of one formula that are tried.
+/// Largest number of changes of one formula that are tried.
 const MOST: usize = 40_000;
-/// Most equal terms of a sum of which one may be wrong.
+/// Largest multiplicity of equal terms (or factors) of which a single copy may be wrong, such as w1
+/// in w1 + w1.
 const MOST_EQUAL: i64 = 4;
-/// Numbers by which terms are multiplied, as fractions.
+/// Fractions (numerator, denominator) by which terms are multiplied to repair a wrong sign or
+/// number.
 const NUMBERS: [(i64, i64); 12] =
     [(-1, 1), (2, 1), (1, 2), (3, 1), (1, 3), (4, 1), (1, 4), (3, 2), (2, 3), (3, 4), (4, 3), (-1, 2)];
 
 /// Kind of a mistake in a printed formula, the likeliest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Slip {
-    /// A lost or gained sign.
+    /// A sign is lost or gained.
     Sign,
-    /// A wrong number.
+    /// A number is wrong.
     Number,
-    /// A symbol in the place of another one, or a lost or gained dot.
+    /// A wrong symbol, or a lost or gained dot of a time derivative.
     Symbol,
-    /// A sine in the place of a cosine, or a wrong argument.
+    /// A sine printed for a cosine, a cosine for a sine, or a wrong argument.
     Function,
-    /// A wrong power.
+    /// An exponent is wrong.
     Power,
-    /// A factor too many.
+    /// A factor is printed that should not be there.
     ExtraFactor,
-    /// A factor too few.
+    /// A factor is missing in print.
     LostFactor,
-    /// A term too many.
+    /// A term is printed that should not be there.
     ExtraTerm,
-    /// A term too few.
+    /// A term is missing in print.
     LostTerm,
 }
 
 impl Slip {
-    /// Kind of the mistake in a value that is wrong by a factor; `None` for a factor of both kinds.
+    /// Kind of the mistake in a value that is wrong by the factor `factor`, printed value ÷ right
+    /// value.
+    /// Returns `None` for a factor with both extra and lost symbols, and for sums.
     #[must_use]
     pub fn of_factor(arena: &Arena, factor: Expr) -> Option<Self> {
         if factor == Expr::MINUS_ONE {
@@ -71,23 +75,23 @@ impl Slip {
     }
 }
 
-/// A formula in which one place is changed.
+/// Formula in which one part is changed, with the part before and after the change.
 #[derive(Clone, Copy, Debug)]
 pub struct Change {
-    /// Kind of the change.
+    /// Kind of the mistake that the change repairs.
     pub slip: Slip,
-    /// Changed part, as printed.
+    /// Changed part of the formula, as printed.
     pub before: Expr,
-    /// Changed part, as changed; 0 if the part is left out.
+    /// New value of the part; 0 if the part is removed.
     pub after: Expr,
-    /// Whole changed formula.
+    /// Whole formula, in which the part is changed.
     pub whole: Expr,
-    /// True if the part is changed wherever it stands.
+    /// True if every occurrence of the part is changed; false if only one occurrence is.
     pub throughout: bool,
 }
 
 impl Change {
-    /// Description of the change in words, with the texts of both parts.
+    /// Describes the change in words; `before` and `after` are the texts of the part.
     pub fn words(&self, before: &str, after: &str) -> String {
         match (self.after, self.throughout) {
             (Expr::ZERO, _) => format!("the term {before} should not be there"),
@@ -97,13 +101,14 @@ impl Change {
     }
 }
 
-/// Part of a formula in the place of another one.
+/// Replacement for a part of a formula, with the kind of mistake that it would repair.
 struct Variant {
     slip: Slip,
     part: Expr,
 }
 
-/// Calls `tell` with every change of one place of a formula, as long as some are `left`.
+/// Passes every change of the formula `root` at one place to `tell`, each once, until `left`
+/// changes have been tried.
 pub fn changes(arena: &mut Arena, pool: &Pool, root: Expr, left: &mut usize, tell: &mut dyn FnMut(&mut Arena, Change)) {
     let mut known: FxHashSet<Expr> = std::iter::once(root).collect();
     let mut tell = |arena: &mut Arena, change: Change| {
@@ -127,7 +132,7 @@ pub fn changes(arena: &mut Arena, pool: &Pool, root: Expr, left: &mut usize, tel
             for Variant { slip, part } in variants_of_term(arena, pool, term) {
                 let rest = arena.sub(sum, term);
                 let changed = arena.add(rest, part);
-                // A term too many within a formula is told with the sum that it stands in.
+                // An extra term inside a formula is reported with the sum that contains it.
                 let is_inner = slip == Slip::ExtraTerm && sum != root;
                 let place = if is_inner { (sum, changed) } else { (term, part) };
                 let (before, after) = around(arena, &parents, (sum, changed), place);
@@ -156,7 +161,8 @@ pub fn changes(arena: &mut Arena, pool: &Pool, root: Expr, left: &mut usize, tel
     }
 }
 
-/// Variants of a symbol, a sine or a cosine, which may be wrong wherever it stands.
+/// Replacements for a symbol, a sine or a cosine that apply to all its occurrences; `None` for
+/// other terms.
 fn throughout(arena: &mut Arena, pool: &Pool, part: Expr) -> Option<Vec<Variant>> {
     match *arena.node(part) {
         Node::Symbol(_) => {
@@ -169,14 +175,15 @@ fn throughout(arena: &mut Arena, pool: &Pool, part: Expr) -> Option<Vec<Variant>
     }
 }
 
-/// Formula with `after` in the place of `before`; `None` if a divisor becomes 0.
+/// Formula `root` with `before` replaced by `after`; `None` if a divisor becomes 0.
 pub fn replaced(arena: &mut Arena, root: Expr, before: Expr, after: Expr) -> Option<Expr> {
     let mut put = Substitution::new(&[(before, after)]);
     let whole = put.apply(arena, root);
     put.undefined.is_none().then_some(whole)
 }
 
-/// Changed part with what makes it understood: the function, if the sum is the argument of one.
+/// Changed part as reported, before and after: with the function around it if the sum is the only
+/// argument of a function.
 fn around(arena: &mut Arena, parents: &[Expr], sum: (Expr, Expr), term: (Expr, Expr)) -> (Expr, Expr) {
     match parents {
         [parent] => match *arena.node(*parent) {
@@ -187,7 +194,7 @@ fn around(arena: &mut Arena, parents: &[Expr], sum: (Expr, Expr), term: (Expr, E
     }
 }
 
-/// Variants of a term of a sum, or of a whole formula that is no sum.
+/// Replacements for a term of a sum, or for a whole formula that is not a sum.
 fn variants_of_term(arena: &mut Arena, pool: &Pool, term: Expr) -> Vec<Variant> {
     let mut list = Vec::new();
     for (n, d) in NUMBERS {
@@ -218,7 +225,8 @@ fn variants_of_term(arena: &mut Arena, pool: &Pool, term: Expr) -> Vec<Variant> 
     list
 }
 
-/// Variants of a part that is no sum, by changes of the part and of its factors and arguments.
+/// Replacements for a part that is not a sum: changes of the part itself, of its factors and of its
+/// arguments.
 fn variants(arena: &mut Arena, pool: &Pool, part: Expr) -> Vec<Variant> {
     match arena.node(part).clone() {
         Node::Product(factors) => {
@@ -286,7 +294,7 @@ fn variants(arena: &mut Arena, pool: &Pool, part: Expr) -> Vec<Variant> {
     }
 }
 
-/// Functions in the place of another one: cosine for sine, and sine for cosine.
+/// Cosine for a sine and sine for a cosine, with the same argument; `None` for other functions.
 fn turned(arena: &mut Arena, f: Function, argument: Expr) -> Option<Expr> {
     match f {
         Function::Sin => Some(arena.cos(argument)),

@@ -1,4 +1,5 @@
-//! A printed formula with the abbreviations in it, each with its own formula: the places where a mistake may be.
+//! Printed formula with its abbreviations, each with its own formula: the places where a mistake
+//! may be.
 
 use super::change::replaced;
 use crate::algebra::term::calculus::Substitution;
@@ -7,39 +8,43 @@ use crate::algebra::{Arena, Expr};
 use crate::publication::{Abbreviation, Shorthand};
 use rustc_hash::FxHashSet;
 
-/// Printed formula, in an arena of its own.
+/// Printed formula with its abbreviations, in an arena of its own.
 pub struct Formula {
     /// Store of the terms of the formula and of its changes.
     pub arena: Arena,
-    /// Formula as printed, with abbreviations as symbols.
+    /// Formula as printed, in which abbreviations are symbols.
     pub root: Expr,
-    /// Abbreviations that the formula uses, also through others, in the order of their declaration.
+    /// Abbreviations that the formula uses, directly or through others, in the order of their
+    /// declaration.
     pub parts: Vec<Abbreviation>,
-    /// For each abbreviation, true if no mistake is sought in it.
+    /// For each abbreviation, true if it counts as right, so that no mistake is searched for in it.
     trusted: Vec<bool>,
 }
 
-/// Place of a formula that may be wrong: the formula itself, or that of an abbreviation.
+/// Place in a printed formula that may be wrong: the formula itself, or the formula of an
+/// abbreviation.
 #[derive(Clone, Copy)]
 pub struct Place {
-    /// Index of the abbreviation; `None` for the formula itself.
+    /// Index of the abbreviation in the formula's list; `None` for the formula itself.
     pub at: Option<usize>,
-    /// Formula at this place.
+    /// Formula at this place: of the printed formula or of an abbreviation.
     pub formula: Expr,
-    /// Whole formula, in which abbreviations that depend on this one are written out.
+    /// Whole formula, in which those abbreviations are written out that depend on this
+    /// abbreviation.
     around: Expr,
 }
 
 impl Formula {
-    /// Formula of an arena, without abbreviations.
+    /// Formula without abbreviations, copied from the arena `from` to an arena of its own.
     pub fn plain(from: &Arena, e: Expr) -> Self {
         let mut arena = Arena::new();
         let root = Transfer::new(from).term(&mut arena, e);
         Self { arena, root, parts: Vec::new(), trusted: Vec::new() }
     }
 
-    /// Formula with abbreviations. `e` is in the arena of the shorthand. No mistake is sought in abbreviations with the
-    /// `trusted` names.
+    /// Formula `e` with its abbreviations, copied from the arena of `shorthand` to an arena of its
+    /// own.
+    /// No mistake is searched for in the abbreviations with the names in `trusted`.
     pub fn with_abbreviations(shorthand: &Shorthand, e: Expr, trusted: &FxHashSet<String>) -> Self {
         let mut arena = Arena::new();
         for name in shorthand.leading() {
@@ -56,7 +61,8 @@ impl Formula {
         Self { arena, root, parts, trusted }
     }
 
-    /// The formula itself, then that of each abbreviation that may be wrong.
+    /// Places that may be wrong: the formula itself, then each abbreviation that is used and not
+    /// trusted.
     pub fn places(&mut self) -> Vec<Place> {
         let mut list = vec![Place { at: None, formula: self.root, around: self.root }];
         for at in (0..self.parts.len()).filter(|at| !self.trusted[*at]).collect::<Vec<_>>() {
@@ -78,7 +84,8 @@ impl Formula {
         list
     }
 
-    /// Whole formula with another formula at a place; `None` if a divisor becomes 0.
+    /// Whole formula with the formula at `place` replaced by `changed`; `None` if a divisor becomes
+    /// 0.
     pub fn whole(&self, arena: &mut Arena, place: Place, changed: Expr) -> Option<Expr> {
         match place.at {
             None => Some(changed),
@@ -86,7 +93,7 @@ impl Formula {
         }
     }
 
-    /// A term with all abbreviations written out; `None` if a divisor becomes 0.
+    /// Term with all abbreviations written out; `None` if a divisor becomes 0.
     pub fn written_out(&mut self, e: Expr) -> Option<Expr> {
         let mut whole = e;
         for part in self.parts.iter().rev() {
@@ -95,7 +102,7 @@ impl Formula {
         Some(whole)
     }
 
-    /// Formula with another formula at a place.
+    /// Copy in which the formula at `place` is replaced by `changed`.
     pub fn with(&self, place: Place, changed: Expr) -> Self {
         let (mut root, mut parts) = (self.root, self.parts.clone());
         match place.at {
@@ -105,12 +112,13 @@ impl Formula {
         Self { arena: self.arena.clone(), root, parts, trusted: self.trusted.clone() }
     }
 
-    /// Description of a mistake at a place, with the name of the abbreviation.
+    /// Description of a mistake, preceded by the name of the abbreviation if the place is in an
+    /// abbreviation.
     pub fn within(&self, place: Place, words: &str) -> String {
         self.name(place).map_or_else(|| words.to_owned(), |name| format!("in {name}, {words}"))
     }
 
-    /// Name of the abbreviation at a place.
+    /// Name of the abbreviation at a place; `None` for the formula itself.
     pub fn name(&self, place: Place) -> Option<&str> {
         place.at.map(|at| self.parts[at].name.as_str())
     }

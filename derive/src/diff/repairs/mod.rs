@@ -1,9 +1,10 @@
-//! Smallest change that makes a wrong printed formula right.
+//! Search for the smallest change that makes a wrong printed formula right.
 //!
-//! Changes of one place are tried: a sign, a number, another symbol of the same unit, a lost dot, sine for cosine, a
-//! power, a factor, a term. Numbers at random states reject nearly all of them ([`points`]). A change that is left is
-//! proved equal to the derived value, as verdicts are. So a repair is never a guess, though another change may be right
-//! as well: the smallest one is reported.
+//! Changes of one place are tried: a sign, a number, another symbol of the same unit, a lost dot,
+//! sine for cosine, a power, a factor, a term. Numbers at random states reject nearly all of them
+//! ([`points`]). A change that numbers do not reject is proved equal to the derived value, as
+//! verdicts are. So a repair is never a guess. Several changes may be right: the smallest is
+//! reported.
 
 mod book;
 mod change;
@@ -30,28 +31,30 @@ use points::Points;
 use pool::Pool;
 use spots::solved_spot;
 
-/// Most changes that are tried for all formulas of one publication together.
+/// Largest number of changes that are tried for all formulas of one publication together.
 pub const MOST_CHANGES: usize = 500_000;
-/// Most changes that are proved after numbers did not reject them.
+/// Largest number of changes of one formula for which a proof is tried, after numbers did not
+/// reject them.
 const MOST_PROOFS: usize = 6;
-/// Most nodes of a formula of which changes are tried.
+/// Largest number of nodes of a formula whose changes are tried.
 const MOST_NODES: usize = 400;
-/// Longest text of the changed part, before or after, in bytes.
+/// Longest text, in bytes, of a changed part that a repair may report.
 const LONGEST: usize = 100;
 
-/// Rewriting of printed terms in the variables of the derived value, with derived quantities in the place of their
-/// names. The error is the reason why a term has no value.
+/// Rewriting of printed terms into the variables of the derived value; names of derived quantities
+/// are replaced by them.
+/// The error is the reason why a term has no value.
 pub type Rewriting<'a> = dyn FnMut(&mut Quantities<'_>, Expr) -> Result<Expr, String> + 'a;
 
-/// Tools of the search for repairs.
+/// Tools for the search for repairs of one formula.
 pub struct Tools<'t, 'q> {
     /// Derived quantities, with the arena of the derivations.
     pub quantities: &'t mut Quantities<'q>,
-    /// Comparer, which proves repairs.
+    /// Comparer that proves a repaired formula equal to the derived value.
     pub comparer: &'t mut Comparer,
-    /// Rewriting of printed terms.
+    /// Rewriting of printed terms into the variables of the derived value.
     pub rewriting: &'t mut Rewriting<'t>,
-    /// Number of changes that may still be tried; it goes down.
+    /// Number of changes that may still be tried; the search decreases it.
     pub left: &'t mut usize,
 }
 
@@ -59,34 +62,37 @@ pub struct Tools<'t, 'q> {
 pub struct Repair {
     /// Description of the change, such as "3*u1*u3 should be 2*u1*u3".
     pub words: String,
-    /// Wrong part and right part; `None` for a term that is missing.
+    /// Wrong part and right part, in the arena of the derivations; `None` for a missing term.
     pub parts: Option<(Expr, Expr)>,
-    /// Kind of the mistake.
+    /// Kind of the mistake that the change repairs.
     pub slip: Slip,
-    /// Index, in the formula's list, of the abbreviation in which the mistake is; `None` for the formula itself.
+    /// Index of the abbreviation that has the mistake, in the formula's list; `None` for the
+    /// formula itself.
     place: Option<usize>,
-    /// Right formula at this place, in the arena of the formula.
+    /// Right formula of the abbreviation, or of the formula itself, in the formula's arena.
     changed: Expr,
 }
 
 impl Repair {
-    /// Repair of a part at a place.
+    /// Repair at `place`: `parts` are the wrong and the right part, `changed` is the right formula
+    /// of the place.
     fn at(place: Place, words: String, parts: (Expr, Expr), slip: Slip, changed: Expr) -> Self {
         Self { words, parts: Some(parts), slip, place: place.at, changed }
     }
 }
 
-/// Changes among which a repair is sought.
+/// Kinds of changes that a search for repairs tries.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Search {
-    /// Slips of one place: another sign, number, symbol, function, power, factor or term.
+    /// Slips at one place: a wrong sign, number, symbol, function, power, factor or term.
     Slips,
-    /// Slips, then any simple value of one place.
+    /// Slips first, then any simple value of one part that makes the formula right.
     Values,
 }
 
-/// Smallest change of a formula, as it is printed, that makes it the derived value. `None` if no change of one place
-/// does, or if its words are long.
+/// Smallest change of a printed formula that makes it equal to the derived value.
+/// Returns `None` if no change of one place does, if its text is long, or if the formula is too
+/// large.
 pub fn repair(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr, search: Search) -> Option<Repair> {
     let places = formula.places();
     let nodes: Vec<Expr> = places.iter().map(|place| place.formula).collect();
@@ -102,8 +108,9 @@ pub fn repair(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr, s
     if search == Search::Values { solved_spot(tools, formula, derived) } else { None }
 }
 
-/// Changes of abbreviations, one each at most, of which every one makes a formula the derived value: mistakes that may
-/// be meant instead of one in the formula itself.
+/// Repairs of abbreviations, at most one each, that alone make a formula equal to the derived
+/// value.
+/// The author may have made such a mistake instead of a mistake in the formula itself.
 fn repairs_of_abbreviations(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr) -> Vec<Repair> {
     let places: Vec<Place> = formula.places().into_iter().filter(|place| place.at.is_some()).collect();
     let nodes: Vec<Expr> = places.iter().map(|place| place.formula).collect();
@@ -119,17 +126,19 @@ fn repairs_of_abbreviations(tools: &mut Tools<'_, '_>, formula: &mut Formula, de
     list
 }
 
-/// A change that numbers do not reject.
+/// Changed formula that agrees with the derived value in numbers, before proof.
 #[derive(Clone, Copy)]
 struct Candidate {
-    /// Formula or abbreviation that is changed.
+    /// Place that is changed: the formula itself or an abbreviation.
     place: Place,
     change: Change,
-    /// The changed formula, in which symbols stand for the other abbreviations.
+    /// Whole formula after the change; the remaining abbreviations are symbols in it.
     whole: Expr,
 }
 
-/// Changes that numbers do not reject, the likeliest first. `None` if there are no numbers.
+/// Changes for which printed and derived value agree in numbers, the likeliest kind of mistake
+/// first.
+/// Returns `None` if no numerical states are found.
 fn close_changes(
     tools: &mut Tools<'_, '_>,
     formula: &mut Formula,
@@ -158,7 +167,7 @@ fn close_changes(
     Some(close)
 }
 
-/// Symbols and factors that changes of each place may bring in.
+/// Symbols and factors that a change may insert, one pool for each place.
 fn pools(
     tools: &mut Tools<'_, '_>,
     formula: &Formula,
@@ -177,7 +186,8 @@ fn pools(
     places.iter().map(pool).collect()
 }
 
-/// Index, symbol and unit of each abbreviation of a formula that has a unit.
+/// Index, symbol and unit of each abbreviation of a formula; abbreviations without a known unit are
+/// left out.
 fn units(tools: &mut Tools<'_, '_>, formula: &Formula, arena: &mut Arena) -> Vec<(usize, Expr, Unit)> {
     let mut list = Vec::new();
     let mut written: Vec<(Expr, Expr)> = Vec::new();
@@ -197,7 +207,8 @@ fn units(tools: &mut Tools<'_, '_>, formula: &Formula, arena: &mut Arena) -> Vec
     list
 }
 
-/// States at which changes of a formula, whose terms are in `arena`, are evaluated; `None` if there are none.
+/// Random states, permitted by the model's constraints, at which changed formulas are evaluated.
+/// The terms are in `arena`. Returns `None` if no such states are found.
 fn states(
     tools: &mut Tools<'_, '_>,
     formula: &Formula,
@@ -216,7 +227,8 @@ fn states(
     Some(points)
 }
 
-/// Repair by a change of which numbers are right, if it is proved and its words are short.
+/// Repair by a candidate change, if a proof shows it equal to the derived value; `None` without
+/// proof or with a long text.
 fn proved(tools: &mut Tools<'_, '_>, formula: &mut Formula, candidate: Candidate, derived: Expr) -> Option<Repair> {
     let Candidate { place, change, whole } = candidate;
     let [before, after] = [change.before, change.after].map(|e| text(&formula.arena, e));
@@ -240,7 +252,7 @@ fn proved(tools: &mut Tools<'_, '_>, formula: &mut Formula, candidate: Candidate
     Some(Repair::at(place, words, parts, change.slip, change.whole))
 }
 
-/// True if a formula, with abbreviations written out, is the derived value.
+/// True if a formula, with its abbreviations written out, is proved equal to the derived value.
 fn is_right(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr) -> bool {
     let Some(whole) = formula.written_out(formula.root) else { return false };
     let main: &mut Arena = &mut tools.quantities.derivations.kinematics.arena;

@@ -1,9 +1,10 @@
-//! Two changes that together make a wrong printed formula right.
+//! Search for two changes that together make a wrong printed formula right.
 //!
-//! Trying all pairs would cost the square of the number of changes. Two changes in different terms of a sum add their
-//! effects, and two in different factors of a product multiply them. So the second change of a pair is looked up by
-//! the value that it must have, in a sorted list. The first change of such a pair is made, and the second is sought
-//! and proved as the only mistake of the rest ([`super::proved`]).
+//! Trying all pairs would cost the square of the number of changes. Two changes in different terms
+//! of a sum add their effects; two in different factors of a product multiply them. So the second
+//! change is looked up in a sorted list, by the value that it must have. The first change is then
+//! made, and the second is searched for and proved as the only remaining mistake
+//! ([`super::proved`]).
 
 use super::change::{Change, Slip, changes};
 use super::formula::{Formula, Place};
@@ -12,19 +13,19 @@ use super::{LONGEST, MOST_NODES, MOST_PROOFS, Repair, Tools, close_changes, pool
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::text::print::text;
 
-/// Most changes of one formula whose pairs are tried.
+/// Largest number of changes of one formula that are combined in pairs.
 const MOST_SINGLES: usize = 20_000;
-/// Most pairs that numbers do not reject, before the likeliest are chosen.
+/// Largest number of pairs that numbers may leave, before the likeliest are chosen.
 const MOST_PAIRS: usize = 200;
 
-/// Change of one place, with the values of the whole formula after it.
+/// Change of one place, with the numerical values of the whole formula after the change.
 struct Single {
     place: Place,
     change: Change,
     values: [f64; POINTS],
 }
 
-/// Ways in which the effects of two changes combine.
+/// Rule by which the effects of two changes on the value of a formula combine.
 #[derive(Clone, Copy)]
 enum Law {
     /// The changes are in different terms of a sum.
@@ -34,7 +35,9 @@ enum Law {
 }
 
 impl Law {
-    /// Value that the second change must have, from those of the first change, the printed and the right formula.
+    /// Value of the formula with the second change alone that makes both changes together right.
+    /// `first` is the value with the first change alone; `printed` and `right` are the values
+    /// without changes and of the right formula.
     fn second(self, first: f64, printed: f64, right: f64) -> f64 {
         match self {
             Self::Sum => right - first + printed,
@@ -43,8 +46,9 @@ impl Law {
     }
 }
 
-/// Two changes of different places of a formula that make it the derived value together, the likeliest first. `None` if
-/// there are no such changes, or if their words are long.
+/// Two changes at different places that together make a formula equal to the derived value, the
+/// likeliest pair.
+/// Returns `None` if there is no such pair, if its texts are long, or if the formula is too large.
 pub fn pair(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: crate::algebra::Expr) -> Option<[Repair; 2]> {
     let places = formula.places();
     let nodes: Vec<_> = places.iter().map(|place| place.formula).collect();
@@ -68,8 +72,9 @@ pub fn pair(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: crate::al
     None
 }
 
-/// All changes of one place with their values, in the order of the first value; then the values of the printed and of
-/// the right formula. `None` if there are no numbers.
+/// All changes of one place with their values, sorted by the value at the first state; then the
+/// values of the printed and of the right formula.
+/// Returns `None` if no numerical states are found.
 fn singles(
     tools: &mut Tools<'_, '_>,
     formula: &mut Formula,
@@ -98,7 +103,7 @@ fn singles(
     Some((list, printed?, points.right()))
 }
 
-/// Indices of first changes of pairs that numbers do not reject, the likeliest pairs first.
+/// Indices of the first changes of pairs that agree in numbers, the likeliest pairs first.
 fn firsts(singles: &[Single], printed: [f64; POINTS], right: [f64; POINTS]) -> Vec<usize> {
     let mut pairs: Vec<(Slip, Slip, usize)> = Vec::new();
     for law in [Law::Sum, Law::Product] {
@@ -131,7 +136,7 @@ fn firsts(singles: &[Single], printed: [f64; POINTS], right: [f64; POINTS]) -> V
     list
 }
 
-/// Description of the first change of a pair; `None` if its words are long.
+/// Repair that describes the first change of a pair; `None` if its text is long.
 fn first_repair(formula: &Formula, place: Place, change: &Change) -> Option<Repair> {
     let [before, after] = [change.before, change.after].map(|e| text(&formula.arena, e));
     if before.len() > LONGEST || after.len() > LONGEST {

@@ -1,6 +1,8 @@
-//! Values of changed formulas at random permitted states, in doubles.
+//! Numerical values of changed formulas at random states, in double precision.
 //!
-//! Numbers reject, and prove nothing: a change that agrees here is proved by exact algebra afterwards.
+//! The states are permitted: they satisfy the model's constraints and its domain. Numbers only
+//! reject, and prove nothing: a change that agrees in numbers is proved by exact algebra
+//! afterwards.
 
 use super::Rewriting;
 use crate::algebra::meaning::compare::Comparer;
@@ -8,20 +10,24 @@ use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::Quantities;
 use rustc_hash::FxHashMap;
 
-/// Number of states at which a change is evaluated.
+/// Number of random states at which a changed formula is evaluated.
 pub const POINTS: usize = 3;
-/// Largest difference of values that count as equal, relative to the size of the value.
+/// Relative difference up to which two values count as equal.
 pub const SMALL: f64 = 1e-9;
 
-/// States with the values of symbols and of the right formula.
+/// Random states that the model's constraints permit: values of the symbols and of the right
+/// formula at each state.
 pub struct Points {
+    /// Values of symbols and of terms evaluated so far, one number for each state.
     values: FxHashMap<Expr, [f64; POINTS]>,
+    /// Values of the right formula, one number for each state.
     right: [f64; POINTS],
 }
 
 impl Points {
-    /// Draws permitted states. `symbols` are in `arena`, `derived` in the arena of the derivations. `None` if no such
-    /// states are found, or if a symbol has no value.
+    /// Draws three random states that the model's constraints permit.
+    /// `symbols` are in `arena`; `derived`, the right formula, is in the arena of the derivations.
+    /// Returns `None` if not enough states are found, or if a symbol is unknown to the derivations.
     pub fn new(
         quantities: &mut Quantities<'_>,
         comparer: &mut Comparer,
@@ -51,14 +57,15 @@ impl Points {
         })
     }
 
-    /// Gives a symbol the values of a formula, if these are known.
+    /// Sets the values of `symbol` to those of `formula`; does nothing if the formula has a symbol
+    /// without values.
     pub fn define(&mut self, arena: &Arena, symbol: Expr, formula: Expr) {
         if self.fill(arena, formula) {
             self.values.insert(symbol, self.values[&formula]);
         }
     }
 
-    /// Computes the values of a formula; false if a symbol in it has none.
+    /// Computes and stores the values of a formula. Returns false if a symbol in it has no values.
     fn fill(&mut self, arena: &Arena, e: Expr) -> bool {
         for part in arena.reachable_until(&[e], |e| self.values.contains_key(&e)) {
             let Some(value) = self.value(arena, part) else { return false };
@@ -67,23 +74,24 @@ impl Points {
         true
     }
 
-    /// Values of a formula at the states; `None` if a symbol in it has none.
+    /// Values of a formula, one for each state; `None` if a symbol in it has no values.
     pub fn values(&mut self, arena: &Arena, formula: Expr) -> Option<[f64; POINTS]> {
         self.fill(arena, formula).then(|| self.values[&formula])
     }
 
-    /// Values of the right formula at the states.
+    /// Values of the right formula, one for each state.
     pub fn right(&self) -> [f64; POINTS] {
         self.right
     }
 
-    /// True if a changed formula has the right value at all states, up to rounding.
+    /// True if a changed formula has the values of the right formula at all states, up to rounding.
     pub fn agree(&mut self, arena: &Arena, changed: Expr) -> bool {
         let Some(values) = self.values(arena, changed) else { return false };
         values.iter().zip(&self.right).all(|(value, right)| (value - right).abs() <= SMALL * right.abs().max(1e-3))
     }
 
-    /// Values of a term from those of its operands; `None` for a symbol without a value.
+    /// Values of a term, from the stored values of its operands; `None` for a symbol without
+    /// values.
     fn value(&self, arena: &Arena, e: Expr) -> Option<[f64; POINTS]> {
         let of = |e: &Expr, at: usize| self.values.get(e).map(|values| values[at]);
         let mut out = [0.0; POINTS];
@@ -114,7 +122,7 @@ impl Points {
     }
 }
 
-/// Value of a function in doubles.
+/// Value of an elementary function f(x), in double precision.
 fn applied(f: Function, x: f64) -> f64 {
     match f {
         Function::Sin => x.sin(),

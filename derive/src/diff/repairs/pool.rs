@@ -1,4 +1,4 @@
-//! Symbols and factors that a change of a formula may bring in.
+//! Symbols and factors that a repair of a formula may insert.
 
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::{Arena, Expr, Function, Node};
@@ -6,21 +6,26 @@ use crate::mechanics::Quantities;
 use crate::model::Unit;
 use rustc_hash::FxHashMap;
 
-/// Most symbols of a model that stand for others in changes; larger models offer those of the formulas alone.
+/// Number of model symbols up to which all may replace one another. For larger models, only symbols
+/// of the formulas may.
 const MOST_SYMBOLS: usize = 40;
-/// Most factors by which terms are multiplied.
+/// Largest number of factors by which terms are multiplied.
 const MOST_FACTORS: usize = 30;
 
-/// Symbols that may stand for others, and factors that may be lost.
+/// Symbols that may replace others in a repair, and factors that may have been lost.
 pub struct Pool {
+    /// For each symbol of the printed formula, the symbols that may replace it.
     swaps: FxHashMap<Expr, Vec<Expr>>,
+    /// All symbols that changed formulas may contain, sorted.
     symbols: Vec<Expr>,
+    /// Factors by which a term may be multiplied or divided.
     factors: Vec<Expr>,
 }
 
 impl Pool {
-    /// Pool for changes of `root`, a formula in `arena`, whose right value is `derived`, a formula in the arena of the
-    /// derivations. `abbreviations` are those that may stand in the formula, each with its unit.
+    /// Pool for repairs of the printed formula `root`, in `arena`; `derived` is the right value, in
+    /// the arena of the derivations.
+    /// `abbreviations` are the abbreviations that may occur in the formula, each with its unit.
     pub fn new(
         quantities: &Quantities<'_>,
         arena: &mut Arena,
@@ -113,13 +118,13 @@ impl Pool {
         Self { swaps, symbols, factors }
     }
 
-    /// Symbols that may stand for this one: those of the same unit, those with a dot more or less, other coordinates
-    /// for a coordinate, rates for a rate, speeds for a speed.
+    /// Symbols that may replace `symbol`: those of the same unit, those with a dot more or less,
+    /// and those with another index.
     pub fn swaps(&self, symbol: Expr) -> &[Expr] {
         self.swaps.get(&symbol).map_or(&[], Vec::as_slice)
     }
 
-    /// Symbols that changes may contain, sorted.
+    /// Symbols that changed formulas may contain, sorted.
     pub fn symbols(&self) -> &[Expr] {
         &self.symbols
     }

@@ -1,8 +1,8 @@
-//! Right values of single spots of a wrong formula, solved for.
+//! Repair of a wrong formula by solving for the right value of one of its parts.
 //!
-//! If a formula, or its reciprocal, is linear in one spot, the right value of this spot follows from the derived value.
-//! It is a repair if it is as simple as what people print: a missing term, a sum of parameters for a symbol or a
-//! number, another product for a term.
+//! If a formula, or its reciprocal, is linear in one part, the right value of this part follows
+//! from the derived value. The value is a repair if it is as simple as printed formulas are: a
+//! missing term, a sum of parameters for a symbol or a number, another product for a term.
 
 use super::formula::{Formula, Place};
 use super::{LONGEST, Repair, Slip, Tools};
@@ -13,40 +13,44 @@ use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::Kinematics;
 
-/// Most sums of a formula in which a missing term is sought.
+/// Largest number of sums of a formula in which a missing term is searched for.
 const MOST_SUMS: usize = 12;
-/// Most terms of a formula whose right values are sought.
+/// Largest number of terms of a formula for whose right values the search solves.
 const MOST_TERMS: usize = 16;
-/// Most nodes of a formula in which right values of terms are sought.
+/// Largest number of nodes of a formula for whose terms the search solves.
 const MOST_NODES: usize = 150;
-/// Number of changes that one spot counts for.
+/// Number of changes that solving for one part costs in the limit on tried changes.
 const COST: usize = 1_000;
-/// Number of characters that are shown of the sum in which a term is missing.
+/// Number of characters shown of a sum in which a term is missing.
 const LONGEST_SUM: usize = 60;
-/// Most terms of a sum of parameters that stands for a symbol or a number.
+/// Largest number of terms in a sum that replaces a symbol or a number.
 const MOST_ADDED: usize = 3;
 
-/// Kinds of spots.
+/// Kinds of parts for whose right value the search solves.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     /// A sum in which a term may be missing.
     Sum,
-    /// A symbol wherever it stands, or an abbreviation as a whole.
+    /// A parameter at all its occurrences, or an abbreviation as a whole.
     Whole,
-    /// A term of a sum.
+    /// A single term of a sum, whose right value is solved for.
     Term,
 }
 
-/// A part of the formula at a place, with the formula in which the symbol `place` stands for it.
+/// Part of a formula for whose right value the search solves.
 struct Spot {
+    /// Formula or abbreviation that contains the part.
     place: Place,
     kind: Kind,
+    /// The part as printed; for a missing term, the sum that lacks it.
     part: Expr,
+    /// Formula of the place, in which an unknown symbol replaces the part.
     changed: Expr,
 }
 
-/// Repair by the right value of one spot: a missing term first, then a symbol or an abbreviation, then a term. `None`
-/// if no value is simple.
+/// Repair by the right value of one part: first a missing term, then a parameter or an
+/// abbreviation, then a term.
+/// Returns `None` if no part has a simple right value.
 pub fn solved_spot(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr) -> Option<Repair> {
     let main = &mut tools.quantities.derivations.kinematics.arena;
     let symbol = fresh_symbol(main, "place");
@@ -76,7 +80,7 @@ pub fn solved_spot(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Ex
     None
 }
 
-/// Spots of a kind in the formula at a place.
+/// Parts of a kind in the formula at `place`; in each, `symbol` replaces the part.
 fn spots(tools: &Tools<'_, '_>, formula: &mut Formula, place: Place, kind: Kind, symbol: Expr) -> Vec<Spot> {
     let arena = &mut formula.arena;
     let parts = arena.reachable(&[place.formula]);
@@ -131,7 +135,8 @@ fn spots(tools: &Tools<'_, '_>, formula: &mut Formula, place: Place, kind: Kind,
     list
 }
 
-/// Repair by the right value of a spot, proved; `None` if the value does not follow, or is not simple.
+/// Repair by the right value of a part, proved equal to the derived value.
+/// Returns `None` if the value cannot be solved for, is not simple, or has a long text.
 fn solved(
     tools: &mut Tools<'_, '_>,
     formula: &mut Formula,
@@ -196,8 +201,9 @@ fn solved(
     Some(Repair { words, parts, slip, place: place.at, changed })
 }
 
-/// Term that makes a formula right where it is added to `part`, for which the symbol stands in `whole`. `None` if
-/// neither the formula nor its reciprocal is linear in the symbol.
+/// Term that makes a formula right if it is added to `part`. In `whole`, the unknown `symbol`
+/// replaces the part.
+/// Returns `None` if neither the formula nor its reciprocal is linear in the symbol.
 fn added(tools: &mut Tools<'_, '_>, whole: Expr, part: Expr, symbol: Expr, derived: Expr) -> Option<Expr> {
     let arena = &mut tools.quantities.derivations.kinematics.arena;
     let inverse = arena.div(Expr::ONE, whole);
@@ -220,7 +226,7 @@ fn added(tools: &mut Tools<'_, '_>, whole: Expr, part: Expr, symbol: Expr, deriv
     None
 }
 
-/// Beginning of a long text, with an ellipsis; a short text as it is.
+/// First 60 characters of a long text, with an ellipsis; a shorter text is returned whole.
 fn beginning(text: &str) -> String {
     if text.chars().count() <= LONGEST_SUM {
         return text.to_owned();
@@ -228,12 +234,13 @@ fn beginning(text: &str) -> String {
     format!("{}…", text.chars().take(LONGEST_SUM).collect::<String>())
 }
 
-/// True if a term contains no symbols but these.
+/// True if a term contains no symbols except the given parameters.
 fn is_of(arena: &Arena, parameters: &[Expr], e: Expr) -> bool {
     arena.reachable(&[e]).into_iter().all(|part| arena.symbol_name(part).is_none() || parameters.contains(&part))
 }
 
-/// True if a term is a plain term or a sum of few plain terms, which may be a factor.
+/// True if a term is a plain term, a sum of at most three plain terms, or a product with at most
+/// one such sum.
 fn is_short_sum(arena: &Arena, parameters: &[Expr], e: Expr) -> bool {
     match arena.node(e) {
         Node::Sum(constant, terms) => {
@@ -248,7 +255,7 @@ fn is_short_sum(arena: &Arena, parameters: &[Expr], e: Expr) -> bool {
     }
 }
 
-/// True if a term has a factor or divisor that is a sum.
+/// True if a product has a sum as a factor or divisor.
 fn has_a_sum(arena: &Arena, e: Expr) -> bool {
     match arena.node(e) {
         Node::Sum(_, terms) => terms.len() == 1 && has_a_sum(arena, terms[0].0),
@@ -257,7 +264,8 @@ fn has_a_sum(arena: &Arena, e: Expr) -> bool {
     }
 }
 
-/// True if a term is a number times whole powers of symbols, sines and cosines; only parameters may divide.
+/// True if a term is a number times integer powers of symbols, sines and cosines; only parameters
+/// may be in divisors.
 fn is_plain(arena: &Arena, parameters: &[Expr], term: Expr) -> bool {
     match arena.node(term) {
         Node::Sum(constant, terms) => constant.is_zero() && terms.len() == 1 && is_plain(arena, parameters, terms[0].0),

@@ -1,12 +1,13 @@
-//! Values of quantities that change when printed values replace derived ones.
+//! Values that quantities get when printed values replace derived ones in the textbook's formulas.
 //!
-//! Every formula is the textbook's, in quantities that a publication can name: a = dv/dt, dH/dt = I·α + ω × I·ω, F*_r =
-//! Σ ∂v/∂u_r·R* + ∂ω/∂u_r·T*, L = T − V. A quantity that depends on no printed value has no value here, so that it is
-//! never taken for a consequence. Invariant: all values are in q, u and u̇. A formula uses only the printed values of
-//! its own operands; walks along the tree of frames are deliberately absent.
+//! Every formula is the textbook's, in quantities that a publication can name: a = dv/dt, dH/dt =
+//! I·α + ω × I·ω, F*_r = Σ ∂v/∂u_r·R* + ∂ω/∂u_r·T*, L = T − V. A quantity that depends on no
+//! printed value has no value here, so that it is never taken for a consequence. Invariant: all
+//! values are in q, u and u̇. A formula uses only the printed values of its own operands; the
+//! kinematics of the tree of frames is deliberately not recomputed.
 //!
-//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 4.11; H. Goldstein, C. Poole & J.
-//! Safko, *Classical Mechanics*, 3rd edition (2002), § 5.5.
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 4.11; H.
+//! Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), § 5.5.
 
 mod sums;
 mod vectors;
@@ -20,18 +21,24 @@ use crate::mechanics::{Quantities, QuantityKind, Row, VectorName, motion_rates};
 use crate::model::Model;
 use rustc_hash::FxHashMap;
 
-/// Printed values, and the values of quantities that depend on them.
+/// Printed values of quantities, with the values of all quantities that follow from them.
 pub struct Chain {
+    /// Printed values that replace derived ones.
     put: Vec<Value>,
-    /// Time derivative d/dt, along printed rates of coordinates if there are any.
+    /// Time derivative d/dt; it uses the printed rates q̇ if there are any.
     d_dt: Differential,
+    /// True if rates q̇ of coordinates are among the printed values.
     moves_otherwise: bool,
+    /// Computed vectors, by (vector, index of its point or body, frame); `None` if they depend on
+    /// no printed value.
     vectors: FxHashMap<(VectorName, usize, usize), Option<Components>>,
+    /// Computed scalars; `None` if they depend on no printed value.
     scalars: FxHashMap<QuantityKind, Option<Expr>>,
 }
 
 impl Chain {
-    /// Chain of the given printed values, which are in q, u and u̇.
+    /// Starts from the printed values `put`, which are functions of q, u and u̇; computes nothing
+    /// yet.
     pub fn new(model: &Model, put: Vec<Value>) -> Self {
         let mut d_dt = motion_rates(model);
         let mut moves_otherwise = false;
@@ -44,12 +51,13 @@ impl Chain {
         Self { put, d_dt, moves_otherwise, vectors: FxHashMap::default(), scalars: FxHashMap::default() }
     }
 
-    /// Printed value of the quantity itself; `None` if it is not printed.
+    /// Printed value of the quantity `kind` itself; `None` if it is not printed.
     pub fn printed(&self, kind: &QuantityKind) -> Option<Expr> {
         self.put.iter().find(|value| value.kind == *kind).map(|value| value.printed)
     }
 
-    /// Value of a quantity with the printed values put in; `None` if it depends on no printed value.
+    /// Value of a quantity, computed with printed values in place of derived ones; `None` if it
+    /// depends on no printed value.
     pub fn value(&mut self, quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
         if let Some(value) = self.printed(kind) {
             return Some(value);
@@ -62,13 +70,16 @@ impl Chain {
         value
     }
 
-    /// Difference of a quantity from its derived value; `None` if it depends on no printed value.
+    /// Value of a quantity from printed values, minus its derived value; `None` if it depends on no
+    /// printed value.
     pub fn change(&mut self, quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
         let value = self.value(quantities, kind)?;
         let right = derived(quantities, kind)?;
         Some(arena_of(quantities).sub(value, right))
     }
 
+    /// Computes a quantity from the printed values of its operands; `None` if it depends on none of
+    /// them.
     fn made(&mut self, quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
         match *kind {
             QuantityKind::Component { vector, of, frame, axis } => {
@@ -86,7 +97,9 @@ impl Chain {
         }
     }
 
-    /// Components of a vector in a frame; `None` if they depend on no printed value.
+    /// Components of a vector in `frame`, computed with printed values; `None` if they depend on no
+    /// printed value.
+    /// `of` is the index of the vector's point, frame or body.
     fn vector(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -108,8 +121,8 @@ impl Chain {
         value
     }
 
-    /// Frame in which components of a vector are printed: `frame` if possible, else the first. `None` if none are
-    /// printed.
+    /// Frame in which components of a vector are printed: `frame` itself if possible, else the
+    /// first; `None` if no component is printed.
     fn stated_frame(&self, name: VectorName, of: usize, frame: usize) -> Option<usize> {
         let frames = self.put.iter().filter_map(|value| match value.kind {
             QuantityKind::Component { vector, of: owner, frame, .. } if (vector, owner) == (name, of) => Some(frame),
@@ -118,7 +131,9 @@ impl Chain {
         frames.min_by_key(|stated| (*stated != frame, *stated))
     }
 
-    /// Three components of a vector, each printed or else derived.
+    /// Three components of a vector: the printed component where there is one, else the derived
+    /// component.
+    /// Returns `None` if a component that is needed cannot be derived.
     fn with_printed(
         &self,
         quantities: &mut Quantities<'_>,

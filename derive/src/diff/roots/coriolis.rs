@@ -1,4 +1,5 @@
-//! Wrong entries of a matrix C of M q̈ + C q̇ + g = τ: the row with the entry, and what is claimed of the entry.
+//! Wrong entries of the matrix C in M q̈ + C q̇ + g = τ: the row with a wrong entry, and wrong
+//! statements about the entry.
 
 use super::root::Link;
 use super::search::Reason;
@@ -8,8 +9,9 @@ use crate::diff::equations::claim::Claim;
 use crate::diff::formulas::finding::Finding;
 use crate::mechanics::{QuantityKind, Row};
 
-/// Links wrong claims on an entry of C to the wrong row of C q̇ that the same entry makes wrong. `rates` are those of
-/// the coordinates.
+/// Traces wrong statements about an entry of C to the wrong row of C q̇ that has the same wrong
+/// entry.
+/// `rates` are the symbols q̇. `reasons`, one for each wrong entry, receives the links found.
 pub fn link(arena: &mut Arena, rates: &[Expr], stated: &[&Claim], wrong: &[&Finding], reasons: &mut [Option<Reason>]) {
     let kind = |at: usize| match stated[at] {
         Claim::Value { kind, .. } => Some(kind),

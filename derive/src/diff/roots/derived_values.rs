@@ -1,22 +1,26 @@
-//! Derived values of named quantities, in q, u and u̇, and arithmetic of three components.
+//! Derived values of named quantities as functions of q, u and u̇, and arithmetic of vectors with
+//! three components.
 
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, apply_tensor};
 use crate::mechanics::{Quantities, Quantity, QuantityKind, VectorName};
 
-/// Quantity that is a component of a vector.
+/// Name of the component along `axis` (0 to 2) of a vector in `frame`; `of` is the index of its
+/// point, frame or body.
 pub fn component(vector: VectorName, of: usize, frame: usize, axis: usize) -> QuantityKind {
     QuantityKind::Component { vector, of, frame, axis }
 }
 
-/// Derived value of a quantity in q, u and u̇. `None` if it cannot be derived, and then it has no consequences.
+/// Derived value of a quantity as a function of q, u and u̇; `None` if the quantity cannot be
+/// derived.
 pub fn derived(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
     let quantity = Quantity::new(kind.clone(), quantities.model);
     let Ok(value) = quantities.value(&quantity) else { return None };
     Some(quantities.in_speeds(value))
 }
 
-/// Components of a derived vector in a frame, in q, u and u̇.
+/// Three components of a derived vector in `frame`, as functions of q, u and u̇; `None` if a
+/// component cannot be derived.
 pub fn components(quantities: &mut Quantities<'_>, name: VectorName, of: usize, frame: usize) -> Option<Components> {
     let mut values = [Expr::ZERO; 3];
     for (axis, value) in values.iter_mut().enumerate() {
@@ -25,7 +29,8 @@ pub fn components(quantities: &mut Quantities<'_>, name: VectorName, of: usize, 
     Some(values)
 }
 
-/// Components of a vector in frame `to`, from its components in frame `from`.
+/// Components of a vector in frame `to`, from its components `v` in frame `from`; `None` if the
+/// rotation cannot be derived.
 pub fn turned(quantities: &mut Quantities<'_>, v: Components, from: usize, to: usize) -> Option<Components> {
     if from == to {
         return Some(v);
@@ -37,7 +42,7 @@ pub fn turned(quantities: &mut Quantities<'_>, v: Components, from: usize, to: u
     Some(apply_tensor(arena_of(quantities), &rotation, &v))
 }
 
-/// Store of all derived values.
+/// Arena that holds the terms of all derived values.
 pub fn arena_of<'a>(quantities: &'a mut Quantities<'_>) -> &'a mut Arena {
     &mut quantities.derivations.kinematics.arena
 }

@@ -1,5 +1,5 @@
-//! Exact comparisons of derived and printed terms, in limited number. After the last allowed comparison, every answer
-//! is no.
+//! Exact comparisons of derived and printed terms, with a limit on their number; after the limit,
+//! every answer is no.
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
@@ -8,40 +8,43 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::diff::formulas::ratio::constant_ratio;
 use crate::mechanics::{Quantities, QuantityKind};
 
-/// Most comparisons that the search for the roots of one publication may use.
+/// Largest number of comparisons in the search for the root mistakes of one publication.
 const COMPARISONS: usize = 20_000;
 
-/// Wrong value of a quantity, printed and derived, in q, u and u̇.
+/// Wrong value of a quantity, printed and derived, as functions of q, u and u̇.
 #[derive(Clone)]
 pub struct Value {
-    /// Kind of the quantity, with its indices.
+    /// Kind of the quantity whose printed value is wrong, with its indices.
     pub kind: QuantityKind,
-    /// Printed value of the quantity.
+    /// Printed, wrong value of the quantity.
     pub printed: Expr,
-    /// Derived value of the quantity.
+    /// Derived, right value of the quantity.
     pub derived: Expr,
 }
 
-/// Comparison of terms of a model's quantities, up to a limited number.
+/// Exact comparison of terms, with a limit on the number of comparisons.
 pub struct Exact<'a, 'b> {
-    /// Derived quantities, with the store of all terms.
+    /// Derived quantities, with the arena of all terms.
     pub quantities: &'a mut Quantities<'b>,
+    /// Comparer that decides the equality of terms in states that the constraints permit.
     comparer: Comparer,
+    /// Number of comparisons that may still be made.
     left: usize,
 }
 
 impl<'a, 'b> Exact<'a, 'b> {
-    /// Comparison with the full number of comparisons left.
+    /// Comparison in the states `permitted`, with the full number of comparisons left.
     pub fn new(quantities: &'a mut Quantities<'b>, permitted: &Permitted) -> Self {
         Self { quantities, comparer: Comparer::within(permitted.clone()), left: COMPARISONS }
     }
 
-    /// True if no comparison is left.
+    /// True if no comparison is left, so that every further answer is no.
     pub fn is_spent(&self) -> bool {
         self.left == 0
     }
 
-    /// True if two terms are equal by meaning in permitted states; false after the last comparison.
+    /// True if two terms are equal in all states that the constraints permit.
+    /// False if they differ, or if no comparison is left.
     pub fn same(&mut self, a: Expr, b: Expr) -> bool {
         if self.is_spent() {
             return false;
@@ -55,7 +58,8 @@ impl<'a, 'b> Exact<'a, 'b> {
         zero_test(arena, difference) != ZeroTest::NonZero && self.comparer.is_zero(arena, difference).is_equal()
     }
 
-    /// Ratio a / b; `None` unless it depends on parameters only, or after the last comparison.
+    /// Ratio a / b; `None` unless the ratio depends on parameters only, or if no comparison is
+    /// left.
     pub fn ratio(&mut self, a: Expr, b: Expr) -> Option<Expr> {
         self.left = self.left.checked_sub(1)?;
         constant_ratio(self.quantities, &mut self.comparer, a, b)

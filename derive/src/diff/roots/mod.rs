@@ -1,11 +1,13 @@
-//! Root mistakes: the search, by proof, for wrong entries that repeat others or follow from them.
+//! Root mistakes: a search, by proof, for wrong entries that repeat other wrong entries or follow
+//! from them.
 //!
-//! An entry is traced to earlier ones in three cases. First, it has an equal wrong value. Second, exactly the printed
-//! value follows when printed values replace the derived ones in its formula ([`chain`], [`rows`], [`solutions`]).
-//! Third, an equal mistake is in another component of one vector ([`shared_mistake`]). Every such claim is an identity
-//! of terms. An entry without a proof within a counted budget is a root of its own. Invariant: every entry that is
-//! different is in exactly one group, that of its first source. Entries are not linked because their differences are
-//! equal: two slips may give equal differences, and nothing would prove that they are one.
+//! An entry is traced to earlier entries in three cases. First, it has an equal wrong value.
+//! Second, exactly the printed value follows when printed values replace the derived ones in its
+//! formula ([`chain`], [`rows`], [`solutions`]). Third, another component of the same vector has an
+//! equal mistake ([`shared_mistake`]). Each claim of dependence is proved as an identity of terms.
+//! An entry without a proof within a counted budget is a root of its own. Invariant: every entry
+//! judged "different" is in exactly one group, the group of its first source. Equal differences
+//! alone do not link two entries: two separate slips may give equal differences.
 
 mod chain;
 mod coriolis;
@@ -31,10 +33,12 @@ use crate::model::TIME;
 use crate::publication::Publication;
 use search::{Reason, Search};
 
-/// Most characters of a description of a mistake in a title.
+/// Longest description of a mistake in a title, in characters.
 const LONGEST: usize = 200;
 
 /// Finds the root mistakes that cause the wrong entries, in the order of the publication file.
+/// `findings` and `claims` (statements as data) have one item for each entry. `tables` are the
+/// printed systems matched with derived rows.
 pub fn find(
     quantities: &mut Quantities<'_>,
     permitted: &Permitted,
@@ -67,16 +71,18 @@ pub fn find(
     grouped(&wrong, &reasons, words)
 }
 
-/// Fewest parts of a term whose equal mistakes in two entries count as one.
+/// Smallest number of nodes of a term for which equal mistakes in two entries count as one mistake.
 const FEWEST_PARTS: usize = 5;
 
-/// Links an entry without a reason to an earlier one in which the same term is wrong alike.
+/// Traces an entry that has no reason yet to an earlier entry in which the same term has the same
+/// mistake.
 fn alike(arena: &Arena, publication: &Publication, wrong: &[&Finding], reasons: &mut [Option<Reason>]) {
     for at in 0..wrong.len() {
         if reasons[at].is_some() {
             continue;
         }
-        // The formula of an abbreviation stands once, whoever uses it.
+        // The formula of an abbreviation is printed once, even if several entries use the
+        // abbreviation.
         let own = &wrong[at].abbreviations;
         let first = |name: &String| (0..at).find(|source| wrong[*source].abbreviations.iter().eq([name]));
         let same = match own.as_slice() {
@@ -90,7 +96,7 @@ fn alike(arena: &Arena, publication: &Publication, wrong: &[&Finding], reasons: 
             continue;
         }
         let Some(change) = wrong[at].change else { continue };
-        // A term with a name of its own, such as s12 for sin(q1 + q2), is written once.
+        // A term that has an abbreviation, such as s12 for sin(q1 + q2), is written once.
         let is_named = publication.abbreviations.iter().any(|(_, value)| *value == change.0);
         if arena.reachable(&[change.0]).len() < FEWEST_PARTS && !(is_named && arena.symbol_name(change.0).is_none()) {
             continue;
@@ -101,12 +107,12 @@ fn alike(arena: &Arena, publication: &Publication, wrong: &[&Finding], reasons: 
     }
 }
 
-/// Description of the mistake in an entry that is no follower.
+/// Description of the mistake in an entry that is a root, in words.
 fn mistake(arena: &Arena, finding: &Finding) -> String {
     if let Some(wrong) = finding.wrong.as_ref().filter(|words| words.chars().count() <= LONGEST) {
         return wrong.clone();
     }
-    // The factor of a row says nothing of its mistake.
+    // The factor of a whole row does not describe the row's mistake.
     if let Some(factor) = finding.factor.filter(|_| finding.places.is_empty()) {
         return format!("it is off by the factor {}", text(arena, factor));
     }
@@ -121,10 +127,12 @@ fn mistake(arena: &Arena, finding: &Finding) -> String {
     }
 }
 
-/// Groups each entry with its first source. Indices in `reasons` refer to `wrong`.
+/// Groups every wrong entry with the root of its first source. Indices in `reasons` are positions
+/// in `wrong`.
 fn grouped(wrong: &[usize], reasons: &[Option<Reason>], words: impl Fn(usize) -> String) -> Vec<Root> {
     let mut roots: Vec<Root> = Vec::new();
-    // Roots of each entry, its own group first. Sources of an entry come before it.
+    // List of each entry's roots, the root of its own group first. The sources of an entry come
+    // before it.
     let mut of: Vec<Vec<usize>> = Vec::new();
     for (at, reason) in reasons.iter().enumerate() {
         let Some(reason) = reason else {

@@ -1,13 +1,17 @@
-//! Printed numbers that contradict one another. In each set of them at least one is wrong, and nothing tells which. If
-//! two lists are exchanged, all contradictions of their numbers are one mistake.
+//! Groups of printed numbers that contradict one another.
+//!
+//! In each group at least one number is wrong, and nothing shows which. If two lists are exchanged,
+//! all contradictions of their numbers are one mistake.
 
 use super::root::Link;
 use super::search::Reason;
 use crate::diff::equations::claim::Claim;
 use crate::diff::formulas::swapped_lists::Swapped;
 
-/// Links every wrong number to the first number that it contradicts, directly, through others or through swapped lists.
-/// Returns the descriptions of the swapped lists, each with the index of the first number that they make wrong.
+/// Traces every wrong number to the first number that it contradicts, directly, through other
+/// numbers, or in swapped lists.
+/// Returns descriptions of the swapped lists, each with the index of the first number that the swap
+/// makes wrong.
 pub fn link(
     stated: &[&Claim],
     ids: &[&str],

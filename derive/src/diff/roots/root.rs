@@ -1,20 +1,23 @@
-//! Mistake of a publication, and the wrong entries that it causes.
+//! Root mistake of a publication, with the wrong entries that it causes.
 
 use crate::diff::formulas::finding::Finding;
 
-/// Kind of dependence of a wrong entry on other entries.
+/// Kind of dependence of a wrong entry on other wrong entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Link {
-    /// The entry has an equal wrong value, or an equal mistake in another component.
+    /// The entry has the same wrong value as another entry, or the same mistake in another
+    /// component.
     Repeated,
-    /// The printed value follows when the printed values of other entries replace the derived ones.
+    /// The printed value follows exactly if the printed values of other entries replace the derived
+    /// ones.
     Follows,
-    /// The entry is a number that other numbers contradict: one of them is wrong, and nothing decides which.
+    /// The entry is a number that other printed numbers contradict: at least one is wrong, and
+    /// nothing shows which.
     Contradicts,
 }
 
 impl Link {
-    /// Word for the link in lists and in JSON.
+    /// Word for the kind of dependence, for lists and JSON, such as "follows".
     #[must_use]
     pub const fn words(self) -> &'static str {
         match self {
@@ -25,44 +28,48 @@ impl Link {
     }
 }
 
-/// Wrong entry that a mistake in other entries causes. Entries are indices in the list of findings.
+/// Wrong entry that is a consequence of mistakes in other entries; entries are indices in the list
+/// of findings.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Follower {
-    /// Index of the entry among the findings.
+    /// Index of the dependent entry among the findings.
     pub finding: usize,
-    /// Kind of dependence on `from`.
+    /// Kind of dependence on the entries in `from`.
     pub link: Link,
-    /// Entries that it repeats, follows from or contradicts, as indices among the findings.
+    /// Indices, among the findings, of the entries that the entry repeats, follows from or
+    /// contradicts.
     pub from: Vec<usize>,
-    /// Entries with other root mistakes that also cause it, as indices among the findings.
+    /// Indices, among the findings, of the entries with further root mistakes that also cause the
+    /// entry.
     pub also: Vec<usize>,
 }
 
-/// Mistake that no other mistake explains, in the entry where it first occurs.
+/// Mistake that no other mistake explains, with the entry in which it first occurs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Root {
-    /// Index of the entry among the findings.
+    /// Index, among the findings, of the entry with the mistake.
     pub finding: usize,
-    /// Description of the mistake, in words.
+    /// Description of the mistake, such as "3*u1 should be 2*u1".
     pub mistake: String,
-    /// Entries that the mistake causes, in the order of the publication file.
+    /// Wrong entries that the mistake causes, in the order of the publication file.
     pub followers: Vec<Follower>,
 }
 
 impl Root {
-    /// Number of entries that are wrong by this mistake, the root's own among them.
+    /// Number of entries that are wrong because of the mistake, including the entry with the
+    /// mistake itself.
     #[must_use]
     pub fn entries(&self) -> usize {
         1 + self.followers.len()
     }
 
-    /// Id of the entry and its mistake, as a sentence without its full stop.
+    /// Title of the mistake: the id of its entry and the description, without a full stop.
     #[must_use]
     pub fn title(&self, findings: &[Finding]) -> String {
         format!("{}: {}", findings[self.finding].id, self.mistake)
     }
 
-    /// Followers with one kind of dependence.
+    /// Wrong entries caused by the mistake that depend on it by the given kind of link.
     pub fn linked(&self, link: Link) -> impl Iterator<Item = &Follower> {
         self.followers.iter().filter(move |f| f.link == link)
     }

@@ -1,4 +1,4 @@
-//! Rows of equations of motion with printed values in place of derived ones.
+//! Rows of the equations of motion, computed with printed values in place of derived ones.
 
 use super::chain::Chain;
 use super::derived_values::component;
@@ -9,7 +9,10 @@ use crate::diff::equations::claim::Table;
 use crate::diff::equations::rows::Row as Entries;
 use crate::mechanics::{BalanceName, Energy, Quantities, QuantityKind, Row, RowName, VectorName};
 
-/// Derived row of a table with the values of a chain put in; `None` if the row depends on no printed value.
+/// Derived row `at` of a system, computed with the printed values in `chain` in place of derived
+/// ones.
+/// The row has one coefficient for each unknown, then the right-hand side. `None` if it depends on
+/// no printed value.
 pub fn row_with(quantities: &mut Quantities<'_>, chain: &mut Chain, table: &Table, at: usize) -> Option<Entries> {
     if let Some(stated) = stated_entries(chain, table, at) {
         return Some(stated);
@@ -31,7 +34,8 @@ pub fn row_with(quantities: &mut Quantities<'_>, chain: &mut Chain, table: &Tabl
     Some(row)
 }
 
-/// Derived row with its printed entries put in, if entries are printed as quantities: M[1,2], f[1], E[1,2], A[1].
+/// Derived row `at` with its printed entries, such as `M[1,2]`, `f[1]`, `E[1,2]` or `A[1]`; `None`
+/// if no entry of the row is printed as a quantity.
 fn stated_entries(chain: &Chain, table: &Table, at: usize) -> Option<Entries> {
     let kind = |column: usize| match table.names[at] {
         RowName::Speed(row) if column < table.unknowns.len() => Some(QuantityKind::MassMatrix(row, column)),
@@ -45,7 +49,9 @@ fn stated_entries(chain: &Chain, table: &Table, at: usize) -> Option<Entries> {
     is_stated.then(|| printed.iter().zip(&table.derived[at]).map(|(p, d)| p.unwrap_or(*d)).collect())
 }
 
-/// Change of Kane's row M u̇ − f = −F* − F by printed values.
+/// Change of Kane's row M u̇ − f = −F* − F for the speed with index `speed`, if printed values
+/// replace derived ones.
+/// Returns `None` if the row depends on no printed value.
 fn along_speed(quantities: &mut Quantities<'_>, chain: &mut Chain, speed: usize) -> Option<Expr> {
     let inertia = chain.change(quantities, &QuantityKind::Row(Row::InertiaForce, speed));
     let active = chain.change(quantities, &QuantityKind::Row(Row::ActiveForce, speed));
@@ -57,8 +63,10 @@ fn along_speed(quantities: &mut Quantities<'_>, chain: &mut Chain, speed: usize)
     Some(arena.neg(total))
 }
 
-/// Change of Lagrange's row d/dt ∂L/∂q̇ − ∂L/∂q by the error of L. `None` unless the model has as many speeds as
-/// coordinates, because only then T and V in u are known in q̇.
+/// Change of Lagrange's row d/dt ∂L/∂q̇ − ∂L/∂q for a coordinate, caused by the error of the
+/// printed L.
+/// Returns `None` if L depends on no printed value, or unless the model has as many speeds as
+/// coordinates and no motion constraints. Only then T and V in u are also known in q̇.
 fn along_coordinate(quantities: &mut Quantities<'_>, chain: &mut Chain, coordinate: usize) -> Option<Expr> {
     let model = quantities.model;
     if model.speeds.len() != model.coordinates.len() || !model.motion_constraints.is_empty() {
@@ -78,7 +86,8 @@ fn along_coordinate(quantities: &mut Quantities<'_>, chain: &mut Chain, coordina
     Some(arena.sub(momentum_rate, slopes[0]))
 }
 
-/// Change of a balance m a − F or dH/dt − M by printed values.
+/// Change of a Newton–Euler balance m a − F or dH/dt − M, if printed values replace derived ones.
+/// Returns `None` if the balance depends on no printed value.
 fn of_balance(quantities: &mut Quantities<'_>, chain: &mut Chain, name: BalanceName) -> Option<Expr> {
     let BalanceName { body, moments, frame, axis } = name;
     let (rate, load) = if moments {

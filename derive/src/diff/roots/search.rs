@@ -1,7 +1,8 @@
-//! Search for the earlier entries that are proved to be the source of a wrong entry.
+//! Search for the earlier wrong entries that are proved to cause a wrong entry.
 //!
-//! Sources are tried from the nearest to the farthest, because a line is more likely to follow from the line above it
-//! than from one a page before. Work is counted in comparisons. After the last comparison, entries stay unexplained.
+//! The nearest earlier entries are tried first: a line is more likely to follow from the line above
+//! it than from a line one page before. Work is counted in comparisons. After the last comparison,
+//! entries stay unexplained.
 
 use super::chain::Chain;
 use super::exact::{Exact, Value};
@@ -18,52 +19,62 @@ use crate::diff::formulas::constant::is_constant;
 use crate::mechanics::{Quantities, QuantityKind};
 use rustc_hash::FxHashMap;
 
-/// Most sources that are tried together, apart from all at once.
+/// Largest number of sources that are combined to explain an entry, apart from all sources at once.
 const LARGEST_SET: usize = 3;
-/// Most sets of each size that are tried for one entry.
+/// Largest number of combinations of each size that are tried for one entry.
 const SETS: usize = 100;
 
-/// Reason why an entry is wrong. Entries are indices in the list of wrong entries.
+/// Reason why an entry is wrong; entries are indices in the list of wrong entries.
 pub struct Reason {
-    /// Kind of dependence on the other entries.
+    /// Kind of dependence on the sources: repeated, follows or contradicts.
     pub link: Link,
-    /// Entries that are named as sources.
+    /// Indices of the entries that are named as sources.
     pub from: Vec<usize>,
-    /// Earlier entries to whose groups the entry belongs.
+    /// Indices of the earlier entries to whose roots the entry belongs.
     pub hangs_on: Vec<usize>,
 }
 
 impl Reason {
-    /// Reason whose sources are all named.
+    /// Reason with the sources `from`, all of which are named.
     pub fn new(link: Link, from: Vec<usize>) -> Self {
         Self { link, hangs_on: from.clone(), from }
     }
 }
 
-/// Place of a printed row: index of its table, and of the row in it.
+/// Place of a printed row: indices of its table and of the row within the table.
 #[derive(Clone, Copy)]
 struct RowPlace {
     table: usize,
     row: usize,
 }
 
-/// Search for the reasons of the wrong entries of a publication.
+/// Search for the reasons of the wrong entries of a publication, with its intermediate results.
 pub struct Search<'a, 'b> {
+    /// Comparisons of terms, limited in number.
     exact: Exact<'a, 'b>,
+    /// Claims of the wrong entries, in the order of the publication file.
     stated: &'a [&'a Claim],
+    /// Printed systems matched with derived rows.
     tables: &'a [Table],
+    /// Values of the wrong entries in q, u and u̇; `None` for entries that are not values of
+    /// quantities.
     values: Vec<Option<Value>>,
-    /// Chains of consequences of each value alone; `None` for entries that are no values.
+    /// Consequences of each wrong value alone; `None` for entries that are not values of
+    /// quantities.
     chains: Vec<Option<Chain>>,
-    /// Rows that follow from one value, by source, table and derived row.
+    /// Rows that follow from one wrong value, by (source, table, derived row); `None` if the row
+    /// does not depend on it.
     rows: FxHashMap<(usize, usize, usize), Option<Row>>,
+    /// Solutions of derived systems in which printed rows replace derived ones.
     solutions: Solutions,
-    /// Mistake that each entry shares with another component, in words; `None` if none was found.
+    /// Description of the mistake that each entry shares with another component; `None` if none was
+    /// found.
     pub shared: Vec<Option<String>>,
 }
 
 impl<'a, 'b> Search<'a, 'b> {
-    /// Search among the claims of wrong entries, which are in the order of the publication file.
+    /// Search among the claims (statements as data) of wrong entries, which are in the order of the
+    /// publication file.
     pub fn new(
         quantities: &'a mut Quantities<'b>,
         permitted: &Permitted,
@@ -93,7 +104,8 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// Finds the reason why an entry is wrong among the entries before it; `None` if it is a root.
+    /// Finds the reason why the entry `at` is wrong among the entries before it; `None` if the
+    /// entry is a root.
     pub fn explain(&mut self, at: usize) -> Option<Reason> {
         let before = (0..at).rev();
         if let Claim::Expansion { table, row } = self.stated[at] {
@@ -120,7 +132,8 @@ impl<'a, 'b> Search<'a, 'b> {
         self.follows_from_several(at).map(|sources| Reason::new(Link::Follows, sources))
     }
 
-    /// True if a value is equal to the printed one. Energies with a free zero may differ by a constant.
+    /// True if a value equals the printed value of `of`. Energies whose zero is free may differ by
+    /// a constant.
     fn is_printed(&mut self, value: Expr, of: &Value) -> bool {
         let arena = &mut self.exact.quantities.derivations.kinematics.arena;
         let difference = arena.sub(value, of.printed);
@@ -130,8 +143,8 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// True if an entry repeats a source: one quantity with equal wrong values, or one row or entry of a row with an
-    /// equal error.
+    /// True if the entry `at` repeats the entry `source`: the same wrong value of one quantity, or
+    /// the same error in a row.
     fn repeats(&mut self, source: usize, at: usize) -> bool {
         if let (Some(a), Some(b)) = (&self.values[source], &self.values[at]) {
             let (kinds_agree, a, b) = (a.kind == b.kind, a.printed, b.printed);
@@ -156,6 +169,7 @@ impl<'a, 'b> Search<'a, 'b> {
         self.fits(at, b, &with)
     }
 
+    /// Place of the row to which an entry belongs; `None` for an entry that is not in a row.
     fn row_of(&self, at: usize) -> Option<RowPlace> {
         match *self.stated[at] {
             Claim::Row { table, row } | Claim::Entry { table, row, .. } => Some(RowPlace { table, row }),
@@ -163,8 +177,9 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// True if the printed entry agrees with the derived row replaced by `with`. A row must agree as a whole; for a
-    /// single entry, agreement in its own column is enough.
+    /// True if the printed entry agrees with the row `with`, which replaces the derived row.
+    /// A row must agree as a whole, up to a factor; for a single entry, agreement in its own column
+    /// is enough.
     fn fits(&mut self, at: usize, place: RowPlace, with: &Row) -> bool {
         let table = &self.tables[place.table];
         let printed = &table.printed[place.row];
@@ -177,7 +192,7 @@ impl<'a, 'b> Search<'a, 'b> {
         self.is_multiple(printed, with)
     }
 
-    /// True if one row is a multiple of another.
+    /// True if the row `a` is a multiple of the row `b`.
     fn is_multiple(&mut self, a: &Row, b: &Row) -> bool {
         let arena = &mut self.exact.quantities.derivations.kinematics.arena;
         let both = |at: &usize| [a[*at], b[*at]].iter().all(|e| zero_test(arena, *e) == ZeroTest::NonZero);
@@ -189,7 +204,8 @@ impl<'a, 'b> Search<'a, 'b> {
         })
     }
 
-    /// True if exactly the printed entry follows when the source's printed value is put in.
+    /// True if the printed entry `at` follows exactly when the printed value of `source` replaces
+    /// the derived value.
     fn follows(&mut self, source: usize, at: usize) -> bool {
         let Some(mut chain) = self.chains[source].take() else { return false };
         let key = self.row_of(at).and_then(|at| Some((source, at.table, self.tables[at.table].matched(at.row)?.0)));
@@ -204,7 +220,8 @@ impl<'a, 'b> Search<'a, 'b> {
         found
     }
 
-    /// True if a chain gives exactly the printed entry; `row` is the entry's row by the chain, if known.
+    /// True if the printed values in `chain` give exactly the printed entry `at`.
+    /// `row` is the entry's row computed with these values; `None` if the entry is not in a row.
     fn comes_out(&mut self, chain: &mut Chain, row: Option<Row>, at: usize) -> bool {
         if let (Some(place), Some(row)) = (self.row_of(at), row) {
             return self.fits(at, place, &row);
@@ -215,8 +232,8 @@ impl<'a, 'b> Search<'a, 'b> {
         reached.is_some_and(|reached| self.is_printed(reached, &value))
     }
 
-    /// True if the printed value at `at` is the printed value at `source`, or its negative. Inertia torques T* = −dH/dt
-    /// are printed with both signs.
+    /// True if the printed value at `at` equals the printed value at `source`, or its negative.
+    /// Inertia torques T* = −dH/dt are printed with both signs.
     fn is_opposite(&mut self, source: usize, at: usize) -> bool {
         let (Some(a), Some(b)) = (&self.values[source], &self.values[at]) else { return false };
         let (a, b) = (a.printed, b.printed);
@@ -224,11 +241,14 @@ impl<'a, 'b> Search<'a, 'b> {
         self.exact.same(a, b) || self.exact.same(negative, b)
     }
 
-    /// Finds printed rows before the entry whose solution gives the entry, an acceleration; returns their indices.
+    /// Finds wrong printed rows before the entry whose solution gives exactly the entry, an
+    /// acceleration.
+    /// Returns the indices of the entries with these rows; `None` if there are none, or if the
+    /// entry is no acceleration.
     fn solves(&mut self, at: usize) -> Option<Vec<usize>> {
         let value = self.values[at].clone()?;
         let symbol = self.acceleration_of(at)?;
-        // A value that a formulation gives comes of that formulation's equations, if it can.
+        // If the entry names its formulation, the equations of this formulation are tried first.
         let Claim::Value { by, .. } = self.stated[at] else { return None };
         let mut tables: Vec<(usize, &Table)> = self.tables.iter().enumerate().rev().collect();
         tables.sort_by_key(|(_, table)| *by != Some(table.formulation));
@@ -252,8 +272,10 @@ impl<'a, 'b> Search<'a, 'b> {
         None
     }
 
-    /// Printed accelerations before an entry with which one printed row gives the entry, another acceleration; `None`
-    /// unless the entry is the row, solved for it, with the last printed values of the other accelerations.
+    /// Printed accelerations from which one printed row gives the entry, another acceleration;
+    /// returns their indices.
+    /// The row is solved for the entry's acceleration, with the last printed value of each other
+    /// acceleration. Returns `None` if the result is not the printed entry.
     fn solves_alone(
         &mut self,
         at: usize,
@@ -283,7 +305,8 @@ impl<'a, 'b> Search<'a, 'b> {
         self.exact.same(solved, value.printed).then_some(sources)
     }
 
-    /// Symbol of the acceleration that an entry prints; `None` for another entry.
+    /// Symbol of the acceleration that an entry prints; `None` for an entry that prints no
+    /// acceleration.
     fn acceleration_of(&self, at: usize) -> Option<Expr> {
         let model = self.exact.quantities.model;
         match self.values[at].as_ref()?.kind {
@@ -293,7 +316,8 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// Wrong rows of a table before an entry, each with the first entry that shows it.
+    /// Indices of a table's wrong rows before an entry, each with the index of the first entry that
+    /// shows the row.
     fn wrong_rows(&self, table: usize, before: usize) -> Vec<(usize, usize)> {
         let mut rows: Vec<(usize, usize)> = Vec::new();
         for at in 0..before {
@@ -305,7 +329,9 @@ impl<'a, 'b> Search<'a, 'b> {
         rows
     }
 
-    /// Finds a component before the entry with an equal mistake; returns its index.
+    /// Finds an earlier entry, another component of the same vector or matrix, with the same
+    /// mistake; returns its index.
+    /// Returns `None` if there is none. Records the description of the shared mistake.
     fn shares(&mut self, at: usize) -> Option<usize> {
         let own = self.values[at].clone()?;
         for source in (0..at).rev() {
@@ -320,7 +346,9 @@ impl<'a, 'b> Search<'a, 'b> {
         None
     }
 
-    /// Finds several values before the entry that together give it: two, three, or one of each quantity.
+    /// Finds several earlier wrong values that together give exactly the entry: two, three, or one
+    /// of each quantity.
+    /// Returns the indices of their entries; `None` if no combination gives the entry.
     fn follows_from_several(&mut self, at: usize) -> Option<Vec<usize>> {
         let reaching: Vec<usize> = (0..at).rev().filter(|source| self.reaches(*source, at)).collect();
         for set in self.sets(&reaching) {
@@ -332,7 +360,7 @@ impl<'a, 'b> Search<'a, 'b> {
         if all.len() <= LARGEST_SET || !self.comes_of(&all, at) {
             return None;
         }
-        // A value that is not needed is no source.
+        // A value that is not needed for the result is not a source.
         for source in all.clone() {
             let fewer: Vec<usize> = all.iter().copied().filter(|s| *s != source).collect();
             if self.comes_of(&fewer, at) {
@@ -343,7 +371,8 @@ impl<'a, 'b> Search<'a, 'b> {
         Some(all)
     }
 
-    /// Sets of two and of three sources, each of another quantity, in the order of the publication file.
+    /// Combinations of two and of three sources of different quantities, each in the order of the
+    /// publication file.
     fn sets(&self, sources: &[usize]) -> Vec<Vec<usize>> {
         let is_other = |set: &[usize], source: usize| set.iter().all(|s| self.kind(*s) != self.kind(source));
         let larger = |sets: &[Vec<usize>]| {
@@ -364,11 +393,12 @@ impl<'a, 'b> Search<'a, 'b> {
         tried
     }
 
+    /// Quantity whose value an entry prints; `None` for an entry that is no value.
     fn kind(&self, at: usize) -> Option<&QuantityKind> {
         self.values[at].as_ref().map(|v| &v.kind)
     }
 
-    /// True if a printed value of the source changes the expected value of the entry.
+    /// True if the expected value of the entry `at` depends on the printed value of `source`.
     fn reaches(&mut self, source: usize, at: usize) -> bool {
         if let Some(place) = self.row_of(at) {
             let Some((derived, _)) = self.tables[place.table].matched(place.row) else { return false };
@@ -379,7 +409,7 @@ impl<'a, 'b> Search<'a, 'b> {
         chain.printed(&kind).is_none() && chain.value(self.exact.quantities, &kind).is_some()
     }
 
-    /// Nearest source of each quantity.
+    /// Sources with one entry for each quantity: the entry nearest to the explained one.
     fn one_of_each(&self, sources: &[usize]) -> Vec<usize> {
         let mut chosen: Vec<usize> = Vec::new();
         for source in sources {
@@ -390,7 +420,8 @@ impl<'a, 'b> Search<'a, 'b> {
         chosen
     }
 
-    /// True if exactly the printed entry follows when the values of all these sources are put in together.
+    /// True if the printed entry `at` follows exactly when the values of all `sources` replace the
+    /// derived ones together.
     fn comes_of(&mut self, sources: &[usize], at: usize) -> bool {
         let put: Vec<Value> = sources.iter().filter_map(|s| self.values[*s].clone()).collect();
         let twice = put.iter().enumerate().any(|(i, value)| put[..i].iter().any(|other| other.kind == value.kind));

@@ -1,7 +1,8 @@
-//! Search for one mistake in several components of one vector or matrix.
+//! Search for one mistake that several components of one vector or matrix share.
 //!
-//! Invariant: one description explains the whole difference from the derived value in both components, by identity. It
-//! is an equal factor, an equal factor of one part of the vector's formula, or the angular velocity of a wrong frame.
+//! Invariant: one description explains, as an identity, the whole difference from the derived value
+//! in both components. It is a common factor, a common factor of one part of the vector's formula,
+//! or the angular velocity of a wrong frame.
 
 use super::derived_values::{arena_of, components, difference};
 use super::exact::{Exact, Value};
@@ -12,17 +13,19 @@ use crate::mechanics::{Kinematics, Quantities, QuantityKind, VectorName};
 
 /// Mistake that two components of a vector or matrix share.
 pub enum Shared {
-    /// Factor of both printed components against the derived ones.
+    /// Factor printed ÷ derived, equal for both components.
     Factor(Expr),
-    /// Name of a part of both components, and the part's factor against the derived part.
+    /// Name of a part of both components' formula, and the ratio of the part as printed to the part
+    /// as derived.
     Part(String, Expr),
-    /// Angular velocity of a wrong frame in ω × a vector: index of the used frame, index of the right frame, name of
-    /// the vector.
+    /// Angular velocity of a wrong frame in ω × vector: index of the frame used, index of the right
+    /// frame, name of the vector.
     Turned(usize, usize, &'static str),
 }
 
 impl Shared {
-    /// Description of the mistake, in words.
+    /// Description of the shared mistake in words, such as "several components are wrong by the
+    /// factor 2".
     pub fn words(&self, quantities: &Quantities<'_>) -> String {
         let arena = &quantities.derivations.kinematics.arena;
         let frame = |at: usize| &quantities.model.frames[at].name;
@@ -39,22 +42,23 @@ impl Shared {
     }
 }
 
-/// Vector that is ±m times the rate of another vector, so that its formula has the parts of a rate.
+/// Vector equal to a factor ±m times the time derivative of another vector.
 struct Rate {
-    /// Components of the vector that changes.
+    /// Components of the differentiated vector, in the frame `frame`.
     of: Components,
-    /// Kind of the vector that changes.
+    /// Kind of the differentiated vector, such as velocity or angular momentum.
     changing: VectorName,
-    /// Factor ±m of the rate in the quantity.
+    /// Factor of the time derivative: 1, −1, or ± the mass in kg.
     times: Expr,
-    /// Index of the frame of the components.
+    /// Index of the frame in which the components are taken.
     frame: usize,
-    /// Index of the frame that turns with the vector's body or is its own; `None` for linear motion.
+    /// Index of the frame whose rotation enters the derivative: the body's frame or the vector's
+    /// own; `None` for linear motion.
     carrier: Option<usize>,
 }
 
-/// Finds the common mistake of two wrong components. `None` unless they belong to one vector or matrix and share a
-/// mistake.
+/// Finds the mistake that two wrong components share.
+/// Returns `None` unless they are different components of one vector or matrix and share a mistake.
 pub fn common(exact: &mut Exact<'_, '_>, a: &Value, b: &Value) -> Option<Shared> {
     if family(&a.kind).is_none() || family(&a.kind) != family(&b.kind) || a.kind == b.kind {
         return None;
@@ -72,7 +76,7 @@ pub fn common(exact: &mut Exact<'_, '_>, a: &Value, b: &Value) -> Option<Shared>
     parts(exact, &rate, &a.kind, axes, off).or_else(|| turned(exact, &rate, axes, off))
 }
 
-/// Key of the vector or matrix to which a component belongs; `None` for other quantities.
+/// Key that is equal for all components of one vector or matrix; `None` for other quantities.
 fn family(kind: &QuantityKind) -> Option<QuantityKind> {
     match *kind {
         QuantityKind::Component { vector, of, frame, .. } => {
@@ -87,13 +91,14 @@ fn family(kind: &QuantityKind) -> Option<QuantityKind> {
     }
 }
 
-/// Ratio of two pairs of terms; `None` unless both ratios are equal and depend on parameters only.
+/// Ratio of the two terms in `a`, if the two terms in `b` have the same ratio and it depends on
+/// parameters only; else `None`.
 fn same_ratio(exact: &mut Exact<'_, '_>, a: (Expr, Expr), b: (Expr, Expr)) -> Option<Expr> {
     let (k, other) = (exact.ratio(a.0, a.1)?, exact.ratio(b.0, b.1)?);
     exact.same(k, other).then_some(k)
 }
 
-/// Writes a vector as a rate times a factor; `None` if the vector is no rate.
+/// Writes a vector as a factor times a time derivative; `None` if the vector is not of this kind.
 fn rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Rate> {
     let QuantityKind::Component { vector, of, frame, .. } = *kind else { return None };
     let model = quantities.model;
@@ -117,8 +122,10 @@ fn rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Rate> {
     Some(Rate { of: components(quantities, changing, owner, frame)?, changing, times, frame, carrier })
 }
 
-/// Finds a part of the formula with an equal factor in both components: the vector's ω × part, or the remainder. `off`
-/// are the differences from the derived components along the two `axes`.
+/// Finds a part of the vector's formula with the same wrong factor in both components: ω × vector,
+/// or the remainder.
+/// `off` are the errors printed − derived of the components along the two `axes`. Returns `None` if
+/// no part has such a factor.
 fn parts(
     exact: &mut Exact<'_, '_>,
     rate: &Rate,
@@ -148,7 +155,8 @@ fn parts(
     None
 }
 
-/// Finds a wrong frame whose ω is used in the ω × part.
+/// Finds a frame whose angular velocity is used instead of the right one in ω × vector; `None` if
+/// there is no such frame.
 fn turned(exact: &mut Exact<'_, '_>, rate: &Rate, axes: [usize; 2], off: [Expr; 2]) -> Option<Shared> {
     for right in [rate.carrier, Some(rate.frame)].into_iter().flatten() {
         let own = components(exact.quantities, VectorName::AngularVelocity, right, rate.frame)?;

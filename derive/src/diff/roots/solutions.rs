@@ -1,4 +1,4 @@
-//! Accelerations of a derived system in which printed rows replace derived ones.
+//! Accelerations from a derived system in which printed rows replace derived rows.
 
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::solve;
@@ -6,17 +6,20 @@ use crate::diff::equations::claim::Table;
 use crate::mechanics::{Kinematics, Quantities};
 use rustc_hash::FxHashMap;
 
-/// Most unknowns of a system that is solved.
+/// Largest number of unknowns of a system that is solved.
 const MOST_UNKNOWNS: usize = 12;
-/// Most wrong rows of which all sets are tried. With more, each row alone and all rows together are tried.
+/// Number of wrong rows up to which every combination is tried. With more rows, each row alone and
+/// all together are tried.
 const MOST_ROWS: usize = 4;
 
-/// Known solutions, by index of the table and printed rows; `None` for a system that cannot be solved.
+/// Solutions computed so far, by index of the table and printed rows; `None` for a system that
+/// cannot be solved.
 #[derive(Default)]
 pub struct Solutions(FxHashMap<(usize, Vec<usize>), Option<Vec<Expr>>>);
 
 impl Solutions {
-    /// Sets of rows that are tried, small ones first.
+    /// Combinations of the `rows` wrong rows that are tried, as lists of indices, the small ones
+    /// first.
     pub fn sets(rows: usize) -> Vec<Vec<usize>> {
         if rows > MOST_ROWS {
             return (0..rows).map(|row| vec![row]).chain([(0..rows).collect()]).collect();
@@ -27,8 +30,9 @@ impl Solutions {
         sets
     }
 
-    /// Solves the table with index `place`, with the printed `rows` in place of the derived ones. `None` if the
-    /// unknowns are not determined or too many.
+    /// Solves the table with index `place`, with the printed `rows` in place of the derived ones.
+    /// Returns one value for each unknown; `None` if the unknowns are not determined or are more
+    /// than twelve.
     pub fn of(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -41,6 +45,8 @@ impl Solutions {
     }
 }
 
+/// Solves a table in which the printed `rows` replace the derived rows that they match; `None` if
+/// it cannot be solved.
 fn solution(quantities: &mut Quantities<'_>, table: &Table, rows: &[usize]) -> Option<Vec<Expr>> {
     let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;
     let mut system = table.derived.clone();

@@ -1,4 +1,4 @@
-//! Table of the formulations: each method of derivation is one row.
+//! Table of the formulations, with one row of properties for each method of derivation.
 
 use super::gibbs_appell;
 use super::kane;
@@ -10,12 +10,13 @@ use crate::mechanics::motion::kinematics::{Kinematics, MotionVariables};
 use crate::mechanics::rows::{Rows, Step};
 use crate::model::{Model, MotionConstraint};
 
-/// A method of derivation, and its row of the table of methods.
+/// Method to derive equations of motion, such as Kane's. Each variant has a row in the table of
+/// methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Formulation {
-    /// Kane's method.
+    /// Kane's method, in generalized speeds: F + F* = 0.
     Kane,
-    /// Lagrange's equations.
+    /// Lagrange's equations, in coordinates q and rates q̇, with multipliers for motion constraints.
     Lagrange,
     /// Newton–Euler equations: force and moment balance of each body, with reactions.
     NewtonEuler,
@@ -23,30 +24,34 @@ pub enum Formulation {
     GibbsAppell,
 }
 
-/// Properties of a method of derivation.
+/// Properties of a method of derivation: its names, its variables, and the functions that derive
+/// it.
 pub struct Method {
-    /// Name of the method on the command line and in files.
+    /// Name of the method on the command line and in files, such as `kane`.
     pub name: &'static str,
-    /// Name of the method in a heading.
+    /// Name of the method in a heading, such as `Kane's method`.
     pub title: &'static str,
     /// Name of the method in a formula, such as `Kane = Wᵀ · Lagrange`.
     pub label: &'static str,
-    /// Principle of the method, in words; a formula may follow it.
+    /// Principle of the method in words, for the page; a formula may follow it.
     pub principle: &'static str,
-    /// System that the method gives, in plain text: without, then with motion constraints.
+    /// System of equations of the method, in plain text. Index 0: no motion constraints; index 1: with
+    /// motion constraints.
     equation: [&'static str; 2],
-    /// Kind of the variables that are integrated beside q.
+    /// Kind of the motion variables that are integrated together with q: speeds u or rates q̇.
     pub variables: MotionVariables,
-    /// True if the reactions are among the unknowns.
+    /// True if the constraint reactions are among the unknowns of the equations.
     pub carries_reactions: bool,
-    /// True if the matrix is symmetric by construction, and positive definite where it is regular.
+    /// True if the matrix is symmetric by construction, and positive definite wherever it is regular.
     pub symmetric: bool,
-    /// Derives the rows of the equations.
+    /// Function that derives the equations' rows (matrix, forcing, energy) from a model and its
+    /// kinematics.
     pub derive: fn(&Model, &mut Kinematics) -> Result<Rows, DeriveError>,
-    /// Derives the steps that lead to the rows, for display.
+    /// Function that derives the intermediate steps before the rows, for display.
     pub steps: fn(&Model, &mut Kinematics) -> Result<Vec<Step>, DeriveError>,
 }
 
+/// Properties of all formulations, indexed by the order of the variants of `Formulation`.
 static TABLE: [Method; Formulation::ALL.len()] = [
     Method {
         name: "kane",
@@ -101,64 +106,65 @@ static TABLE: [Method; Formulation::ALL.len()] = [
 ];
 
 impl Formulation {
-    /// All formulations, in the order in which they are always listed.
+    /// All formulations, in the order in which every list shows them.
     pub const ALL: [Self; 4] = [Self::Kane, Self::Lagrange, Self::NewtonEuler, Self::GibbsAppell];
 
-    /// Formulations that are derived where none is named, in the order of [`Self::ALL`], whose first they are. The
-    /// others are derived on request.
+    /// Formulations that are derived if none is named: the first entries of [`Self::ALL`]. The last,
+    /// Gibbs–Appell, is derived on request only.
     pub const STANDARD: [Self; 3] = [Self::Kane, Self::Lagrange, Self::NewtonEuler];
 
-    /// Properties of the formulation, from the table of methods.
+    /// Properties of the formulation: its row in the table of methods.
     #[must_use]
     pub fn method(self) -> &'static Method {
         &TABLE[self as usize]
     }
 
-    /// System that the formulation gives for this model, in plain text.
+    /// System of equations that the formulation gives for this model, in plain text, such as `M(q) u' =
+    /// f(q, u)`.
     #[must_use]
     pub fn equation(self, model: &Model) -> &'static str {
         self.method().equation[usize::from(!model.motion_constraints.is_empty())]
     }
 
-    /// Name of the formulation on the command line and in files.
+    /// Name of the formulation on the command line and in files, such as `kane`.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.method().name
     }
 
-    /// Name of the formulation in a heading.
+    /// Name of the formulation in a heading, such as `Kane's method`.
     #[must_use]
     pub fn title(self) -> &'static str {
         self.method().title
     }
 
-    /// Formulation of this name; `None` if the name is unknown.
+    /// Returns the formulation with this name on the command line; `None` if the name is unknown.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|f| f.name() == name)
     }
 
-    /// True if the motion variables are the rates q̇, and not the speeds u.
+    /// True if the motion variables are the rates q̇; false if they are the generalized speeds u.
     #[must_use]
     pub fn is_in_rates(self) -> bool {
         self.method().variables == MotionVariables::Rates
     }
 
-    /// True if the reactions are among the unknowns.
+    /// True if the constraint reactions are among the unknowns of the equations.
     #[must_use]
     pub fn carries_reactions(self) -> bool {
         self.method().carries_reactions
     }
 
-    /// Formulation in the same motion variables whose equations are left when the reactions are eliminated; `self` if
-    /// the formulation has no reactions.
+    /// Formulation in the same motion variables whose equations remain after the reactions are
+    /// eliminated. Returns `self` if the formulation has no reactions.
     #[must_use]
     pub fn without_reactions(self) -> Self {
         let alike = |f: &Self| f.method().variables == self.method().variables && !f.carries_reactions();
         if self.carries_reactions() { Self::ALL.into_iter().find(alike).unwrap_or(self) } else { self }
     }
 
-    /// Symbols of the motion variables v.
+    /// Symbols of the motion variables v of this formulation: the speeds u, or the rates q̇.
     #[must_use]
     pub fn variables(self, model: &Model) -> Vec<Expr> {
         match self.method().variables {
@@ -167,9 +173,8 @@ impl Formulation {
         }
     }
 
-    /// Unknowns of the equations, each with its name: v̇, then the reactions if the method carries them. The
-    /// multipliers
-    /// of the motion constraints follow if the variables are the rates of all coordinates.
+    /// Unknowns of the equations as pairs of name and symbol. First v̇, then the reactions if the
+    /// method has them. If v = q̇, the multipliers of the motion constraints follow.
     #[must_use]
     pub fn unknowns(self, model: &Model) -> Vec<(String, Expr)> {
         let rates = model.speeds.iter().map(|s| (format!("{}'", s.name), s.rate));

@@ -22,7 +22,7 @@ use crate::model::Model;
 /// Derives the Gibbs–Appell equations M(q) u̇ = f(q, u).
 ///
 /// # Errors
-/// Never fails: the rank of the matrix finds a speed that moves no mass.
+/// Never fails. A speed that moves no mass is found later, by the rank of the matrix.
 #[expect(clippy::unnecessary_wraps, reason = "a row of the table of formulations, of which others may fail")]
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     let velocities = kinematics.in_speeds(model);
@@ -46,27 +46,32 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     })
 }
 
-/// Acceleration energy S = ½ u̇ · M u̇ + rest · u̇, without its terms that are free of u̇.
+/// Acceleration energy S = ½ u̇ · M u̇ + rest · u̇, without the terms that do not contain u̇.
 struct AccelerationEnergy {
-    /// Symmetric matrix M = ∂²S/∂u̇∂u̇, one row for each speed.
+    /// Symmetric matrix M = ∂²S/∂u̇∂u̇, one row and one column for each speed.
     matrix: Vec<Vec<Expr>>,
-    /// Slope ∂S/∂u̇ at u̇ = 0, one entry for each speed.
+    /// Derivative ∂S/∂u̇ at u̇ = 0, one entry for each speed.
     rest: Vec<Expr>,
 }
 
-/// Part of the acceleration energy: scale (½ acceleration · inertial + acceleration · gyroscopic).
+/// Summand of the acceleration energy S: scale (½ acceleration · inertial + acceleration ·
+/// gyroscopic).
 struct Part {
-    /// Mass of the body for a mass centre, 1 for a rotation.
+    /// Mass of the body if the part is of its mass centre; 1 if the part is of a rotation or an added
+    /// mass.
     scale: Expr,
-    /// Acceleration a_C of the mass centre, or angular acceleration α.
+    /// Acceleration a_C of the mass centre (m/s²), or angular acceleration α (rad/s²).
     acceleration: Vector,
-    /// Acceleration a_C of the mass centre, or I · α; the rate of the impulse of an added mass.
+    /// Vector a_C for a mass centre, I · α for a rotation, rate of the fluid's impulse for an added
+    /// mass.
     inertial: Vector,
-    /// Zero for a mass centre, ω × I · ω for a rotation, v × p for the moment of impulse of an added mass.
+    /// Vector without u̇: zero for a mass centre, ω × I · ω for a rotation, v × p for the angular
+    /// impulse of an added mass.
     gyroscopic: Vector,
 }
 
 impl AccelerationEnergy {
+    /// Differentiates S by u̇: through the named terms if the kinematics has them, else part by part.
     fn new(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Self {
         let rates: Vec<Expr> = model.speeds.iter().map(|speed| speed.rate).collect();
         if kinematics.frames.carries {
@@ -77,8 +82,8 @@ impl AccelerationEnergy {
         }
     }
 
-    /// Differentiates the parts of S by the product rule: with an inertial vector that is linear in the acceleration
-    /// and symmetric, ∂S/∂u̇_r = Σ scale ∂acceleration/∂u̇_r · (inertial + gyroscopic).
+    /// Differentiates the parts of S by the product rule. `inertial` is linear and symmetric in the
+    /// acceleration, so ∂S/∂u̇_r = Σ scale ∂acceleration/∂u̇_r · (inertial + gyroscopic).
     fn of_parts(kinematics: &mut Kinematics, parts: &[Part], rates: &[Expr]) -> Self {
         let Kinematics { arena, frames, simplifier, .. } = kinematics;
         let zeros: Vec<(Expr, Expr)> = rates.iter().map(|rate| (*rate, Expr::ZERO)).collect();
@@ -99,8 +104,8 @@ impl AccelerationEnergy {
         Self { matrix, rest: rest.iter().map(|dots| dots.sum(arena, frames)).collect() }
     }
 
-    /// Differentiates S backwards through the named terms of the accelerations. A block ½ e · K e + b · e has the slope
-    /// Σ ∂e/∂u̇ · (K e + b).
+    /// Differentiates S backwards (adjoint method) through the named terms of the accelerations. A
+    /// block ½ e · K e + b · e contributes Σ ∂e/∂u̇ · (K e + b).
     fn of_blocks(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities, rates: &[Expr]) -> Self {
         let none = Vector::default();
         let moving = kinematics.acceleration_energy(model, velocities, &mut motion_rates(model), &none);
@@ -120,7 +125,7 @@ impl AccelerationEnergy {
         Self { matrix: symmetric_slopes(arena, &slopes, rates), rest: transposed_product(arena, &linear, rates, SLOPE) }
     }
 
-    /// S as a formula.
+    /// Builds the acceleration energy S as a single term, without the terms that do not contain u̇.
     fn formula(&self, arena: &mut Arena, rates: &[Expr]) -> Expr {
         let half = Rational::fraction(1, 2).expect("not zero");
         let mut terms = Vec::new();
@@ -135,10 +140,10 @@ impl AccelerationEnergy {
     }
 }
 
-/// Letter before the name of a term, for the slope of S along the term.
+/// Prefix of the names of derivatives of S by named terms.
 const SLOPE: &str = "S";
 
-/// Parts of the acceleration energy of all bodies, in q, u and u̇.
+/// Lists the summands of the acceleration energy of all bodies and added masses, in q, u and u̇.
 fn parts(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Vec<Part> {
     let mut rates = motion_rates(model);
     let mut parts = Vec::new();
@@ -171,7 +176,8 @@ fn parts(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) ->
     parts
 }
 
-/// Acceleration energy and generalized active forces: the steps of the Gibbs–Appell method, for display.
+/// Derives the acceleration energy and the generalized active forces: the steps of the Gibbs–Appell
+/// method, for display.
 ///
 /// # Errors
 /// Never fails.

@@ -16,7 +16,7 @@ use crate::model::Model;
 /// Derives Kane's equations M(q) u̇ = f(q, u).
 ///
 /// # Errors
-/// Never fails: the rank of the matrix finds a speed that moves no mass.
+/// Never fails. A speed that moves no mass is found later, by the rank of the matrix.
 #[expect(clippy::unnecessary_wraps, reason = "a row of the table of formulations, of which others may fail")]
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     let velocities = kinematics.in_speeds(model);
@@ -60,10 +60,10 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     })
 }
 
-/// Generalized active forces F_r = Σ_P (∂v_P/∂u_r)·R_P + Σ_B (∂ω_B/∂u_r)·T_B. Weights are forces; reactions do not
-/// contribute.
+/// Generalized active forces F_r = Σ_P (∂v_P/∂u_r)·R_P + Σ_B (∂ω_B/∂u_r)·T_B, one entry for each
+/// speed. Weights are included; reactions do not contribute.
 ///
-/// Entry r has the unit of power over u_r.
+/// Entry r has the unit of power divided by the unit of u_r.
 pub(in crate::mechanics) fn generalized_active_forces(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -73,17 +73,21 @@ pub(in crate::mechanics) fn generalized_active_forces(
     forces.into_iter().map(|e| kinematics.simplifier.simplify(&mut kinematics.arena, e)).collect()
 }
 
-/// Generalized inertia forces F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt] as −(matrix · u̇ + rest).
+/// Generalized inertia forces F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt] as −(matrix ·
+/// u̇ + rest).
 ///
-/// u̇_s enters a_C with ∂v_C/∂u_s and dH/dt with ∂H/∂u_s = I·∂ω/∂u_s; `rest` is the value for u̇ = 0. So no coefficient
-/// has to be read from a long expression.
+/// The coefficient of u̇_s is ∂v_C/∂u_s in a_C, and ∂H/∂u_s = I·∂ω/∂u_s in dH/dt. So it is
+/// computed, not read from a long expression.
 struct Inertia {
-    /// Symmetric mass matrix, one row for each speed.
+    /// Symmetric mass matrix M, one row and one column for each speed.
     matrix: Vec<Vec<Expr>>,
+    /// Value of −F* at u̇ = 0 (inertia terms that depend on velocities), one entry for each speed.
     rest: Vec<Expr>,
 }
 
 impl Inertia {
+    /// Computes the mass matrix and the rest of the generalized inertia forces from the momenta of all
+    /// bodies.
     fn new(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Self {
         let n = model.speeds.len();
         if kinematics.frames.carries {
@@ -112,7 +116,8 @@ impl Inertia {
     }
 }
 
-/// Generalized inertia forces F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt], linear in u̇.
+/// Generalized inertia forces F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt], one entry for
+/// each speed, linear in u̇.
 pub(in crate::mechanics) fn generalized_inertia_forces(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -130,7 +135,8 @@ pub(in crate::mechanics) fn generalized_inertia_forces(
     forces
 }
 
-/// Velocities, partial velocities and generalized active forces: the steps of Kane's method, for display.
+/// Derives velocities, partial velocities and generalized active forces: the steps of Kane's
+/// method, for display.
 ///
 /// # Errors
 /// Never fails.
@@ -153,11 +159,13 @@ pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, De
     Ok(steps)
 }
 
-/// Pairs of a body and a speed above which partial velocities are not listed, because nobody would read them. The
-/// equations are derived without the list.
+/// Largest number of pairs of a body and a speed for which partial velocities are listed. Longer
+/// lists are left out, because nobody would read them.
 const MOST_PAIRS: usize = 1000;
 
-/// Components of a velocity, then its partial velocities that are not zero. A large model lists no partial velocities.
+/// Lists the components of a velocity along the axes of `frame`, then those of its partial
+/// velocities that are not zero. A model with more than `MOST_PAIRS` pairs of body and speed lists
+/// no partial velocities.
 fn velocity_step(
     model: &Model,
     kinematics: &mut Kinematics,

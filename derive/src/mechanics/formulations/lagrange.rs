@@ -11,10 +11,12 @@ use crate::mechanics::quantity::{Energy, QuantityKind};
 use crate::mechanics::rows::{LineName, RowName, Rows, Stage, Step, kinematic_step};
 use crate::model::Model;
 
-/// Derives Lagrange's equations E(q) q̈ = A(q, q̇), with a multiplier for each motion constraint among the unknowns.
+/// Derives Lagrange's equations E(q) q̈ = A(q, q̇). Each motion constraint adds a multiplier to the
+/// unknowns.
 ///
 /// # Errors
-/// [`DeriveError::NoZeroOfPotential`]. The rank of the matrix finds a coordinate that moves no mass.
+/// [`DeriveError::NoZeroOfPotential`]. A coordinate that moves no mass is found later, by the rank
+/// of the matrix.
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     let velocities = kinematics.in_rates.clone();
     if kinematics.frames.carries {
@@ -50,7 +52,10 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     Ok(kinematics.with_multipliers(model, rows))
 }
 
-/// Matrix E and forcing A of a model whose terms are named.
+/// Derives matrix E and forcing A for kinematics with named terms (large models).
+///
+/// # Errors
+/// `DeriveError::NoZeroOfPotential` if V has no value at the configuration of its zero.
 fn named(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Result<Rows, DeriveError> {
     let v = kinematics.gravity_potential(model)?;
     let (matrix, forcing, required) = kinematics.lagrange_system(model, velocities, v);
@@ -71,13 +76,12 @@ fn named(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) ->
     })
 }
 
-/// Velocity terms ∂T/∂q_i − (d/dt ∂T/∂q̇_i without its terms in q̈), row by row, as terms to be added up.
+/// Velocity terms ∂T/∂q_i − (d/dt ∂T/∂q̇_i without its terms in q̈): one list of summands for each
+/// row i.
 ///
-/// With T = ½ Σ E_ab q̇_a q̇_b, row i reads  ½ Σ ∂E_ab/∂q_i q̇_a q̇_b − Σ ∂E_ib/∂q_k q̇_b q̇_k. Each slope of each
-/// entry
-/// above the diagonal is computed once and added to its rows. An entry depends on few coordinates, so the work grows
-/// with
-/// the number of entries.
+/// With T = ½ Σ E_ab q̇_a q̇_b, row i is ½ Σ ∂E_ab/∂q_i q̇_a q̇_b − Σ ∂E_ib/∂q_k q̇_b q̇_k. Each
+/// derivative of an entry on or above the diagonal is computed once and added to its rows. An entry
+/// depends on few coordinates, so the work grows with the number of entries.
 fn velocity_terms(model: &Model, kinematics: &mut Kinematics, form: &[Vec<Expr>]) -> Vec<Vec<(Expr, Rational)>> {
     let arena = &mut kinematics.arena;
     let rates = model.q_dot();
@@ -102,10 +106,10 @@ fn velocity_terms(model: &Model, kinematics: &mut Kinematics, form: &[Vec<Expr>]
     rows
 }
 
-/// Energies and generalized forces: the steps of Lagrange's method, for display.
+/// Derives energies and generalized forces: the steps of Lagrange's method, for display.
 ///
 /// # Errors
-/// [`DeriveError::NoZeroOfPotential`].
+/// [`DeriveError::NoZeroOfPotential`] if V has no value at the configuration of its zero.
 pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
     let velocities = kinematics.in_rates.clone();
     let t = kinematics.kinetic_energy(model, &velocities, &model.q_dot());

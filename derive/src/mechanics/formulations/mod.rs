@@ -1,4 +1,5 @@
-//! Formulations, each in a file of its own. They share only [`super::motion`].
+//! Formulations of the equations of motion, each in its own file. They share only
+//! [`super::motion`].
 
 pub(super) mod formulation;
 pub(super) mod gibbs_appell;

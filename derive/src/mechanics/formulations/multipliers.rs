@@ -1,4 +1,5 @@
-//! Motion constraints in Lagrange's equations: each has a multiplier λ, and its time derivative is a row.
+//! Multipliers λ of motion constraints in Lagrange's equations. The time derivative of each
+//! constraint is a row.
 //!
 //! E q̈ − Aᵀ λ = f and A q̈ = −(dA/dt q̇ + da/dt), for the constraints A q̇ + a = 0. The kinetic energy ignores the
 //! constraints: a constraint put into T before it is differentiated would lose the forces that enforce it.
@@ -12,8 +13,8 @@ use crate::mechanics::rows::{Embedding, RowName, Rows};
 use crate::model::Model;
 
 impl Kinematics {
-    /// Adds the forces of the constraints to the rows of all coordinates, and a row for each constraint. A model
-    /// without motion constraints keeps its rows.
+    /// Adds the constraint forces to the rows of all coordinates, and a row for each motion constraint.
+    /// Without motion constraints, returns `rows` unchanged.
     pub(in crate::mechanics) fn with_multipliers(&mut self, model: &Model, rows: Rows) -> Rows {
         if model.motion_constraints.is_empty() {
             return rows;
@@ -48,7 +49,7 @@ impl Kinematics {
         result
     }
 
-    /// Embedding of the free accelerations u̇: q̈ = W u̇ + x, from q̇ = W u + w.
+    /// Expresses q̈ = W u̇ + x in the free accelerations u̇, from q̇ = W u + w.
     fn embedding(&mut self, model: &Model) -> Embedding {
         let rates = &model.kinematic_equations.rates;
         let flow: Vec<_> = model.q().into_iter().zip(rates.iter().copied()).collect();

@@ -1,8 +1,9 @@
-//! Newton's and Euler's equations of each body, with the reactions among the unknowns.
+//! Newton–Euler equations: the force and moment balance of each body, with the reactions among the
+//! unknowns.
 //!
-//! Forces: m a_C = ΣF. Moments about the mass centre: dH/dt = ΣM. Components are taken in the frame
-//! of the body's inertia, for particles in the inertial frame; components that read 0 = 0 are left out.
-//! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.2, 5.5.
+//! Forces: m a_C = ΣF. Moments about the mass centre: dH/dt = ΣM. Components are along the frame of
+//! the body's inertia, or the inertial frame for a particle. Components that read 0 = 0 are left
+//! out. H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.2, 5.5.
 
 use crate::algebra::solve::linear::{LinearForm, solve};
 use crate::algebra::term::calculus::Gradient;
@@ -19,10 +20,11 @@ use crate::model::{Body, Model, Place, Reaction, ReactionKind};
 /// Derives the Newton–Euler equations A(q, u) (u̇, reactions) = b(q, u).
 ///
 /// # Errors
-/// [`DeriveError::ReactionCount`] unless the model names exactly the reactions that its bodies feel;
-/// [`DeriveError::ReactionNotShown`] if it cannot be shown that a reaction that the program found does no work;
-/// [`DeriveError::TorqueOnNothing`] for a torque on a frame that carries no body; [`DeriveError::PotentialOnNothing`]
-/// for a potential that is not known as forces and torques between bodies.
+/// [`DeriveError::ReactionCount`] unless the model names exactly the reactions that its bodies
+/// feel; [`DeriveError::ReactionNotShown`] if it cannot be shown that a reaction found by the
+/// program does no work; [`DeriveError::TorqueOnNothing`] for a torque on a frame without a body;
+/// [`DeriveError::PotentialOnNothing`] for a potential that cannot be written as forces and torques
+/// between bodies.
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     if let Some(torque) = model.torques.iter().find(|t| t.on.1.is_none() || t.against.is_some_and(|(_, b)| b.is_none()))
     {
@@ -85,18 +87,24 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     })
 }
 
-/// Conditions that the shared reactions together do no work.
+/// Conditions that shared reactions together do no work. A shared reaction works alone, but the
+/// powers of all of them cancel.
 struct SharedPowers {
-    /// Powers that are zero, as rows over the unknowns, with their names: of connections with laws of their own, along
-    /// rates of coordinates; then of all shared reactions, along speeds. A row that follows from those before it is
-    /// left out.
+    /// Zero powers as rows over the unknowns (u̇, reactions), each with its name. First those of
+    /// connections with their own law (such as a screw), along rates q̇; then those of all shared
+    /// reactions, along speeds. Dependent rows are left out.
     rows: Vec<(RowName, Vec<Expr>)>,
-    /// For each speed, the multiples of `rows` that cancel the power along the speed.
+    /// Factors of `rows` whose sum is the power along a speed: one list for each speed, one factor for
+    /// each row.
     projection: Vec<Vec<Expr>>,
 }
 
-/// Conditions Σ R (direction · ∂v/∂u_s) = 0 over the shared reactions; v is the velocity that a reaction works on. For
-/// each connection with a law of its own, also Σ R (direction · ∂v/∂q̇_j) = 0 over its reactions.
+/// Derives the conditions Σ R (direction · ∂v/∂u_s) = 0 over the shared reactions R, where v is the
+/// velocity on which a reaction works. For each connection with its own law, adds Σ R (direction ·
+/// ∂v/∂q̇_j) = 0 over its reactions.
+///
+/// # Errors
+/// `DeriveError::ReactionsDependent` if the conditions do not determine each other.
 fn shared_powers(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPowers, DeriveError> {
     let (speeds, first) = (model.speeds.len(), model.speeds.len());
     let shared: Vec<usize> = (0..model.reactions.len()).filter(|at| model.reactions[*at].is_shared).collect();
@@ -151,7 +159,8 @@ fn shared_powers(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPow
     Ok(SharedPowers { rows, projection })
 }
 
-/// Names of the components that are not 0 = 0, body by body.
+/// Lists the components of balances that are not 0 = 0, one text for each body and kind: `disk
+/// force b1, b2`.
 fn felt(model: &Model, rows: &[Balance]) -> Vec<String> {
     let mut list: Vec<(String, Vec<String>)> = Vec::new();
     for Balance { name, .. } in rows {
@@ -165,17 +174,17 @@ fn felt(model: &Model, rows: &[Balance]) -> Vec<String> {
     list.into_iter().map(|(subject, axes)| format!("{subject} {}", axes.join(", "))).collect()
 }
 
-/// One component of Newton's or Euler's equation of one body.
+/// Single component of the force balance (Newton) or moment balance (Euler) of a body.
 #[derive(Clone, Debug)]
 pub struct Balance {
-    /// Body, frame and axis of the component, and its kind, force or moment.
+    /// Name of the component: the body, force or moment, the frame and the axis.
     pub name: BalanceName,
-    /// Residual m a − ΣF or dH/dt − ΣM, in q, u, u̇ and the reactions.
+    /// Residual m a − ΣF (N) or dH/dt − ΣM (N m), as a term in q, u, u̇ and the reactions.
     pub residual: Expr,
 }
 
-/// Newton's and Euler's equations of every body, component by component, in `frame`. `None` takes the frame of each
-/// body's inertia.
+/// Derives the force and moment balances of all bodies, component by component along the axes of
+/// `frame`. With `None`, each body uses the frame of its inertia. A particle has no moment balance.
 pub fn balances(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -204,8 +213,9 @@ pub fn balances(
     list
 }
 
-/// Partial velocities of the rows, one list for each motion variable: of the mass centre for forces, of the body's
-/// frame for moments. As multipliers of the rows they cancel every reaction.
+/// Partial velocities that belong to the balance rows: one list for each motion variable, one entry
+/// for each row. A force row has that of the mass centre, a moment row that of the body's frame. As
+/// multipliers of the rows, they cancel every reaction.
 pub fn partial_velocities(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -237,7 +247,8 @@ pub fn partial_velocities(
     result
 }
 
-/// Momentum rates of a body: m a less the weight, and dH/dt, with those of its added mass.
+/// Derives the vectors m a − weight (N) and dH/dt (N m) of body number `at`, with the momentum
+/// rates of its added mass.
 fn momentum_rates(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities, at: usize) -> (Vector, Vector) {
     let body = &model.bodies[at];
     let mut rates = motion_rates(model);
@@ -263,7 +274,8 @@ fn momentum_rates(model: &Model, kinematics: &mut Kinematics, velocities: &Veloc
     (force, moment)
 }
 
-/// Residuals m a − ΣF and, for a rigid body, dH/dt − ΣM, from m a less the weight, and dH/dt.
+/// Subtracts all forces, torques and reactions on a body from its momentum rates. Returns the
+/// residuals m a − ΣF and dH/dt − ΣM; the second is `None` for a particle.
 fn balance(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -286,7 +298,8 @@ fn balance(
     (force, body.rigid.is_some().then_some(moment))
 }
 
-/// Applied forces and the given reactions on one body, each with its point. Weights are not included.
+/// Lists the applied forces and the given reaction forces on a body, each with the index of its
+/// point. Weights are left out.
 pub(in crate::mechanics) fn forces_on(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -310,7 +323,7 @@ pub(in crate::mechanics) fn forces_on(
     loads.into_iter().filter(|(place, _)| place.body == body).map(|(place, v)| (place.point, v)).collect()
 }
 
-/// Applied torques and the torques of the given reactions on one body.
+/// Lists the applied torques and the torques of the given reactions on a body.
 pub(in crate::mechanics) fn torques_on(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -334,7 +347,8 @@ pub(in crate::mechanics) fn torques_on(
     loads.into_iter().filter(|(on, _)| *on == Some(body)).map(|(_, v)| v).collect()
 }
 
-/// Forces and torques of potentials and of the given reactions, each with its place.
+/// Lists the forces and torques of potentials and of the given reactions, each with the place where
+/// it acts.
 fn exerted(model: &Model, arena: &mut Arena, reactions: &[Reaction]) -> Vec<(ReactionKind, Vector)> {
     let efforts = model.efforts.iter().map(|effort| (effort.kind, Vector::in_frame(effort.frame, effort.vector)));
     let mut list: Vec<_> = efforts.collect();
@@ -345,7 +359,7 @@ fn exerted(model: &Model, arena: &mut Arena, reactions: &[Reaction]) -> Vec<(Rea
     list
 }
 
-/// Accelerations of the bodies: the steps of the Newton–Euler method, for display.
+/// Derives the accelerations of the bodies: the steps of the Newton–Euler method, for display.
 ///
 /// # Errors
 /// Never fails.
@@ -367,7 +381,8 @@ pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, De
     Ok(steps)
 }
 
-/// Time derivative of a vector in the inertial frame, in components along a frame.
+/// Differentiates a vector by time in the inertial frame, and returns simplified components along
+/// `frame`.
 fn rate(
     model: &Model,
     kinematics: &mut Kinematics,

@@ -1,4 +1,5 @@
-//! Balance of a body along each reaction, which gives the reaction without a division by terms that may vanish.
+//! Balance of a body along the direction of each reaction. It gives the reaction without a
+//! division.
 
 use crate::algebra::Expr;
 use crate::geometry::Vector;
@@ -6,8 +7,9 @@ use crate::mechanics::motion::kinematics::Kinematics;
 use crate::mechanics::rows::{BalanceName, RowName};
 use crate::model::{Model, ReactionKind};
 
-/// For each reaction, the multipliers of `rows` that give the balance of its body along the reaction. They are the
-/// components of its unit direction, so the coefficient of the reaction is 1.
+/// Returns, for each reaction, the multipliers of `rows` that give the balance of its body along
+/// the reaction. They are the components of the reaction's unit direction, so the reaction has the
+/// coefficient 1 in the sum.
 pub fn along_reactions(model: &Model, kinematics: &mut Kinematics, rows: &[RowName]) -> Vec<Vec<Expr>> {
     let mut result = Vec::new();
     for reaction in &model.reactions {

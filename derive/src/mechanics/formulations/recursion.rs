@@ -1,10 +1,12 @@
-//! Equations of models whose closed form would be too long. Every vector is carried along the tree, growing terms get
-//! names, and sums over bodies are differentiated backwards through the names.
+//! Equations of motion of large models, whose closed form would be too long. Velocities and
+//! accelerations are passed from frame to frame along the tree, and long subterms get names. Sums
+//! over bodies are differentiated backwards through these names.
 //!
-//! The three formulations stay distinct. Kane's method adds up weights, loads and inertia forces along partial
-//! velocities that are never written (backward sums of forces). Lagrange's method differentiates the energies,
-//! backwards through their steps and then in time. Newton's and Euler's equations are stated body by body, as for every
-//! other model. The formulations share only the kinematics.
+//! The three formulations remain distinct. Kane's method adds weights, loads and inertia forces
+//! along partial velocities that are never written out (backward sums of forces). Lagrange's method
+//! differentiates the energies backwards through the named subterms, then by time. The Newton–Euler
+//! equations are stated body by body, as for every other model. The formulations share only the
+//! kinematics.
 //!
 //! Luh, Walker & Paul, ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76; R. Featherstone, *Rigid Body Dynamics
 //! Algorithms* (2008), §§ 5.3, 6.2.
@@ -22,15 +24,17 @@ use crate::mechanics::motion::kinematics::{
 use crate::mechanics::motion::loads::Load;
 use crate::model::{Body, Model};
 
-/// Letters before the name of a velocity: for a force along the velocity, and for the momentum along the velocity.
+/// Prefix for the name of a force along a named velocity component.
 const FORCE: &str = "F";
+/// Prefix for the name of a momentum along a named velocity component.
 const MOMENTUM: &str = "p";
 
-/// A component of a velocity and the force or momentum along it.
+/// Velocity component and the force or momentum component along it.
 pub(in crate::mechanics) type Pair = (Expr, Expr);
 
 impl Kinematics {
-    /// Angular velocity ω and angular momentum H of a rigid body, in the frame of its inertia; `None` for a particle.
+    /// Angular velocity ω (rad/s) and angular momentum H (kg m²/s) of a rigid body, as named components
+    /// along the frame of its inertia; `None` for a particle.
     fn spin(&mut self, body: &Body, velocities: &Velocities) -> Option<(Components, Components)> {
         let (own, inertia) = body.rigid.as_ref()?;
         let name = self.frames.name(*own);
@@ -39,8 +43,8 @@ impl Kinematics {
         Some((omega, crate::mechanics::motion::carry::named(&mut self.arena, momentum, &format!("H_{}", body.name))))
     }
 
-    /// Rate dH/dt of a rigid body, in the frame F of its inertia: I ω' + ω_F × H, where ω' differentiates components in
-    /// F. `None` for a particle.
+    /// Rate dH/dt of a rigid body's angular momentum, N m, along the frame F of its inertia: I ω' + ω_F
+    /// × H. Here ω' differentiates the components along F. `None` for a particle.
     fn momentum_rate(
         &mut self,
         body: &Body,
@@ -53,7 +57,8 @@ impl Kinematics {
         Some(std::array::from_fn(|i| self.arena.add(rate[i], gyroscopic[i])))
     }
 
-    /// Rate ω' of the components of a rigid body's ω in the frame F of its inertia, and ω_F × H. `None` for a particle.
+    /// Rate ω' of the components of a rigid body's ω along the frame F of its inertia, and ω_F × H.
+    /// `None` for a particle.
     fn turning_within(
         &mut self,
         body: &Body,
@@ -77,7 +82,8 @@ impl Kinematics {
         Some((within, cross_components(arena, &of_frame, &momentum)))
     }
 
-    /// Components of the velocities of all bodies with the momenta along them: T = ½ Σ velocity · momentum.
+    /// Lists the velocity components of all bodies, each paired with the momentum along it: T = ½ Σ
+    /// velocity · momentum.
     pub(in crate::mechanics) fn momentum_pairs(&mut self, model: &Model, velocities: &Velocities) -> Vec<Pair> {
         let mut pairs = Vec::new();
         for body in &model.bodies {
@@ -92,8 +98,8 @@ impl Kinematics {
         pairs
     }
 
-    /// Components of the velocities of all bodies with the inertia forces and weights along them. The inertia forces
-    /// use the given accelerations.
+    /// Lists the velocity components of all bodies, each paired with the inertia force and weight along
+    /// it. Inertia forces use the given accelerations, which already contain the free fall.
     fn inertia_pairs(&mut self, model: &Model, velocities: &Velocities, accelerations: &Accelerations) -> Vec<Pair> {
         let mut pairs = Vec::new();
         for body in &model.bodies {
@@ -115,8 +121,8 @@ impl Kinematics {
         pairs
     }
 
-    /// Components of the velocities on which loads work, with the loads along them. `put` replaces the velocities that
-    /// a load names.
+    /// Lists the velocity components on which loads do work, each paired with the load along it. `put`
+    /// substitutes the velocities that occur in a load.
     pub(in crate::mechanics) fn load_pairs<'a>(
         &mut self,
         loads: impl IntoIterator<Item = &'a Load>,
@@ -133,7 +139,8 @@ impl Kinematics {
         pairs
     }
 
-    /// Rates of a point's components in the frame in which the point is placed; zero for the origin.
+    /// Time derivatives of a point's position components along the frame in which the model places it,
+    /// m/s. Zero for the origin.
     pub(in crate::mechanics) fn rates_within(
         &mut self,
         model: &Model,
@@ -146,7 +153,7 @@ impl Kinematics {
         components.map(|e| rates.apply(&mut self.arena, e))
     }
 
-    /// Generalized forces of loads along the given motion variables.
+    /// Generalized forces of the given loads, one entry for each of the motion variables `variables`.
     pub(in crate::mechanics) fn forces_along<'a>(
         &mut self,
         loads: impl IntoIterator<Item = &'a Load>,
@@ -157,7 +164,8 @@ impl Kinematics {
         transposed_product(&mut self.arena, &pairs, variables, FORCE)
     }
 
-    /// Matrix ∂²T/∂x_i∂x_j of the kinetic energy for the given variables x, from the momenta of the bodies.
+    /// Matrix ∂²T/∂x_i∂x_j of the kinetic energy for the motion variables x, differentiated from the
+    /// momenta of the bodies.
     pub(in crate::mechanics) fn form_of_momenta(
         &mut self,
         model: &Model,
@@ -169,8 +177,11 @@ impl Kinematics {
         symmetric_slopes(&mut self.arena, &momenta, variables)
     }
 
-    /// Potential energy −g · Σ m p of gravity. The first moments m p are added up before they are carried to the frame
-    /// of g.
+    /// Potential energy −g · Σ m p of gravity, J. The first moments m p are added before they are
+    /// expressed in the frame of g.
+    ///
+    /// # Errors
+    /// `DeriveError::NoZeroOfPotential` if it has no value at the model's `zero_at`.
     pub(in crate::mechanics) fn carried_potential(&mut self, model: &Model, g: &Vector) -> Result<Expr, DeriveError> {
         let mut moment = Vector::default();
         for body in &model.bodies {
@@ -187,7 +198,7 @@ impl Kinematics {
         self.zeroed(model, energy)
     }
 
-    /// Kinetic energy ½ Σ velocity · momentum, from pairs of components.
+    /// Kinetic energy ½ Σ velocity · momentum, J, from pairs of velocity and momentum components.
     pub(in crate::mechanics) fn energy_of_pairs(&mut self, pairs: &[Pair]) -> Expr {
         let arena = &mut self.arena;
         let half = Rational::fraction(1, 2).expect("not zero");
@@ -195,8 +206,8 @@ impl Kinematics {
         arena.linear_combination(&terms)
     }
 
-    /// Kane's equations M u̇ = f as (M, f), with the given loads and the acceleration of free fall. No partial velocity
-    /// is written.
+    /// Kane's equations M u̇ = f as (M, f), with the given loads and the acceleration `fall` of free
+    /// fall. Partial velocities are never written out.
     pub(in crate::mechanics) fn projected(
         &mut self,
         model: &Model,
@@ -213,7 +224,8 @@ impl Kinematics {
         (matrix, forcing)
     }
 
-    /// Sum F_r + F*_r of the active and inertia forces along each speed, for a motion with the given rates.
+    /// Sums F_r + F*_r of the active and inertia forces, one for each speed, in a motion whose state
+    /// has the given rates.
     pub(in crate::mechanics) fn forces_of_motion(
         &mut self,
         model: &Model,
@@ -228,7 +240,8 @@ impl Kinematics {
         transposed_product(&mut self.arena, &pairs, &model.u(), FORCE)
     }
 
-    /// Momentum rates of a body from given accelerations: m a less the weight, and dH/dt.
+    /// Vectors m a − weight (N) and dH/dt (N m) of a body, from accelerations that already contain the
+    /// free fall.
     pub(in crate::mechanics) fn carried_rates(
         &mut self,
         model: &Model,
@@ -245,8 +258,8 @@ impl Kinematics {
         (force, moment.map_or_else(Vector::default, |rate| Vector::in_frame(frame, rate)))
     }
 
-    /// Function that u̇ minimizes by Gauss's principle: the acceleration energy less the power of the loads along u̇.
-    /// Weights count as inertia forces.
+    /// Function of u̇ that Gauss's principle minimizes: the acceleration energy less the power of the
+    /// loads along u̇. Weights count as inertia forces.
     pub(in crate::mechanics) fn gauss(&mut self, model: &Model, velocities: &Velocities, loads: &[Load]) -> Sum {
         let blocks = self.acceleration_energy(model, velocities, &mut motion_rates(model), &Self::fall(model));
         let forces = self.forces_along(loads, &mut rates_to_speeds(model), &model.u());
@@ -254,8 +267,8 @@ impl Kinematics {
         Sum { blocks, linear }
     }
 
-    /// Acceleration energy ½ Σ m a² + Σ ½ ω' · I ω' + ω' · (ω × H) as blocks, along a motion; a is less the given
-    /// acceleration of free fall.
+    /// Acceleration energy ½ Σ m a² + Σ ½ ω' · I ω' + ω' · (ω × H) in a given motion, as blocks ½ e · K
+    /// e + b · e. Here a is the acceleration of a mass centre less that of free fall.
     pub(in crate::mechanics) fn acceleration_energy(
         &mut self,
         model: &Model,
@@ -282,12 +295,13 @@ impl Kinematics {
         blocks
     }
 
-    /// Acceleration of free fall; zero without gravity.
+    /// Acceleration of free fall, m/s², in the model's gravity frame; zero without gravity.
     pub(in crate::mechanics) fn fall(model: &Model) -> Vector {
         model.gravity.as_ref().map(|g| Vector::in_frame(g.frame, g.acceleration)).unwrap_or_default()
     }
 
-    /// Lagrange's equations E q̈ = A from the energies, as (E, A, E q̈ − A). Loads other than gravity are not included.
+    /// Lagrange's equations E q̈ = A from the energies, as (E, A, E q̈ − A). Of the loads, only gravity
+    /// is included.
     pub(in crate::mechanics) fn lagrange_system(
         &mut self,
         model: &Model,
@@ -322,7 +336,8 @@ impl Kinematics {
     }
 }
 
-/// Matrix ∂p_i/∂x_j of momenta, which is symmetric: the upper triangle is derived and mirrored.
+/// Matrix ∂p_i/∂x_j of momenta p by motion variables x. It is symmetric, so only its upper triangle
+/// is differentiated.
 pub(in crate::mechanics) fn symmetric_slopes(
     arena: &mut Arena,
     momenta: &[Expr],

@@ -1,8 +1,10 @@
-//! Anchors of bodies: for each body, the body-fixed point and axes to which its inertial parameters refer.
+//! Reference point and axes of each body's inertial parameters, both fixed in the body (the body's
+//! anchor).
 //!
-//! The base parameters of textbooks refer to a point on the axis of the joint that carries a body. One of their axes
-//! lies along the joint (W. Khalil & E. Dombre, *Modeling, Identification and Control of Robots* (2002), §§ 3.2, 9.4).
-//! So an anchor is the point and the frame nearest to the ground that are still fixed in the body.
+//! Base parameters of textbooks refer to a point on the axis of the joint that carries a body. One
+//! of their axes lies along the joint (W. Khalil & E. Dombre, *Modeling, Identification and Control
+//! of Robots* (2002), §§ 3.2, 9.4). So an anchor is the point and the frame nearest to the ground
+//! that are still fixed in the body.
 
 use super::inertial::Inertial;
 use crate::algebra::Expr;
@@ -12,22 +14,22 @@ use crate::model::Model;
 /// Body-fixed point and frame to which the inertial parameters of a body refer.
 #[derive(Clone, Debug)]
 pub struct Anchor {
-    /// Index of the body in the model.
+    /// Index of the body in the model's list of bodies.
     pub body: usize,
-    /// Index of the point in the model.
+    /// Index in the model of the reference point, which is fixed in the body.
     pub point: usize,
-    /// Index of the frame of the axes in the model.
+    /// Index in the model of the frame of the axes, which is fixed in the body.
     pub frame: usize,
-    /// Axis of the joint that turns the frame, 0 to 2; 2 if there is no joint.
+    /// Axis of `frame` about which its joint turns: 0, 1 or 2; 2 if there is no such joint.
     pub axis: usize,
     /// Index of the frame that turns with the body; `None` for a particle.
     pub(in crate::mechanics) turns: Option<usize>,
-    /// Symbols of the model's coordinates.
+    /// Symbols of all generalized coordinates of the model. A term without them is constant.
     pub(in crate::mechanics) moved: Vec<Expr>,
 }
 
 impl Anchor {
-    /// Finds the anchor of a body.
+    /// Finds the point and frame nearest to the ground that are fixed in a body.
     pub(in crate::mechanics) fn of(model: &Model, body: usize) -> Self {
         let moved = model.q();
         let Some((own, _)) = &model.bodies[body].rigid else {
@@ -50,9 +52,9 @@ impl Anchor {
         Self { body, point, frame, axis, turns: Some(*own), moved }
     }
 
-    /// Inertial parameters of the body, in the order of preference in which base parameters keep them. First come those
-    /// that remain of the ten beyond a revolute joint, grouped as by Khalil and Dombre. The moment along the axis, one
-    /// inertia and the mass follow.
+    /// Lists the inertial parameters of the body, those first that base parameters should keep. First
+    /// come those that a revolute joint leaves identifiable, grouped as by Khalil and Dombre. The first
+    /// moment along the axis, one inertia and the mass follow. A particle has only its mass.
     pub(in crate::mechanics) fn parameters(&self) -> Vec<Inertial> {
         if self.turns.is_none() {
             return vec![Inertial::Mass];
@@ -74,13 +76,13 @@ impl Anchor {
     }
 }
 
-/// True if the terms contain no coordinate.
+/// True if the terms contain none of the coordinates `moved`.
 fn is_fixed(model: &Model, moved: &[Expr], terms: &[Expr]) -> bool {
     let reached = model.arena.reachable(terms);
     !reached.iter().any(|part| moved.contains(part))
 }
 
-/// Frame nearest to the ground in which the given frame is fixed.
+/// Index of the frame nearest to the ground relative to which the given frame does not move.
 fn outermost(model: &Model, moved: &[Expr], mut frame: usize) -> usize {
     while let Some((before, turn)) = &model.frames[frame].rotation {
         if !is_fixed(model, moved, &[turn.terms(), turn.quantities()].concat()) {

@@ -1,4 +1,5 @@
-//! Accelerations that are carried along the tree, for models whose terms are named.
+//! Accelerations of frames and points of large models, computed along the tree with a name for each
+//! long subterm.
 
 use super::kinematics::{Kinematics, Velocities};
 use crate::algebra::term::calculus::Differential;
@@ -6,31 +7,36 @@ use crate::algebra::{Expr, Rational};
 use crate::geometry::{Components, Placement, Vector, apply_tensor, cross_components};
 use crate::model::Model;
 
-/// Accelerations of all frames and points. Those of points are less the acceleration of free fall.
+/// Accelerations of all frames and points, relative to free fall.
 pub(in crate::mechanics) struct Accelerations {
+    /// Angular acceleration α of each frame of the model, rad/s².
     pub angular: Vec<Vector>,
+    /// Acceleration of each point of the model less the acceleration of free fall, m/s².
     pub linear: Vec<Vector>,
 }
 
-/// Place of the terms in the angular acceleration α of a frame.
+/// Choice where the angular acceleration α of a frame enters the acceleration of its points.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::mechanics) enum AlphaTerms {
-    /// In the named matrix α× + ω×ω× of the frame.
+    /// Angular acceleration α is part of the named matrix α× + ω×ω× of the frame.
     InMatrix,
-    /// Beside the named matrix, into which only the squares of ω enter: α is unknown.
+    /// Angular acceleration α stays outside the named matrix, which is then only ω×ω×. Chosen if α is
+    /// unknown.
     Separate,
 }
 
-/// Angular accelerations, and components of the angular velocities in the own frame, of all frames.
+/// Angular accelerations and angular velocities of all frames of a model.
 #[derive(Clone, Copy)]
 struct Turning<'a> {
+    /// Angular acceleration of each frame of the model, rad/s².
     angular: &'a [Vector],
+    /// Components of each frame's angular velocity along its own axes, rad/s.
     spins: &'a [Components],
 }
 
 impl Kinematics {
-    /// Accelerations along a motion: α of each frame, and a − g of each point, because a weight counts as an inertia
-    /// force.
+    /// Accelerations in a motion whose state has the given rates: α of each frame, and a − g of each
+    /// point. Subtracting g makes the weight an inertia force.
     pub(in crate::mechanics) fn accelerations(
         &mut self,
         model: &Model,
@@ -66,6 +72,8 @@ impl Kinematics {
         Accelerations { angular, linear }
     }
 
+    /// Acceleration of each point less that of free fall, m/s²: from its parent point by a + α × r + ω
+    /// × (ω × r) + 2 ω × r' + r''.
     fn linear_accelerations(
         &mut self,
         model: &Model,
@@ -106,7 +114,8 @@ impl Kinematics {
         linear
     }
 
-    /// Matrix α× + ω×ω× of a frame: times the place of a fixed point, it gives the point's acceleration.
+    /// Named matrix α× + ω×ω× of a frame, s⁻². Its product with the position of a fixed point is the
+    /// point's relative acceleration.
     fn turn_of_rates(
         &mut self,
         model: &Model,

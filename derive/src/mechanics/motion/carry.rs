@@ -1,10 +1,12 @@
-//! Vectors that are carried from frame to frame, one turn at a time, with a name for each component.
+//! Vectors that are expressed in another frame one rotation at a time, with a name for each
+//! component.
 //!
-//! Products of rotations grow with every frame between two bodies. A carried vector is turned once per frame and takes
-//! up the vectors that it meets. The angular velocity of a frame is that of its parent, turned once, plus its own. So
-//! velocities become recursions along the tree without being written as such (J. Y. S. Luh, M. W. Walker & R. P. C.
-//! Paul, "On-line computational scheme for mechanical manipulators", ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76).
-//! [`Form`](super::form::Form) decides which models are derived with carried vectors.
+//! Products of rotations grow with every frame between two bodies. Here a vector is rotated once
+//! per frame, and vectors that it meets on the way are added. For example, the angular velocity of
+//! a frame is that of its parent, rotated once, plus its own. So velocities become recursions along
+//! the tree without being written as such (J. Y. S. Luh, M. W. Walker & R. P. C. Paul, "On-line
+//! computational scheme for mechanical manipulators", ASME J. Dyn. Sys. Meas. Control 102 (1980)
+//! 69–76). [`Form`](super::form::Form) decides which models are derived in this way.
 
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Frames, Turn, TurnSense, Vector};
@@ -12,8 +14,8 @@ use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Frames {
-    /// Frame in which vectors have short components: the deepest frame of their parts if all others lie above it, else
-    /// the frame where the paths to the ground meet.
+    /// Index of the frame in which the given vectors have short components. It is the deepest frame of
+    /// their parts if all others are its ancestors, else the frame where the paths to the ground meet.
     #[must_use]
     pub fn home<'a>(&self, vectors: impl IntoIterator<Item = &'a Vector>) -> usize {
         let frames: BTreeSet<usize> =
@@ -30,9 +32,9 @@ impl Frames {
         meeting[0]
     }
 
-    /// Carries all parts of a vector into one frame, the farthest part first, and returns the components there. A part
-    /// on its way takes up the parts that it meets. Components are named after the letter and the owner, `w_B_1`; on
-    /// the way they are named after the frame that they come from, `w_A_in_B_1`.
+    /// Expresses a vector in one frame, and returns its named components. The farthest part moves
+    /// first, one rotation at a time, and is added to the parts that it meets. Names consist of the
+    /// letter and the owner, as `w_B_1`; on the way also of the frame of origin, as `w_A_in_B_1`.
     pub fn carry(&self, arena: &mut Arena, v: &Vector, frame: usize, letter: &str, of: &str) -> Components {
         let path = self.ancestors(frame);
         let what = &format!("{letter}_{of}");
@@ -83,7 +85,8 @@ impl Frames {
     }
 }
 
-/// Names three components after their owner: `w_B_1`, `w_B_2`, `w_B_3`.
+/// Gives three components names with a number at the end: `w_B_1`, `w_B_2`, `w_B_3` for `what` =
+/// `w_B`.
 pub fn named(arena: &mut Arena, components: Components, what: &str) -> Components {
     let mut at = 0;
     components.map(|e| {
@@ -92,7 +95,7 @@ pub fn named(arena: &mut Arena, components: Components, what: &str) -> Component
     })
 }
 
-/// Components of a vector in the frame to which a turn leads, each with a name.
+/// Rotates the components of a vector through `turn`, forwards or back, and names the results.
 pub fn turned(arena: &mut Arena, turn: &Turn, sense: TurnSense, v: &Components, what: &str) -> Components {
     let result = turn.apply(arena, v, sense);
     named(arena, result, what)

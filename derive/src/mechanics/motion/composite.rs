@@ -1,12 +1,13 @@
-//! Mass matrix of a tree of bodies by composite bodies. A composite body is everything beyond a joint, taken as one
-//! body.
+//! Mass matrix of a tree of bodies by the composite-body method. A composite body is all bodies
+//! beyond a joint, taken as a single rigid body.
 //!
-//! The tree has an edge for each turn from a frame to the next and for each shift from a point to the next in one
-//! frame. A composite body is its mass m, its first moment s and its inertia J about the point of its node, all in the
-//! frame of the node. A unit motion of an edge gives the composite body beyond it a momentum, which is carried to the
-//! root. The component of this momentum along the motion of another edge on the way is the matrix entry for both edges.
-//! The work grows with the square of the depth (R. Featherstone, *Rigid Body Dynamics Algorithms* (2008), §6.2; M. W.
-//! Walker & D. E. Orin, ASME J. Dyn. Sys. Meas. Control 104 (1982) 205–211).
+//! The tree has an edge for each rotation from frame to frame, and for each shift from point to
+//! point in a frame. A composite body has a mass m, a first moment s and an inertia J about the
+//! point of its node, in the node's frame. A unit motion of an edge gives the composite body beyond
+//! it a momentum. The momentum is expressed frame by frame up to the root. The component of this
+//! momentum along the motion of another edge on the way is the matrix entry for both edges. The
+//! work grows with the square of the depth (R. Featherstone, *Rigid Body Dynamics Algorithms*
+//! (2008), §6.2; M. W. Walker & D. E. Orin, ASME J. Dyn. Sys. Meas. Control 104 (1982) 205–211).
 
 use super::carry::{named, turned};
 use super::kinematics::{Kinematics, Velocities};
@@ -15,67 +16,80 @@ use crate::algebra::{Arena, Expr, Rational};
 use crate::geometry::{Components, Placement, Turn, TurnSense, cross_components, transposed};
 use crate::model::{Body, Model};
 
+/// Components of the zero vector.
 const NOTHING: Components = [Expr::ZERO; 3];
 
-/// Step from a node's parent to the node: the frame turns, or the point shifts by components in the same frame.
+/// Step from a node to its child in the tree: the frame rotates, or the point shifts along the
+/// frame.
 #[derive(Clone, PartialEq, Eq)]
 enum Edge {
+    /// Rotation of the frame by this turn; the point stays.
     Turn(Turn),
+    /// Shift of the point by these components along the frame, m; the frame stays.
     Shift { by: Components },
 }
 
-/// Node of the tree: a frame with a point, and the composite of all bodies beyond.
+/// Node of the tree: a frame with a point, and the sums that make up the composite body beyond it.
 struct Node {
+    /// Index of the parent node in the tree.
     parent: usize,
+    /// Step from the parent to the node: a rotation or a shift.
     edge: Edge,
+    /// Index of the node's frame in the model.
     frame: usize,
-    /// Rates of the edge's motion: components of its angular velocity, or rates of the shift.
+    /// Rates of the edge's motion: components of its angular velocity (rad/s), or of its shift (m/s).
     rates: Components,
+    /// Masses of the bodies at or beyond the node, kg, as summands.
     mass: Vec<Expr>,
-    /// First moment Σ m r, kg m.
+    /// Summands of the components of the first moment Σ m r about the node's point, kg m.
     moment: [Vec<Expr>; 3],
-    /// Inertia Σ m (r² − r rᵀ) about the node's point, kg m²: upper triangle, row by row.
+    /// Summands of the inertia Σ m (r² − r rᵀ) about the node's point, kg m²: upper triangle, row by
+    /// row.
     inertia: [Vec<Expr>; 6],
 }
 
-/// Composite of all bodies beyond a node, about the node's point and in the node's frame.
+/// Mass, first moment and inertia of all bodies beyond a node, about the node's point and in the
+/// node's frame.
 #[derive(Clone)]
 struct Composite {
-    /// Mass, kg.
+    /// Mass of the composite body, kg.
     mass: Expr,
-    /// First moment Σ m r, kg m.
+    /// First moment Σ m r of the composite body about the node's point, kg m.
     moment: Components,
-    /// Inertia Σ m (r² − r rᵀ), kg m²: upper triangle, row by row.
+    /// Inertia Σ m (r² − r rᵀ) of the composite body about the node's point, kg m²: upper triangle, row
+    /// by row.
     inertia: [Expr; 6],
 }
 
-/// Index of entry (i, j) of a symmetric tensor, stored as its upper triangle.
+/// Index of entry (i, j) of a symmetric 3 × 3 tensor in the array of its upper triangle, row by
+/// row.
 fn place(i: usize, j: usize) -> usize {
     let (i, j) = (i.min(j), i.max(j));
     i * (5 - i) / 2 + j
 }
 
-/// Linear and angular momentum about the point of a node.
+/// Linear momentum, and angular momentum about the point of a node, in the node's frame.
 type Momentum = (Components, Components);
 
-/// Unit motion of the edge to a node: a turn about, or a shift along, the axis.
+/// Motion at unit rate of the edge that leads to a node: a rotation about an axis, or a shift along
+/// it.
 #[derive(Clone, Copy)]
 struct Motion {
-    /// Index of the node.
+    /// Index of the node to which the moving edge leads.
     node: usize,
-    /// Index of the axis: 0, 1 or 2.
+    /// Index of the axis of the node's frame: 0, 1 or 2.
     axis: usize,
 }
 
-/// The bodies of a model as a tree of frames and points.
+/// Tree of nodes (a frame with a point) that leads from the ground to all bodies of a model.
 struct Tree {
     /// Nodes of the tree, parents first. The first node is the inertial frame at the origin.
     nodes: Vec<Node>,
 }
 
 impl Kinematics {
-    /// Matrix ∂²T/∂x_i∂x_j of the kinetic energy, by composite bodies. `None` if a body is not placed along the path of
-    /// its frames.
+    /// Matrix ∂²T/∂x_i∂x_j of the kinetic energy by composite bodies, with a row for each motion
+    /// variable x. `None` if a body's points do not follow the chain of its frames.
     pub(in crate::mechanics) fn composite_form(
         &mut self,
         model: &Model,
@@ -121,6 +135,7 @@ impl Kinematics {
 }
 
 impl Tree {
+    /// Builds the tree of all bodies. `None` if a body's points do not follow the chain of its frames.
     fn new(kinematics: &mut Kinematics, model: &Model, velocities: &Velocities) -> Option<Self> {
         let root = Node::new(0, Edge::Shift { by: NOTHING }, 0, NOTHING);
         let mut tree = Self { nodes: vec![root] };
@@ -139,8 +154,9 @@ impl Tree {
         Some(tree)
     }
 
-    /// Index of the tree node that carries the body: the mass centre of the body, seen from the body's frame. `None` if
-    /// the points up to the mass centre do not follow the frames of the body.
+    /// Adds the path of a body to the tree. Returns the index of the node at the body's mass centre, in
+    /// the body's frame. `None` if the points up to the mass centre do not follow the chain of the
+    /// body's frames.
     fn reach(
         &mut self,
         kinematics: &mut Kinematics,
@@ -182,7 +198,7 @@ impl Tree {
         Some(at)
     }
 
-    /// Index of the node that this edge reaches; adds the node if it is new.
+    /// Index of the node with this parent, frame and edge; adds the node if the tree has none.
     fn child(&mut self, node: Node) -> usize {
         let alike = |known: &Node| known.parent == node.parent && known.frame == node.frame && known.edge == node.edge;
         match self.nodes.iter().skip(1).position(alike) {
@@ -194,7 +210,8 @@ impl Tree {
         }
     }
 
-    /// Composite bodies beyond each node, in the order of the nodes.
+    /// Composite bodies, one for each node, in the order of the nodes. Adds each node's sums to those
+    /// of its parent.
     fn composites(&mut self, arena: &mut Arena, model: &Model) -> Vec<Composite> {
         let mut list =
             vec![Composite { mass: Expr::ZERO, moment: NOTHING, inertia: [Expr::ZERO; 6] }; self.nodes.len()];
@@ -231,7 +248,7 @@ impl Tree {
         list
     }
 
-    /// Lists the motion at unit speed of every joint that moves.
+    /// Lists the unit motions of the tree: one for each axis of an edge whose rate is not zero.
     fn motions(&self) -> Vec<Motion> {
         let axes = |at: usize| {
             (0..3)
@@ -241,8 +258,9 @@ impl Tree {
         (1..self.nodes.len()).flat_map(axes).collect()
     }
 
-    /// Entries that couple the unit motion with the motions from its edge to the root, itself included.
-    /// Each is the index of the other motion with the momentum along it; each pair occurs once.
+    /// Lists the matrix entries between a unit motion and the motions on its way to the root, itself
+    /// included. Each entry is the index of the second motion and the momentum along it. Each pair
+    /// occurs once.
     fn couplings(
         &self,
         arena: &mut Arena,
@@ -289,14 +307,16 @@ impl Tree {
 }
 
 impl Node {
+    /// Creates a node at the end of an edge, without any mass yet.
     fn new(parent: usize, edge: Edge, frame: usize, rates: Components) -> Self {
         let (moment, inertia) = Default::default();
         Self { parent, edge, frame, rates, mass: Vec::new(), moment, inertia }
     }
 }
 
-/// First moment and inertia about the parent's point, from which the node's point lies at r = `by`. They are s + m r
-/// and, with w = 2 s + m r, J + (r · w) 1 − ½ (r wᵀ + w rᵀ).
+/// First moment and inertia of a composite body about the parent's point, from which the node's
+/// point lies at r = `by`. They are s + m r and, with w = 2 s + m r, J + (r · w) 1 − ½ (r wᵀ + w
+/// rᵀ).
 fn shifted(arena: &mut Arena, composite: &Composite, by: &Components, name: &str) -> (Components, [Expr; 6]) {
     let Composite { mass, moment, inertia } = composite;
     let carried = by.map(|e| arena.mul(*mass, e));
@@ -328,8 +348,9 @@ fn shifted(arena: &mut Arena, composite: &Composite, by: &Components, name: &str
     (sum, result)
 }
 
-/// Tensor R J Rᵀ, turned back into the frame before the turn. About one axis, with t = s (J_kk − J_jj) − 2 c J_jk, the
-/// entries are J_jj + s t, J_kk − s t and −c t − J_jk.
+/// Rotates an inertia tensor back into the frame before a turn: R J Rᵀ, with a name for each entry.
+/// About a single axis, with t = s (J_kk − J_jj) − 2 c J_jk, the entries are J_jj + s t, J_kk − s t
+/// and −c t − J_jk.
 fn turned_tensor(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6], what: &str) -> [Expr; 6] {
     let Turn::About(axis, angle) = turn else {
         let half = [0, 1, 2].map(|i| {
@@ -343,7 +364,7 @@ fn turned_tensor(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6], what: &str)
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
     let (s, c) = (arena.sin(angle), arena.cos(angle));
     let row = [NOTHING[0], tensor[place(axis, j)], tensor[place(axis, k)]];
-    // The entries beside the axis turn like a vector.
+    // The entries in the row of the axis turn like a vector.
     let mut beside = NOTHING;
     (beside[j], beside[k]) = (row[1], row[2]);
     let beside = turned(arena, turn, TurnSense::Back, &beside, what);

@@ -10,37 +10,38 @@ use crate::geometry::{Dots, SymmetricDots, Vector, cross_components};
 use crate::mechanics::error::DeriveError;
 use crate::model::{AddedMass, Model};
 
-/// A velocity and the momentum along it: v and m v of a mass centre, or ω and H of a rigid body. T = Σ ½ scale velocity
-/// · momentum.
+/// Velocity paired with the momentum along it: v and m v of a mass centre, or ω and H of a rigid
+/// body. T = Σ ½ scale velocity · momentum.
 pub struct Momentum {
-    /// Mass of the body for a mass centre, 1 for a rotation. It is a separate factor so that equal products of vectors
-    /// are recognized.
+    /// Mass of the body for a mass centre, 1 otherwise. It is a separate factor so that equal products
+    /// of vectors are recognized.
     pub scale: Expr,
-    /// Velocity v_C of the mass centre, or angular velocity ω.
+    /// Velocity v_C of the mass centre (m/s), or angular velocity ω (rad/s).
     pub velocity: Vector,
-    /// Velocity v_C of the mass centre, or angular momentum H = I · ω.
+    /// Velocity v_C of the mass centre, which `scale` makes a momentum, or angular momentum H = I · ω.
     pub momentum: Vector,
-    /// Rate of the momentum beside its derivative: v × p for the moment of the impulse p of an added mass; `None` for
-    /// other momenta.
+    /// Rate of the momentum in addition to its derivative: v × p for the angular impulse of an added
+    /// mass with impulse p, N m. `None` for other momenta.
     pub carried: Option<Vector>,
 }
 
-/// Impulse p of the fluid that moves with a body, its moment h about the mass centre, and v × p.
+/// Impulse of the fluid that moves with a body (its added mass): linear p, angular h about the mass
+/// centre, and v × p.
 pub struct Impulse {
-    /// Velocity v of the mass centre, in the frame of the body.
+    /// Velocity v of the mass centre, in the frame of the body, m/s.
     pub velocity: Vector,
-    /// Angular velocity ω, in the frame of the body.
+    /// Angular velocity ω of the body, in the frame of the body, rad/s.
     pub omega: Vector,
-    /// Impulse p, N s.
+    /// Linear impulse p of the fluid, N s.
     pub linear: Vector,
-    /// Moment of impulse h about the mass centre, N m s.
+    /// Angular impulse h of the fluid about the mass centre, N m s.
     pub angular: Vector,
-    /// Moment v × p, N m.
+    /// Moment v × p that the moving reference point adds to dh/dt, N m.
     pub carried: Vector,
 }
 
 impl Kinematics {
-    /// Velocities and momenta of all bodies.
+    /// Lists the velocities and momenta of all bodies, then those of all added masses.
     pub fn momenta(&mut self, model: &Model, velocities: &Velocities) -> Vec<Momentum> {
         let mut momenta = Vec::new();
         for body in &model.bodies {
@@ -60,7 +61,8 @@ impl Kinematics {
         momenta
     }
 
-    /// Impulse (p, h) = M_A ν of an added mass.
+    /// Impulse (p, h) = M_A ν of an added mass with the 6 × 6 tensor M_A, for a body with the twist ν =
+    /// (v, ω).
     pub fn impulse(&mut self, model: &Model, velocities: &Velocities, added: &AddedMass) -> Impulse {
         let body = &model.bodies[added.body];
         let frame = body.rigid.as_ref().map_or(0, |(frame, _)| *frame);
@@ -82,13 +84,15 @@ impl Kinematics {
         Impulse { velocity, omega, linear, angular, carried }
     }
 
-    /// Kinetic energy T = Σ ½ m v·v + ½ ω·I·ω, written as a quadratic form in the motion variables.
+    /// Kinetic energy T = Σ ½ m v·v + ½ ω·I·ω, J, written as a quadratic form in the motion variables
+    /// `variables`.
     pub fn kinetic_energy(&mut self, model: &Model, velocities: &Velocities, variables: &[Expr]) -> Expr {
         let form = self.kinetic_form(model, velocities, variables);
         self.energy_with_form(model, velocities, variables, &form)
     }
 
-    /// Symmetric matrix ∂²T/∂x_i∂x_j of the kinetic energy, each entry simplified; x are the `variables`.
+    /// Symmetric matrix ∂²T/∂x_i∂x_j of the kinetic energy, each entry simplified; x are the motion
+    /// variables `variables`.
     pub fn kinetic_form(&mut self, model: &Model, velocities: &Velocities, variables: &[Expr]) -> Vec<Vec<Expr>> {
         if self.frames.carries && !self.frames.are_near() {
             return self.form_of_momenta(model, velocities, variables);
@@ -104,8 +108,8 @@ impl Kinematics {
         form
     }
 
-    /// Kinetic energy ½ Σ form_ij x_i x_j, as a person writes it. An energy that is not quadratic, because the speeds
-    /// are not homogeneous in the rates, is returned as the plain sum over the bodies.
+    /// Kinetic energy as the quadratic form ½ Σ form_ij x_i x_j, J, which people write. If T is not
+    /// quadratic in x, because velocities remain at x = 0, returns the plain sum over the bodies.
     pub(in crate::mechanics) fn energy_with_form(
         &mut self,
         model: &Model,
@@ -148,7 +152,8 @@ impl Kinematics {
         }
     }
 
-    /// Potential energy V = −Σ m g·p of gravity alone, J; zero at the model's `zero_at`.
+    /// Potential energy V = −Σ m g·p of gravity alone, J; zero at the configuration `zero_at` of the
+    /// model.
     ///
     /// # Errors
     /// [`DeriveError::NoZeroOfPotential`] if V has no value at `zero_at`.
@@ -167,7 +172,11 @@ impl Kinematics {
         self.zeroed(model, energy)
     }
 
-    /// Shifts a potential energy so that it is zero at the model's `zero_at`.
+    /// Shifts a potential energy by a constant so that it is zero at the model's configuration
+    /// `zero_at`.
+    ///
+    /// # Errors
+    /// `DeriveError::NoZeroOfPotential` if the energy has no value at `zero_at`.
     pub(in crate::mechanics) fn zeroed(&mut self, model: &Model, energy: Expr) -> Result<Expr, DeriveError> {
         let Some(gravity) = &model.gravity else { return Ok(energy) };
         if gravity.zero_at.is_empty() {
@@ -183,7 +192,8 @@ impl Kinematics {
     }
 }
 
-/// Substitution of the coordinates at which the model's potential energy is zero.
+/// Substitution that puts the coordinates at the configuration where the model's potential energy
+/// is zero.
 pub(in crate::mechanics) fn place_of_zero(model: &Model) -> Substitution {
     let mut values: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, Expr::ZERO)).collect();
     for (symbol, value) in model.gravity.iter().flat_map(|gravity| &gravity.zero_at) {

@@ -1,50 +1,58 @@
-//! Form of derived equations: written out, or in named terms.
+//! Form of derived equations: closed (written out), or with named subterms.
 
 use crate::geometry::{Frames, Placement, Turn};
 use crate::model::Model;
 use std::collections::BTreeSet;
 
-/// Approximate number of terms in the closed form of a mass matrix above which growing terms get names.
+/// Approximate number of terms in the closed form of a mass matrix above which long subterms get
+/// names.
 const MOST_TERMS: usize = 50;
 
-/// Approximate number of terms in the closed form of a mass matrix above which the closed form is not tried for
-/// readers.
+/// Approximate number of terms in the closed form of a mass matrix above which the closed form is
+/// not even tried for display.
 const MOST_TRIED: usize = 20_000;
 
-/// Form of derived equations: their terms are written out or have names. Both forms have the same meaning.
+/// Form of derived equations: closed (written out), or with named subterms. Both forms have the
+/// same meaning.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Form {
-    /// Every term is written out. Formulas need no list of names, but grow with the number of bodies.
+    /// Every term is written out. Formulas need no list of definitions, but grow fast with the number
+    /// of bodies.
     Closed,
-    /// Terms that grow have names, and later terms contain the names. Formulas of large models are computed fast.
+    /// Long subterms have names that later terms contain. Formulas of large models are derived and
+    /// computed fast.
     Steps,
 }
 
 impl Form {
-    /// Form in which the equations of a model are proved, computed and emitted: steps if the closed form is too long to
-    /// be computed with.
+    /// Form in which the equations of a model are proved, computed and emitted. It is `Steps` if the
+    /// closed form of the mass matrix would have more than about 50 terms.
     ///
-    /// The choice counts products of two parts of velocities, with the speeds that each part depends on and the terms
-    /// of the rotation between the parts. A mass matrix multiplied out consists of such products. The count depends
-    /// only on the model's tree, so it is the same for every formulation and on every machine.
+    /// The count adds up products of two parts of velocities: the speeds that each part depends on,
+    /// times the terms of the rotation between the parts. A mass matrix multiplied out consists of such
+    /// products. The count depends only on the model's tree, so it is equal for every formulation and
+    /// on every machine.
     #[must_use]
     pub fn computed(model: &Model) -> Self {
         if has_more_closed_terms(model, MOST_TERMS) { Self::Steps } else { Self::Closed }
     }
 
-    /// True if the closed form of a model is tried for readers: its approximate number of terms is moderate.
+    /// True if the closed form of a model is short enough (about 20 000 terms) to be derived for
+    /// display.
     pub(in crate::mechanics) fn is_closed_tried(model: &Model) -> bool {
         !has_more_closed_terms(model, MOST_TRIED)
     }
 }
 
-/// Most terms of the closed form of a model whose scenes get reduced equations, which are written out.
+/// Largest approximate number of terms in the closed form of a model for which reduced equations
+/// are made.
 const MOST_REDUCED: usize = 400;
 
-/// True if the reduced equations of a scene may be made from the equations of this model. Reduced equations are written
-/// out, replace speeds by momenta and leave out unneeded variables. Larger models run by full equations. So do models
-/// with loops, because no variable can be left out if the loops are to stay closed. So do models whose rates have
-/// names.
+/// True if reduced equations of a scene may be made from the equations of this model. Reduced
+/// equations are written out, replace speeds by momenta and leave out unneeded variables.
+///
+/// False for larger models, for models with loops (every variable is needed to keep a loop closed),
+/// and for models whose rates q̇ have named subterms.
 #[must_use]
 pub fn is_reducible(model: &Model) -> bool {
     let rates = model.arena.reachable(&model.kinematic_equations.rates);
@@ -52,8 +60,8 @@ pub fn is_reducible(model: &Model) -> bool {
     !has_more_closed_terms(model, MOST_REDUCED) && model.loops.is_empty() && !has_names
 }
 
-/// True if the closed form of the mass matrix has more than about `most` terms. The count stops at `most`: a chain of
-/// hundreds of bodies has a hundred thousand pairs of parts with hundreds of turns between them.
+/// True if the closed form of the mass matrix has more than about `most` terms. Counting stops at
+/// `most`, because a chain of hundreds of bodies has a hundred thousand pairs of parts.
 fn has_more_closed_terms(model: &Model, most: usize) -> bool {
     let frames = Frames::new(&model.frames);
     let (q, arena) = (model.q(), &model.arena);

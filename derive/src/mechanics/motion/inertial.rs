@@ -1,20 +1,23 @@
-//! Inertial parameters of a body, in which its kinetic energy and its weight are linear.
+//! Inertial parameters of a body: mass, first moments and inertia. Kinetic energy and weight are
+//! linear in them.
 
 use crate::model::Unit;
 
-/// Inertial parameter of a body, about a point of the body, in body-fixed axes.
+/// Inertial parameter of a body, about a point of the body, along body-fixed axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Inertial {
-    /// Mass m, kg.
+    /// Mass m of the body, kg.
     Mass,
-    /// Mass times the coordinate of the mass centre from the point, along an axis 0 to 2, kg m.
+    /// First moment m x, kg m: mass times the coordinate of the mass centre from the point, along axis
+    /// 0, 1 or 2.
     FirstMoment(usize),
-    /// Entry of the inertia tensor about the point, kg m². Off the diagonal it has the tensor's sign, −∫ x y dm.
+    /// Entry (row, column) of the inertia tensor about the point, kg m². Off the diagonal it has the
+    /// sign of the tensor, −∫ x y dm.
     Inertia(usize, usize),
 }
 
 impl Inertial {
-    /// Letters of the parameter before the name of a body: `m`, `mx`, `Ixy`.
+    /// Symbol of the parameter without the name of the body: `m`, `mx`, `Ixy`.
     #[must_use]
     pub fn letters(self) -> String {
         let axis = |i: usize| ["x", "y", "z"][i];
@@ -25,7 +28,7 @@ impl Inertial {
         }
     }
 
-    /// Unit of the parameter: kg, kg m or kg m².
+    /// Unit of the inertial parameter: kg, kg m or kg m².
     #[must_use]
     pub fn unit(self) -> Unit {
         let lengths = match self {

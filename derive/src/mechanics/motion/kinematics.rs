@@ -1,7 +1,8 @@
-//! Positions and velocities, from which all formulations start.
+//! Kinematics: positions and velocities of all frames and points, from which all formulations
+//! start.
 //!
-//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and
-//! moving on it), 2.12 (generalized speeds), 2.14 (partial velocities).
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points
+//! fixed on a body, and moving on it), 2.12 (generalized speeds), 2.14 (partial velocities).
 
 use super::form::Form;
 use crate::mechanics::budget::check_tree;
@@ -14,68 +15,77 @@ use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Frames, Vector, angular_velocities, apply_tensor, linear_velocities};
 use crate::model::{Body, Model, Reaction, ReactionKind};
 
-/// Positions and velocities of a model in q and q̇, and the tools to derive equations from them.
+/// Positions and velocities of a model as terms in q and q̇, with the arena and the applied loads,
+/// for deriving equations.
 pub struct Kinematics {
-    /// Store of all terms; starts as a copy of the model's store.
+    /// Arena of all terms. It starts as a copy of the model's arena.
     pub arena: Arena,
-    /// Frames of the model and the rotations between them.
+    /// Frames of the model as a tree, and the rotation matrices between them.
     pub frames: Frames,
-    /// Simplifier, which remembers the terms that were simplified.
+    /// Simplifier of terms; it keeps the terms that were already simplified.
     pub simplifier: Simplifier,
-    /// Position p_OP of each point P from the origin O.
+    /// Position vector p_OP of each point P of the model from the origin O, m.
     pub positions: Vec<Vector>,
-    /// Velocities of all frames and points, in q and q̇.
+    /// Velocities of all frames and points as terms in q and q̇.
     pub in_rates: Velocities,
-    /// Applied forces of the model, N, in parameters, q, q̇ and u. Velocities named in a force are put in.
+    /// Vectors of the model's applied forces, N, in parameters, q, q̇ and u. Velocities that a force
+    /// names are substituted.
     pub forces: Vec<Vector>,
-    /// Applied torques of the model, N m, in parameters, q, q̇ and u. Velocities named in a torque are put in.
+    /// Vectors of the model's applied torques, N m, in parameters, q, q̇ and u. Velocities that a
+    /// torque names are substituted.
     pub torques: Vec<Vector>,
-    /// Potential of the applied loads; `None` until it is first computed.
+    /// Potential of the applied loads, kept after it is first computed; `None` before.
     pub(in crate::mechanics) potential: Option<LoadPotential>,
 }
 
-/// Potential of the applied loads, and the generalized forces that have no potential.
+/// Potential energy U of the applied loads, and the generalized forces that U does not contain.
 #[derive(Clone, Debug)]
 pub struct LoadPotential {
-    /// U in q, J; 0 if no load has a potential.
+    /// Potential energy U as a term in q, J; 0 if no load has a potential.
     pub energy: Expr,
-    /// Q + ∂U/∂q, one entry a coordinate: generalized forces in q and q̇, simplified.
+    /// Generalized forces Q + ∂U/∂q without a potential, one entry for each coordinate; simplified
+    /// terms in q and q̇.
     pub rest: Vec<Expr>,
-    /// Indices of the loads whose potential is not in U, forces first, then torques and stated potentials.
+    /// Indices of the loads whose potential is not in U. Forces count first, then torques, then stated
+    /// potentials.
     pub outside: Vec<usize>,
 }
 
-/// Angular velocities of all frames and velocities of all points, in one choice of motion variables.
+/// Angular velocities of all frames and velocities of all points, as terms in q and in either q̇ or
+/// u.
 #[derive(Clone)]
 pub struct Velocities {
-    /// Angular velocity ω of each frame in the inertial frame.
+    /// Angular velocity ω of each frame of the model relative to the inertial frame, rad/s.
     pub angular: Vec<Vector>,
-    /// Velocity v of each point in the inertial frame.
+    /// Velocity v of each point of the model relative to the inertial frame, m/s.
     pub linear: Vec<Vector>,
-    /// Rates q̇ of the coordinates, in the motion variables.
+    /// Rates q̇ of the coordinates as terms in the motion variables, one for each coordinate.
     pub rates: Vec<Expr>,
 }
 
 /// Kind of the motion variables v in which velocities, forces or equations are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MotionVariables {
-    /// The generalized speeds u.
+    /// Generalized speeds u of the model.
     Speeds,
-    /// The rates q̇ of the coordinates.
+    /// Rates q̇ of all generalized coordinates.
     Rates,
 }
 
 impl Kinematics {
-    /// Kinematics of a model in the form that is computed ([`Form::computed`]).
+    /// Computes the kinematics of a model in the form that [`Form::computed`] chooses: closed, or with
+    /// named subterms.
     ///
     /// # Errors
-    /// [`DeriveError`] if the model is too large, if the stated inertia of a body is not constant in the body, if a
-    /// stated reaction does work, or if a load divides by a velocity that is zero.
+    /// [`DeriveError`] if the model is too large, a stated inertia is not constant in its body, a
+    /// stated reaction does work or has no unit direction, or a load divides by a velocity that is
+    /// zero.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
         Self::in_form(model, Form::computed(model))
     }
 
-    /// Kinematics of a model in a given form, which all equations derived from them have.
+    /// Computes the kinematics of a model in a given form, closed or with named subterms. Equations
+    /// derived from them have the same form.
     ///
     /// # Errors
     /// [`DeriveError`], for the same reasons as [`Self::new`].
@@ -99,7 +109,7 @@ impl Kinematics {
         Ok(kinematics)
     }
 
-    /// Velocities of all frames and points in terms of the generalized speeds.
+    /// Computes the velocities of all frames and points as terms in q and the generalized speeds u.
     pub fn in_speeds(&mut self, model: &Model) -> Velocities {
         if self.frames.carries {
             let mut rates = motion_rates_without_acceleration(model);
@@ -118,20 +128,24 @@ impl Kinematics {
         }
     }
 
-    /// Angular momentum H = I · ω of a body about its mass centre, in the frame of the inertia; zero for a particle.
+    /// Angular momentum H = I · ω of a body about its mass centre, kg m²/s, along the frame of its
+    /// inertia; zero for a particle.
     pub fn angular_momentum(&mut self, body: &Body, velocities: &Velocities) -> Vector {
         let Some((_, inertia)) = &body.rigid else { return Vector::default() };
         let omega = self.angular_velocity_in(body, velocities).unwrap_or([Expr::ZERO; 3]);
         Vector::in_frame(inertia.frame, apply_tensor(&mut self.arena, &inertia.tensor, &omega))
     }
 
-    /// Angular velocity ω of a rigid body, in the frame of its inertia; `None` for a particle.
+    /// Components of a rigid body's angular velocity ω along the frame of its inertia, rad/s; `None`
+    /// for a particle.
     pub fn angular_velocity_in(&mut self, body: &Body, velocities: &Velocities) -> Option<Components> {
         let (frame, inertia) = body.rigid.as_ref()?;
         let omega = self.frames.express(&mut self.arena, &velocities.angular[*frame], inertia.frame);
         Some(omega.map(|e| self.simplifier.simplify(&mut self.arena, e)))
     }
 
+    /// Checks that the inertia of each rigid body is constant in the body, if it is stated in a
+    /// different frame.
     fn check_inertias(&mut self, model: &Model) -> Result<(), DeriveError> {
         let mut along_coordinates = Gradient::new(&model.q());
         for body in &model.bodies {
@@ -161,8 +175,13 @@ impl Kinematics {
         Ok(())
     }
 
-    /// Checks that reactions do no work in any permitted motion: along each q̇, or along each speed if motion
-    /// constraints leave fewer speeds than coordinates. Checks also that stated directions are unit vectors.
+    /// Checks that reactions do no work in any permitted motion: along each q̇, or along each speed if
+    /// motion constraints exist. Also checks that the directions stated in the model file are unit
+    /// vectors.
+    ///
+    /// # Errors
+    /// `DeriveError::ReactionWorks` or `DeriveError::DirectionNotUnit` for the first reaction that
+    /// fails.
     pub(in crate::mechanics) fn check_reactions(
         &mut self,
         model: &Model,
@@ -198,7 +217,7 @@ impl Kinematics {
         Ok(())
     }
 
-    /// Power of a reaction of size 1, in q and q̇.
+    /// Power of a reaction of size 1 (1 N or 1 N m), as a term in q and q̇.
     pub(in crate::mechanics) fn power_of(&mut self, model: &Model, reaction: &Reaction) -> Expr {
         let velocities = self.in_rates.clone();
         let velocity = match reaction.kind {
@@ -219,6 +238,7 @@ impl Kinematics {
         self.frames.dot(&mut self.arena, &direction, &velocity)
     }
 
+    /// Difference a − b of two vectors; `a` if `b` is `None`.
     fn minus(&mut self, a: Vector, b: Option<Vector>) -> Vector {
         match b {
             None => a,
@@ -230,7 +250,8 @@ impl Kinematics {
     }
 }
 
-/// Substitution q̇ → W u + w of the coordinates' rates by generalized speeds.
+/// Substitution that replaces the rates q̇ of the coordinates by W u + w in the generalized speeds
+/// u.
 #[must_use]
 pub fn rates_to_speeds(model: &Model) -> Substitution {
     let rates = model.q_dot();
@@ -238,14 +259,15 @@ pub fn rates_to_speeds(model: &Model) -> Substitution {
     Substitution::new(&pairs)
 }
 
-/// Substitution u → J q̇ + d of the generalized speeds by the coordinates' rates.
+/// Substitution that replaces the generalized speeds u by their definitions J q̇ + d.
 #[must_use]
 pub fn speeds_to_rates(model: &Model) -> Substitution {
     let pairs: Vec<_> = model.speeds.iter().map(|s| (s.symbol, s.definition)).collect();
     Substitution::new(&pairs)
 }
 
-/// Time derivative d/dt along the motion: q → W u + w, u → u̇.
+/// Time derivative d/dt of terms in q and u along the motion: q' = W u + w, and u' is the symbol
+/// u̇.
 #[must_use]
 pub fn motion_rates(model: &Model) -> Differential {
     let mut rates: Vec<_> = model.q().into_iter().zip(model.kinematic_equations.rates.iter().copied()).collect();
@@ -253,14 +275,15 @@ pub fn motion_rates(model: &Model) -> Differential {
     Differential::along(&rates)
 }
 
-/// Time derivative d/dt along the motion for u̇ = 0: without the terms in u̇.
+/// Time derivative d/dt of terms in q and u along a motion with u̇ = 0: q' = W u + w, u' = 0.
 #[must_use]
 pub fn motion_rates_without_acceleration(model: &Model) -> Differential {
     let rates = model.q().into_iter().zip(model.kinematic_equations.rates.iter().copied());
     Differential::along(&rates.collect::<Vec<_>>())
 }
 
-/// Names the angular velocity of each frame in its own frame before any other term takes the name: `w_A_1` for frame A.
+/// Names the components of each frame's angular velocity along its own axes, as `w_A_1` for frame
+/// A. This must come before any other term takes these names. Does nothing in closed form.
 fn name_in_own_frames(arena: &mut Arena, frames: &mut Frames, angular: &[Vector]) {
     if frames.carries {
         for (frame, omega) in angular.iter().enumerate() {

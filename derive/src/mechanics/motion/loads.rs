@@ -1,9 +1,9 @@
 //! Loads on the bodies, and the velocities of the points and bodies on which they act.
 //!
-//! The power of a force is that of the velocity v_C + ω × p_CP of the material at its point P. It is not that of the
-//! velocity of P itself, which may move in the body as a contact point does.
-//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and
-//! moving on it), 4.4 (generalized active forces).
+//! The power of a force uses the velocity v_C + ω × p_CP of the body's material at the point P of
+//! the force. The velocity of P itself differs if P moves in the body, as a contact point does. T.
+//! R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed
+//! on a body, and moving on it), 4.4 (generalized active forces).
 
 use super::kinematics::{Kinematics, Velocities, rates_to_speeds, speeds_to_rates};
 use crate::algebra::term::calculus::{Gradient, Substitution};
@@ -15,27 +15,31 @@ use crate::geometry::{Dots, Vector};
 use crate::mechanics::error::DeriveError;
 use crate::model::{Body, Model, NamedVelocity, Place, ReactionKind};
 
-/// Force or torque with the velocity along which it acts: F_r = Σ ∂velocity/∂u_r · scale load.
+/// Force or torque with the velocity on which it does work. Its generalized force is F_r =
+/// ∂velocity/∂u_r · scale load.
 pub struct Load {
-    /// Velocity of the material at the point of a force, or angular velocity of the body for a torque.
+    /// Velocity of the body's material at the point of a force (m/s), or angular velocity of the body
+    /// for a torque (rad/s).
     pub velocity: Vector,
-    /// Mass of the body for a weight, else 1. It is a separate factor so that equal products of vectors are recognized.
+    /// Factor of `load`: the mass of the body for a weight, else 1. Kept separate so that equal
+    /// products of vectors are recognized.
     pub scale: Expr,
-    /// Force, N, or torque, N m. For a weight, the acceleration of free fall, m/s².
+    /// Force (N) or torque (N m). For a weight, the acceleration of free fall (m/s²).
     pub load: Vector,
 }
 
-/// A force or reaction whose point moves in the body on which it acts.
+/// Force or reaction whose point of action moves in the body on which it acts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MovingPlace {
-    /// Kind and name of the force or reaction: `force drag`.
+    /// Kind and name of the force or reaction, such as `force drag`.
     pub load: String,
-    /// Body and point at which the load acts.
+    /// Body and point at which the force or reaction acts.
     pub place: Place,
 }
 
 impl MovingPlace {
-    /// Sentence that tells which point moves in which body, and which velocity gives the power.
+    /// Sentence for the user that names the load, the point and the body, and the velocity that gives
+    /// the power.
     #[must_use]
     pub fn text(&self, model: &Model) -> String {
         let (load, body) = (&self.load, &model.bodies[self.place.body].name);
@@ -47,7 +51,8 @@ impl MovingPlace {
     }
 }
 
-/// Forces and reactions of a model whose points move in their bodies, in the order of the model file.
+/// Lists the forces and reactions of a model whose points move in their bodies, in the order of the
+/// model file.
 ///
 /// # Errors
 /// [`DeriveError`], for the same reasons as [`Kinematics::new`].
@@ -62,7 +67,8 @@ pub fn moving_places(model: &Model) -> Result<Vec<MovingPlace>, DeriveError> {
     Ok(list)
 }
 
-/// Names of all forces and reaction forces and of their opposites, each with the body and point of action.
+/// Lists all forces and reaction forces and their opposites by name, each with the body and point
+/// of action.
 fn places(model: &Model) -> Vec<(String, Place)> {
     let mut list = Vec::new();
     for force in &model.forces {
@@ -79,7 +85,8 @@ fn places(model: &Model) -> Vec<(String, Place)> {
 }
 
 impl Kinematics {
-    /// Velocity v_P = v_C + ω × p_CP of the material of a body that is at the point of `place`.
+    /// Velocity v_P = v_C + ω × p_CP of the body's material at a point, in the inertial frame, m/s. For
+    /// a particle, v_C.
     pub fn place_velocity(&mut self, model: &Model, velocities: &Velocities, place: Place) -> Vector {
         let body = &model.bodies[place.body];
         let centre = velocities.linear[body.centre].clone();
@@ -89,14 +96,14 @@ impl Kinematics {
         centre.add(&mut self.arena, &turning)
     }
 
-    /// Vector p_CP from the mass centre of a body to a point.
+    /// Vector p_CP from the mass centre C of a body to a point P, m.
     pub fn arm(&mut self, body: &Body, point: usize) -> Vector {
         let back = self.positions[body.centre].neg(&mut self.arena);
         self.positions[point].add(&mut self.arena, &back)
     }
 
-    /// True if the point of a place moves in its body: the point's velocity differs from that of the material at the
-    /// point.
+    /// True if the point of `place` moves in its body: its velocity differs from that of the body's
+    /// material there.
     fn moves_in_body(&mut self, model: &Model, place: Place) -> bool {
         let velocities = self.in_rates.clone();
         let material = self.place_velocity(model, &velocities, place);
@@ -106,7 +113,7 @@ impl Kinematics {
         frames.express(arena, &slip, 0).iter().any(|e| zero_test(arena, *e) == ZeroTest::NonZero)
     }
 
-    /// Weights of all bodies; none without gravity.
+    /// Lists the weights of all bodies as loads; empty without gravity.
     pub fn weights(&mut self, model: &Model, velocities: &Velocities) -> Vec<Load> {
         let Some(gravity) = &model.gravity else { return Vec::new() };
         let weight = |centre: usize, mass: Expr| Load {
@@ -117,8 +124,8 @@ impl Kinematics {
         model.bodies.iter().map(|body| weight(body.centre, body.mass)).collect()
     }
 
-    /// Applied loads other than weights: a list for each force and torque of the model, with its opposite, and for each
-    /// potential of the model file.
+    /// Lists the applied loads other than weights: an inner list for each force and torque of the model
+    /// (with its opposite), and for each stated potential.
     pub fn loads(&mut self, model: &Model, velocities: &Velocities) -> Vec<Vec<Load>> {
         let mut groups = Vec::new();
         for (at, force) in model.forces.iter().enumerate() {
@@ -145,7 +152,8 @@ impl Kinematics {
         groups.into_iter().map(|loads| loads.into_iter().map(load).collect()).collect()
     }
 
-    /// Generalized force −∂V/∂q of each coordinate except time, each as a load along an axis with the velocity q̇.
+    /// Turns a potential energy V into loads: the generalized force −∂V/∂q of each coordinate except
+    /// time, with the velocity q̇. Both are written along axis 0 of the inertial frame.
     fn potential_loads(&mut self, model: &Model, velocities: &Velocities, energy: Expr) -> Vec<(Vector, Vector)> {
         let time = model.time();
         let slopes = Gradient::new(&model.q()).apply(&mut self.arena, energy);
@@ -159,7 +167,8 @@ impl Kinematics {
         .collect()
     }
 
-    /// Stores the applied forces and torques in `forces` and `torques`, with the velocities that they name put in.
+    /// Sets `forces` and `torques` to the applied loads of the model, with the velocities that they
+    /// name substituted.
     ///
     /// # Errors
     /// [`DeriveError::LoadDividesByZero`] if a load divides by a velocity that is zero at all times.
@@ -178,8 +187,8 @@ impl Kinematics {
         Ok(())
     }
 
-    /// Generalized forces of loads along motion variables, not simplified. `put` replaces the velocities that a load
-    /// names by the motion variables.
+    /// Generalized forces of loads, one for each of the motion `variables`, not simplified. `put`
+    /// substitutes the velocities that occur in a load by the motion variables.
     fn generalized_forces<'a>(
         &mut self,
         loads: impl IntoIterator<Item = &'a Load>,
@@ -200,7 +209,8 @@ impl Kinematics {
         forces.iter().map(|dots| dots.sum(&mut self.arena, &mut self.frames)).collect()
     }
 
-    /// Component of a velocity that a load names, in q and q̇; the literal 0 if it is identically zero.
+    /// Component of a velocity or position that a load refers to, as a term in q and q̇; the literal 0
+    /// if it is identically zero.
     fn named_velocity(&mut self, model: &Model, name: &NamedVelocity) -> Expr {
         let velocities = self.in_rates.clone();
         let velocity = match name.of {
@@ -216,7 +226,8 @@ impl Kinematics {
     }
 }
 
-/// Generalized forces Q_i = Σ (∂v_P/∂q̇_i)·R_P + Σ (∂ω_B/∂q̇_i)·T_B of the given loads, in q and q̇, not simplified.
+/// Generalized forces Q_i = Σ (∂v_P/∂q̇_i)·R_P + Σ (∂ω_B/∂q̇_i)·T_B of the given loads, one for
+/// each coordinate. Terms in q and q̇, not simplified.
 pub(in crate::mechanics) fn forces_of<'a>(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -225,8 +236,9 @@ pub(in crate::mechanics) fn forces_of<'a>(
     kinematics.generalized_forces(loads, &mut speeds_to_rates(model), &model.q_dot())
 }
 
-/// Generalized active forces F_r = Σ (∂v_P/∂u_r)·R_P + Σ (∂ω_B/∂u_r)·T_B of all loads and weights, in q and u, not
-/// simplified. Entry r has the unit of power over u_r. Reactions do not contribute.
+/// Generalized active forces F_r = Σ (∂v_P/∂u_r)·R_P + Σ (∂ω_B/∂u_r)·T_B of all loads and weights,
+/// one for each speed. Terms in q and u, not simplified. Entry r has the unit of power divided by
+/// that of u_r. Reactions do not contribute.
 pub(in crate::mechanics) fn active_forces(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -237,7 +249,10 @@ pub(in crate::mechanics) fn active_forces(
     kinematics.generalized_forces(&loads, &mut rates_to_speeds(model), &model.u())
 }
 
-/// Components of a load with the velocities put in. `put` maps each named velocity to its value.
+/// Substitutes velocities in the components of a load. `put` maps each named velocity to its value.
+///
+/// # Errors
+/// `DeriveError::LoadDividesByZero` if the result divides by zero everywhere.
 fn put_velocities(
     arena: &mut Arena,
     put: &mut Substitution,

@@ -1,4 +1,4 @@
-//! Motion, inertia, energy and loads of the bodies, which all formulations use.
+//! Kinematics, inertia, energy and loads of the bodies, which all formulations use.
 
 pub(super) mod anchor;
 pub(super) mod carried_accelerations;

@@ -1,7 +1,8 @@
-//! Potential energy of a model, and the power of forces without a potential.
+//! Potential energy of a model, and the power of the forces without a potential.
 //!
-//! Applied loads count with their value at rest: if −∂U/∂q are their generalized forces, U is potential energy. The
-//! rest of a load works only in motion, as a damper does, or not at all, as a magnetic field.
+//! Each applied load is taken at its value at rest (q̇ = 0). If −∂U/∂q are its generalized forces
+//! there, U is its potential energy. The remaining part of a load works only in motion, like a
+//! damper, or never, like a magnetic field.
 //!
 //! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.4, 1.5, 2.7.
 
@@ -17,12 +18,12 @@ use crate::mechanics::error::DeriveError;
 use crate::model::Model;
 
 impl Kinematics {
-    /// Potential energy V = V_gravity + U in q, J. U is the potential of all applied loads that have one by the rules
-    /// of [`primitive`]. U is zero at the model's `zero_at` if it has a value there; else the rules determine its
-    /// constant.
+    /// Potential energy V = V_gravity + U as a term in q, J. U is the potential of all applied loads
+    /// for which the rules of [`primitive`] find one. U is zero at the model's `zero_at` if it has a
+    /// value there; else its constant follows from the rules.
     ///
     /// # Errors
-    /// [`DeriveError::NoZeroOfPotential`].
+    /// [`DeriveError::NoZeroOfPotential`] if V_gravity has no value at `zero_at`.
     pub fn potential_energy(&mut self, model: &Model) -> Result<Expr, DeriveError> {
         let gravity = self.gravity_potential(model)?;
         let of_loads = self.load_potential(model).energy;
@@ -30,7 +31,8 @@ impl Kinematics {
         Ok(self.simplifier.simplify(&mut self.arena, sum))
     }
 
-    /// Potential of the applied loads: of all loads together, or else of each load that has one by itself.
+    /// Potential of the applied loads: of all loads together or, if there is none, of each load that
+    /// has its own.
     pub fn load_potential(&mut self, model: &Model) -> LoadPotential {
         if let Some(known) = &self.potential {
             return known.clone();
@@ -42,14 +44,16 @@ impl Kinematics {
         found
     }
 
-    /// Generalized forces of each applied load, forces first, in q and q̇: one entry for each coordinate.
+    /// Generalized forces of each applied load, as terms in q and q̇. An inner list belongs to a load
+    /// (forces, torques, then potentials) and has an entry for each coordinate.
     pub fn load_forces(&mut self, model: &Model) -> Vec<Vec<Expr>> {
         let velocities = self.in_rates.clone();
         let groups = self.loads(model, &velocities);
         groups.iter().map(|group| forces_of(model, self, group)).collect()
     }
 
-    /// Power of the forces without a potential in V: d(T + V)/dt in every motion, W, in q and the given variables.
+    /// Power d(T + V)/dt of the forces that V does not contain, W, as a term in q and the given motion
+    /// variables. The literal 0 if it is identically zero.
     pub(in crate::mechanics) fn power(&mut self, model: &Model, variables: MotionVariables) -> Expr {
         let rest = self.load_potential(model).rest;
         let arena = &mut self.arena;
@@ -65,6 +69,8 @@ impl Kinematics {
         self.simplifier.simplify(arena, power)
     }
 
+    /// Searches for the potential of the given applied loads: known potentials of springs first, then by
+    /// integration of the forces.
     fn found_potential(&mut self, model: &Model, groups: &[Vec<Load>]) -> LoadPotential {
         let all = forces_of(model, self, groups.iter().flatten());
         let all: Vec<Expr> = all.into_iter().map(|e| self.simplifier.simplify(&mut self.arena, e)).collect();
@@ -119,6 +125,8 @@ impl Kinematics {
         LoadPotential { energy, rest, outside }
     }
 
+    /// Shifts a potential energy so that it is zero at the model's `zero_at`, if it has a value there.
+    /// Simplifies it.
     fn zeroed_where_it_can_be(&mut self, model: &Model, energy: Expr) -> Expr {
         let Self { arena, simplifier, .. } = self;
         let at_zero = model.gravity.as_ref().filter(|gravity| !gravity.zero_at.is_empty()).and_then(|_| {
@@ -131,8 +139,8 @@ impl Kinematics {
     }
 }
 
-/// For each load, true if it contains an input, in the order of [`Kinematics::loads`]. Work done by inputs is no energy
-/// stored in the mechanism.
+/// Lists, for each applied load in the order of [`Kinematics::loads`], true if it contains an
+/// input. Work done by inputs is not stored as energy in the mechanism.
 fn driven(model: &Model) -> Vec<bool> {
     let inputs: Vec<Expr> = model.parameters.iter().filter(|p| p.is_input).map(|p| p.symbol).collect();
     let vectors = model.forces.iter().map(|f| f.vector).chain(model.torques.iter().map(|t| t.vector));
@@ -140,8 +148,8 @@ fn driven(model: &Model) -> Vec<bool> {
     vectors.map(names_one).chain(model.potentials.iter().map(|_| false)).collect()
 }
 
-/// Potential U whose slopes −∂U/∂q are the generalized forces at rest. `None` if there is no potential, or no rule
-/// finds it.
+/// Potential energy U with −∂U/∂q = the given generalized forces at rest (q̇ = 0), J. `None` if
+/// there is no such U, if no rule finds it, or if it jumps in time.
 pub fn potential_at_rest(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -165,7 +173,8 @@ pub fn potential_at_rest(
     primitive(arena, simplifier, &model.q(), &slopes).filter(|energy| !jumps_in_time(arena, model, *energy))
 }
 
-/// True if a term jumps in time: it contains the sign of a function of time alone, also as `abs(t - 1)/(t - 1)`.
+/// True if a term jumps in time: it contains the sign of a function of time alone, also in the form
+/// `abs(t - 1)/(t - 1)`.
 fn jumps_in_time(arena: &Arena, model: &Model, e: Expr) -> bool {
     let Some(time) = model.time() else { return false };
     let (clock, others): (Vec<_>, Vec<_>) = model.q().into_iter().enumerate().partition(|(at, _)| *at == time);

@@ -1,4 +1,4 @@
-//! Accelerations v̇ of a set of equations, solved for in closed form.
+//! Accelerations v̇ as the solution of a set of equations of motion, in closed form.
 
 use super::certificate::{Certificate, certify};
 use super::jacobian::{Jacobian, jacobian};
@@ -15,19 +15,19 @@ use crate::mechanics::rows::Embedding;
 use crate::mechanics::unsolved::Unsolved;
 use rustc_hash::FxHashSet;
 
-/// Solution of a set of equations for its accelerations, with the slopes and the proof.
+/// Solution of equations of motion for the accelerations v̇, with the Jacobian and the proof.
 #[derive(Clone, Debug)]
 pub struct Solved {
-    /// Accelerations v̇, as a list of steps.
+    /// Accelerations v̇ as a list of definitions, each of which uses earlier definitions.
     pub accelerations: Elimination,
-    /// Jacobian ∂(q̇, v̇)/∂(q, v).
+    /// Jacobian ∂(q̇, v̇)/∂(q, v) of the solved rates by the state.
     pub jacobian: Jacobian,
-    /// Evidence that the accelerations and the Jacobian satisfy the equations.
+    /// Evidence that the accelerations and the Jacobian satisfy the equations of motion.
     pub certificate: Certificate,
 }
 
 impl Solved {
-    /// Solves the equations, whose terms are in `arena`, and proves the solution from them.
+    /// Solves the equations, whose terms are in `arena`, for v̇ and proves the solution from them.
     ///
     /// # Errors
     /// [`Unsolved`] if v̇ is not determined in any configuration, or if the proof fails.
@@ -40,8 +40,8 @@ impl Solved {
         Ok(Self { accelerations, jacobian, certificate })
     }
 
-    /// Steps that compute v̇, for equations [in written form][Equations::written], with the steps that q̇ and the
-    /// energies need.
+    /// Lists the definitions that compute v̇, together with those that q̇ and the energies need. The
+    /// equations must be [in written form][Equations::written].
     ///
     /// # Errors
     /// [`Unsolved`], for the same reasons as [`Self::new`].
@@ -53,8 +53,8 @@ impl Solved {
     }
 }
 
-/// Accelerations v̇ in parameters, q and v, step by step, proved from the equations. The symbols of the last steps are
-/// the unknowns of `equations`.
+/// Solves equations for the accelerations v̇ in parameters, q and v, and proves the solution. The
+/// result is a list of definitions; the last entries define the unknowns of `equations`.
 ///
 /// # Errors
 /// [`Unsolved`] if v̇ is not determined in any configuration, or if the proof fails.
@@ -68,12 +68,14 @@ pub fn accelerations(
     Ok(solved)
 }
 
-/// Solves for v̇ by the method with fewer operations: elimination, or the recursion from Gauss's principle.
+/// Solves for v̇ by elimination or by the recursion from Gauss's principle, whichever needs fewer
+/// operations.
 ///
-/// With reactions among the unknowns, the rows are first multiplied by the partial velocities. The reactions do no work
-/// in a permitted motion and cancel. The remaining system is symmetric and positive definite, so no pivot vanishes. The
-/// multipliers of motion constraints cancel in the same way, and leave the system of the free accelerations.
-/// Elimination of the reactions instead would divide by direction cosines, which do vanish.
+/// With reactions among the unknowns, the rows are first multiplied by the partial velocities. The
+/// reactions do no work in a permitted motion and cancel. The remaining system is symmetric and
+/// positive definite, so no pivot vanishes. The multipliers of motion constraints cancel in the
+/// same way, which leaves a system for the free accelerations. Elimination of the reactions would
+/// instead divide by direction cosines, which do vanish.
 ///
 /// # Errors
 /// [`Singular`] if v̇ is not determined in any configuration.
@@ -81,7 +83,8 @@ fn solve(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) 
     let n = equations.variables.len();
     let unknowns = &equations.unknowns[..n];
     let Some(gauss) = &equations.gauss else { return eliminated(arena, simplifier, equations) };
-    // Both methods are tried, each in a store of its own, so that the names of the dropped one stay free.
+    // Both methods are tried, each in its own arena, so that the names of the rejected method stay
+    // free.
     let mut other = arena.clone();
     let Some(recursion) = least(&mut other, &mut simplifier.clone(), gauss, unknowns) else {
         return eliminated(arena, simplifier, equations);
@@ -107,12 +110,12 @@ fn solve(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) 
     Ok(recursion)
 }
 
-/// Most operations of an elimination, counted without cancellation, for each operation of the recursion. Above this
-/// ratio no elimination is tried, because cancellation has never saved that much.
+/// Largest ratio of an elimination's operations (counted without cancellation) to the recursion's.
+/// Above this ratio no elimination is tried, because cancellation has never saved that much.
 const MOST_TIMES: usize = 2;
 
-/// Number of multiplications and subtractions to eliminate a symmetric matrix with these zeros, without square roots.
-/// The order is from the last unknown, a leaf of the tree, to the first.
+/// Counts the multiplications and subtractions to eliminate a symmetric matrix with these zeros,
+/// without square roots. The order is from the last unknown, a leaf of the tree, to the first.
 fn pivoting(matrix: &[Vec<Expr>]) -> usize {
     let mut is_full: Vec<Vec<bool>> = matrix.iter().map(|row| row.iter().map(|e| *e != Expr::ZERO).collect()).collect();
     let mut count = 0;
@@ -129,7 +132,8 @@ fn pivoting(matrix: &[Vec<Expr>]) -> usize {
     count
 }
 
-/// Definitions that do not depend on v̇; the definitions of inverse dynamics do.
+/// Lists the definitions of the equations that do not depend on the unknowns v̇. Those of inverse
+/// dynamics do depend on them.
 fn given(arena: &Arena, equations: &Equations) -> Vec<Definition> {
     let mut sought: FxHashSet<Expr> = equations.unknowns.iter().copied().collect();
     let mut list = Vec::with_capacity(equations.definitions.len());
@@ -143,12 +147,14 @@ fn given(arena: &Arena, equations: &Equations) -> Vec<Definition> {
     list
 }
 
-/// Number of operations in the steps that compute these symbols. Each shared term counts once.
+/// Counts the operations in the definitions that are needed for the given symbols. A shared subterm
+/// counts once.
 fn operations(arena: &Arena, steps: &[Definition], symbols: &[Expr]) -> usize {
     cost_of_all(arena, &needed(arena, steps, symbols).iter().map(|step| step.value).collect::<Vec<_>>())
 }
 
-/// Solves for v̇ by elimination of the linear system.
+/// Solves for v̇ by elimination of the linear system, after the projection if reactions or
+/// multipliers are present.
 fn eliminated(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) -> Result<Elimination, Singular> {
     let n = equations.variables.len();
     let unknowns = &equations.unknowns[..n];
@@ -198,7 +204,7 @@ fn eliminated(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equati
     Ok(solved)
 }
 
-/// Sum Σ multiplier · entry, simplified.
+/// Computes the simplified sum Σ multiplier · entry over two lists of equal length.
 fn combine(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -210,7 +216,8 @@ fn combine(
     simplifier.simplify(arena, sum)
 }
 
-/// Gradient ∂(T + V)/∂(q, v) of the total energy, by the chain rule over the definitions.
+/// Gradient ∂(T + V)/∂(q, v) of the total energy, one entry for each q, then each v. Uses the chain
+/// rule over the definitions.
 pub fn energy_gradient(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) -> Vec<Expr> {
     let energy = arena.add(equations.kinetic_energy, equations.potential_energy);
     let variables = equations.coordinates.iter().chain(&equations.variables);

@@ -1,16 +1,21 @@
-//! Proof that results computed from equations of motion satisfy them: accelerations, their Jacobian, inverse dynamics.
+//! Proof that results computed from equations of motion satisfy them: accelerations, their
+//! Jacobian, inverse dynamics.
 //!
-//! The equations are M x = f with x = (v̇, reactions or multipliers). The solved v̇ are put in, and M x − f is
-//! evaluated modulo random primes at random states, in dual numbers along a random direction of the state. With
-//! reactions, v̇ is right if the remaining system has a solution for them. The slope of M x − f vanishes only if the
-//! Jacobian is the derivative of v̇. Residues are exact: rounding can neither hide nor invent an error. A wrong formula
-//! passes only if a polynomial that is not zero vanishes at every point. The probability of a zero at one point is
-//! below the degree divided by 2^60 (Schwartz 1980, Zippel 1979).
+//! The equations are M x = f with x = (v̇, reactions or multipliers). The solved v̇ are
+//! substituted, and M x − f is evaluated modulo random primes at random states, in dual numbers
+//! along a random direction of the state. With reactions, v̇ is right if the remaining system has a
+//! solution for them. The derivative of M x − f vanishes only if the Jacobian is the derivative of
+//! v̇.
 //!
-//! If constraints tie the motion variables, v = W(q) u with independent speeds u, and the equations hold only on the
-//! constraints.
+//! Residues are exact: rounding can neither hide nor invent an error. A wrong formula passes only
+//! if a polynomial that is not zero vanishes at every point. The probability of a zero at one point
+//! is below the degree divided by 2^60 (Schwartz 1980, Zippel 1979).
 //!
-//! Invariant: the check never uses the derivatives of [`crate::algebra::term::calculus`], which computed the Jacobian.
+//! If constraints tie the motion variables, v = W(q) u with independent speeds u, and the equations
+//! hold only on the constraints.
+//!
+//! Invariant: the check never uses the derivatives of [`crate::algebra::term::calculus`], which
+//! computed the Jacobian.
 
 use super::jacobian::Jacobian;
 use crate::algebra::solve::elimination::Elimination;
@@ -23,20 +28,22 @@ use crate::mechanics::equations::Equations;
 use crate::mechanics::unsolved::Unproved;
 use std::collections::BTreeMap;
 
-/// Number of random states at which the equations are checked, each modulo another prime.
+/// Number of random states at which equations are checked, each modulo a different prime.
 const POINTS: usize = 2;
 
-/// Evidence that accelerations and their Jacobian satisfy the equations of motion.
+/// Evidence that a result (accelerations, Jacobian or inverse dynamics) satisfies the equations of
+/// motion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Certificate {
-    /// Primes modulo which M v̇ = f and its derivative hold, each at a random state.
+    /// Primes modulo which the result was checked, each at a different random state.
     pub primes: Vec<u64>,
 }
 
-/// Proves v̇, and the Jacobian if given, from the equations that were solved.
+/// Proves that the solved v̇, and the Jacobian if given, satisfy the equations of motion.
 ///
 /// # Errors
-/// [`Unproved`] with the first row that fails.
+/// [`Unproved`] with the first row that fails, or `Unproved::NoPoint` if no random state gives
+/// all terms a value.
 pub fn certify(
     arena: &Arena,
     equations: &Equations,
@@ -55,31 +62,46 @@ pub fn certify(
     Ok(Certificate { primes })
 }
 
-/// Claim to be proved, as terms in parameters, q, v and the symbols of the direction.
+/// Claim to be proved: equations, solution and Jacobian as terms in parameters, q, v and the
+/// direction's symbols.
 struct Claim {
+    /// Arena of all terms of the claim; a copy of the caller's.
     arena: Arena,
-    /// Coordinates and independent motion variables, each with the symbol of its slope.
+    /// Coordinates and independent motion variables, each paired with the symbol of its component of
+    /// the direction.
     along: Vec<(Expr, Expr)>,
+    /// Matrix M of the equations as they were derived.
     matrix: Vec<Vec<Expr>>,
+    /// Right-hand side f of the equations as they were derived.
     forcing: Vec<Expr>,
+    /// Rates q̇ of the coordinates, as the equations give them.
     coordinate_rates: Vec<Expr>,
+    /// Accelerations v̇, as the solution gives them.
     accelerations: Vec<Expr>,
-    /// Slopes of q̇ and v̇ along the direction, from the Jacobian; empty without a Jacobian.
+    /// Derivatives of q̇ and v̇ along the direction, from the Jacobian; empty without a Jacobian.
     slopes: Vec<Expr>,
+    /// Numbers of terms of each kind, to split the list of values.
     shape: Shape,
 }
 
-/// Numbers of terms of each kind in [`Claim::terms`].
+/// Numbers of terms of each kind in the list that [`Claim::terms`] returns.
 #[derive(Clone, Copy)]
 struct Shape {
+    /// Number of rows of the equations.
     rows: usize,
+    /// Number of unknowns: accelerations, then reactions or multipliers.
     unknowns: usize,
+    /// Number of coordinates, and so of rates q̇.
     coordinates: usize,
+    /// Number of accelerations v̇.
     accelerations: usize,
+    /// True if the claim includes a Jacobian, so that derivatives follow in the list.
     has_slopes: bool,
 }
 
 impl Claim {
+    /// States the claim. Symbols of definitions are substituted, and v is expressed in independent
+    /// speeds if constraints tie it.
     fn new(arena: &Arena, equations: &Equations, solved: &Elimination, jacobian: Option<&Jacobian>) -> Self {
         let mut arena = arena.clone();
         let Direction { along, states, slopes } = Direction::new(&mut arena, equations);
@@ -114,23 +136,28 @@ impl Claim {
         Self { arena, along, matrix, forcing, coordinate_rates, accelerations, slopes, shape }
     }
 
+    /// Lists all terms of the claim: M row by row, f, q̇, v̇, then the derivatives.
     fn terms(&mut self) -> Vec<Expr> {
         let lists = [&self.forcing, &self.coordinate_rates, &self.accelerations, &self.slopes];
         self.matrix.iter().chain(lists).flatten().copied().collect()
     }
 }
 
-/// Direction in which the state moves, for derivatives along it.
+/// Direction of the state (q, v), along which the right-hand side is differentiated.
 struct Direction {
-    /// Coordinates and independent motion variables, each with the symbol of its slope.
+    /// Coordinates and independent motion variables, each paired with the symbol of its component of
+    /// the direction.
     along: Vec<(Expr, Expr)>,
-    /// Values of the dependent motion variables, in the independent ones.
+    /// Substitution of dependent motion variables by terms in independent variables; empty if all are
+    /// independent.
     states: Substitution,
-    /// Slopes of all coordinates and motion variables along the direction.
+    /// Components of the direction for all coordinates and motion variables, as terms in the symbols of
+    /// `along`.
     slopes: Vec<Expr>,
 }
 
 impl Direction {
+    /// Creates a direction with a fresh symbol for each coordinate and independent motion variable.
     fn new(arena: &mut Arena, equations: &Equations) -> Self {
         let is_tied = equations.speeds.len() < equations.variables.len();
         let independent = if is_tied { &equations.speeds } else { &equations.variables };
@@ -154,13 +181,18 @@ impl Direction {
     }
 }
 
+/// Scalar product Σ a_i b_i of two lists of terms.
 fn dot(arena: &mut Arena, a: &[Expr], b: &[Expr]) -> Expr {
     let products: Vec<Expr> = a.iter().zip(b).map(|(a, b)| arena.mul(*a, *b)).collect();
     arena.sum(&products)
 }
 
 impl Shape {
-    /// Checks the values of [`Claim::terms`] at one random state.
+    /// Checks the values of the terms of [`Claim::terms`] at a random state, modulo the prime of the
+    /// field `f`.
+    ///
+    /// # Errors
+    /// `Unproved` with the first row of the Jacobian or of the equations that does not hold.
     fn check(&self, f: Field, values: &[Dual]) -> Result<(), Unproved> {
         let (matrix, rest) = values.split_at(self.rows * self.unknowns);
         let (forcing, rest) = rest.split_at(self.rows);
@@ -196,19 +228,24 @@ impl Shape {
     }
 }
 
-/// Linear equation Σ left · unknown = right in dual numbers, by index of the unknown.
+/// Linear equation Σ left · unknown = right in dual numbers modulo a prime.
 struct Row {
+    /// Nonzero coefficients of the equation, by index of the unknown.
     left: BTreeMap<usize, Dual>,
+    /// Right-hand side of the linear equation.
     right: Dual,
 }
 
-/// Part of a dual number that does not vanish.
+/// Part of a dual number that is not zero, although it should be.
 enum Part {
+    /// Value of the dual number, so the equation itself is wrong.
     Value,
+    /// Derivative part of the dual number, so the Jacobian is wrong.
     Slope,
 }
 
-/// First row that contradicts the rows before it, by sparse elimination; `None` if the rows have a solution.
+/// Finds the first row that contradicts the rows before it, by sparse elimination. Returns its
+/// index and the wrong part; `None` if the rows have a solution.
 fn unsolvable(f: Field, rows: impl Iterator<Item = Row>) -> Option<(usize, Part)> {
     let mut pivots: BTreeMap<usize, Row> = BTreeMap::new();
     for (at, mut row) in rows.enumerate() {
@@ -234,7 +271,8 @@ fn unsolvable(f: Field, rows: impl Iterator<Item = Row>) -> Option<(usize, Part)
 }
 
 impl Row {
-    /// Subtracts a multiple of a pivot's row, so that the entry in the pivot's column becomes zero.
+    /// Subtracts a multiple of a pivot row from this row, so that the entry in the pivot's column
+    /// becomes zero.
     fn subtract(&mut self, f: Field, pivot: &Self, column: usize, entry: Dual) {
         let Some(factor) = entry.over(f, pivot.left[&column]) else { return };
         for (at, x) in &pivot.left {
@@ -249,8 +287,9 @@ impl Row {
 }
 
 impl Equations {
-    /// Adds inverse dynamics, proved to be M v̇ − f for any v̇. Equations without a form of their own get M v̇ − f
-    /// itself. Equations with unknowns beside v̇ are returned unchanged.
+    /// Adds the inverse dynamics M v̇ − f to the equations. If the formulation derived it separately,
+    /// that form is kept and proved equal. Equations with reactions or multipliers are returned
+    /// unchanged.
     ///
     /// # Errors
     /// [`Unproved::InverseDynamics`] with the first row that differs.
@@ -273,7 +312,7 @@ impl Equations {
     }
 }
 
-/// Proves that inverse dynamics gives M v̇ − f for any v̇.
+/// Proves that the derived inverse dynamics equals M v̇ − f for any v̇.
 ///
 /// # Errors
 /// [`Unproved::InverseDynamics`] with the first row that differs.
@@ -304,10 +343,11 @@ pub fn certify_inverse_dynamics(arena: &Arena, equations: &Equations) -> Result<
     Ok(Certificate { primes })
 }
 
-/// Proves that slopes are those of values which steps compute, along these symbols.
+/// Proves that a Jacobian contains the derivatives of `values` by the symbols `along`. The values
+/// may use the symbols that `steps` define.
 ///
 /// # Errors
-/// [`Unproved::Jacobian`] with the first value whose slopes differ.
+/// [`Unproved::Jacobian`] with the index of the first value whose derivatives differ.
 pub fn certify_slopes(
     arena: &Arena,
     steps: &[Definition],

@@ -1,7 +1,9 @@
-//! Equations in the distance of a coordinate from a singular value, instead of the coordinate itself.
+//! Equations in the distance of a coordinate from a singular angle, instead of the coordinate
+//! itself.
 //!
-//! Near q = π/2 the number q has few digits for π/2 − q: at a distance of 10⁻⁵, five of sixteen digits are lost before
-//! anything is computed. In d = q − π/2 the same equations contain cos q = −sin d exactly, and no digit is lost.
+//! Near q = π/2, the number q has few digits for π/2 − q. At a distance of 10⁻⁵, five of sixteen
+//! digits are lost before anything is computed. In d = q − π/2, the equations contain cos q = −sin
+//! d exactly, and no digit is lost.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::Substitution;
@@ -11,8 +13,9 @@ use crate::mechanics::derivation::Derivation;
 use crate::mechanics::origin::Distance;
 use crate::model::Model;
 
-/// Useful distances of a model: from +90° for each coordinate whose cosine is a divisor of the kinematic equations.
-/// Empty for a model with loops: its divisors vanish at dead points, which runs pass by other equations.
+/// Lists the useful distances of a model: from +90° for each coordinate whose cosine divides in the
+/// kinematic equations. Empty for a model with loops: its divisors vanish at dead points, which
+/// runs pass by other equations.
 #[must_use]
 pub fn distances(model: &Model) -> Vec<Distance> {
     if !model.loops.is_empty() {
@@ -28,7 +31,8 @@ pub fn distances(model: &Model) -> Vec<Distance> {
     coordinates.map(|(coordinate, _)| Distance { coordinate, quarter_turns: 1 }).collect()
 }
 
-/// Equations in a distance d: d + origin replaces the coordinate everywhere, and every term is simplified.
+/// Rewrites equations in a distance d: d + origin replaces the coordinate in every term, and every
+/// term is simplified.
 #[must_use]
 pub fn in_distance(model: &Model, derivation: Derivation, distance: Distance) -> Derivation {
     let Derivation { mut arena, mut equations } = derivation;

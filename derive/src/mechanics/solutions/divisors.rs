@@ -9,21 +9,23 @@ use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::equations::Equations;
 use crate::model::Model;
 
-/// Divisors in the equations of a run that depend on the state and may vanish. If one is zero, the equations have no
-/// value, and a step across the zero is no motion. Divisors that are proved never to be zero are left out.
+/// Divisors in the equations of a run that depend on the state and may vanish. The equations have
+/// no value where a divisor is zero, so a run must not step across. Divisors that are proved never
+/// to be zero are left out.
 ///
-/// Sums that appear as divisors only by elimination are also left out: pivots of a positive definite matrix never
+/// Pivots of an elimination are also left out, because pivots of a positive definite matrix never
 /// change sign.
 #[derive(Clone, Debug, Default)]
 pub struct Divisors {
-    /// Definitions of the symbols in `values`, in the order of computation.
+    /// Definitions of the symbols that occur in `values`, in the order of computation.
     pub steps: Vec<Definition>,
-    /// Distinct divisors, without powers and without factors that are numbers.
+    /// Distinct divisors, without powers and without numeric factors.
     pub values: Vec<Expr>,
 }
 
 impl Divisors {
-    /// Finds the divisors of equations, or of their solution for the accelerations if `solved` is given.
+    /// Finds the divisors of the equations. If `solved` is given, finds those of the solved
+    /// accelerations instead of the matrix and forcing.
     #[must_use]
     pub fn of(arena: &Arena, equations: &Equations, solved: Option<&Elimination>) -> Self {
         let e = equations;
@@ -53,19 +55,20 @@ impl Divisors {
     }
 }
 
-/// Divisor of an applied load; the load has no value where the divisor is zero.
+/// Divisor of an applied load, which has no value where the divisor is zero.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoadDivisor {
     /// Name of the load in the model file.
     pub load: String,
-    /// True if the load is a spring or a damper between two points, whose ends meet where the divisor is zero.
+    /// True if the load is a spring or damper between two points; the points coincide where the divisor
+    /// is zero.
     pub is_distance: bool,
-    /// Divisor of the load, a term that depends on the state.
+    /// Divisor of the load, as a term that depends on the state.
     pub value: Expr,
 }
 
 impl LoadDivisor {
-    /// Consequence of a zero of the divisor, as a clause.
+    /// Text for the user: what a zero of the divisor means, as a clause.
     #[must_use]
     pub fn meaning(&self) -> String {
         if self.is_distance {
@@ -76,8 +79,9 @@ impl LoadDivisor {
     }
 }
 
-/// Divisors of the loads of a model that depend on the state and may be zero, in the order of the model file. They are
-/// distances of springs, divisors of quotients, and divisors of slopes of potentials.
+/// Lists the state-dependent divisors of a model's loads that may be zero, in the order of the
+/// model file. They are lengths of springs, divisors of quotients, and divisors of derivatives of
+/// potentials.
 #[must_use]
 pub fn load_divisors(arena: &mut Arena, model: &Model) -> Vec<LoadDivisor> {
     let forces = model.forces.iter().map(|f| (f.name.clone(), f.end.is_some(), f.vector.to_vec()));
@@ -108,11 +112,12 @@ pub fn load_divisors(arena: &mut Arena, model: &Model) -> Vec<LoadDivisor> {
     list
 }
 
-/// Longest formula, in bytes, that serves as the name of a divisor.
+/// Largest length, in bytes, of a formula that serves as the name of a divisor.
 const LONGEST: usize = 80;
 
 impl Divisors {
-    /// Names of the divisors: the formula of each, or its number among the divisors if the formula is long.
+    /// Names of the divisors: the formula of each, or its number if the formula is longer than 80
+    /// bytes.
     #[must_use]
     pub fn names(&self, arena: &Arena) -> Vec<String> {
         let name = |(at, value): (usize, &Expr)| {
@@ -123,17 +128,21 @@ impl Divisors {
     }
 }
 
-/// Recognizes pivots of an elimination, by comparison with the divisors before it.
+/// Test whether a divisor is a pivot of the elimination: it does not occur in the equations before.
 struct Pivots<'a> {
+    /// True if the eliminated matrix is symmetric and positive definite, so that its pivots are
+    /// positive.
     is_definite: bool,
-    /// Divisors of the equations as they were derived.
+    /// Divisors of the equations as they were derived, before the elimination.
     before: Vec<Expr>,
+    /// Definitions of the solution, among which pivots are looked up by their symbol.
     steps: &'a [Definition],
-    /// Symbols of the state, and of the steps that depend on the state.
+    /// Symbols of the state, and of the definitions that depend on the state.
     moving: &'a [Expr],
 }
 
 impl<'a> Pivots<'a> {
+    /// Collects the divisors of the equations before the elimination.
     fn new(arena: &Arena, e: &Equations, steps: &'a [Definition], moving: &'a [Expr]) -> Self {
         let entries = e.matrix.iter().flatten().chain(&e.forcing).chain(&e.coordinate_rates);
         let values: Vec<Expr> = entries.copied().chain(e.definitions.iter().map(|d| d.value)).collect();
@@ -141,8 +150,8 @@ impl<'a> Pivots<'a> {
         Self { is_definite, before: divisors(arena, &values), steps, moving }
     }
 
-    /// True if a divisor is a pivot: a sum that is a divisor only in the elimination, times constant factors, or the
-    /// symbol of such a sum.
+    /// True if a divisor is a pivot: a sum that is a divisor only in the elimination, also with
+    /// constant factors, or the symbol of such a sum.
     fn contains(&self, arena: &Arena, divisor: Expr) -> bool {
         let is_constant = |e: Expr| !arena.reachable(&[e]).iter().any(|part| self.moving.contains(part));
         let is_sum = |e: Expr| match arena.node(bare(arena, e)) {
@@ -159,7 +168,7 @@ impl<'a> Pivots<'a> {
     }
 }
 
-/// Symbols of the state, and of the steps that depend on the state.
+/// Lists the symbols of the state (q, v), and of the definitions that depend on the state.
 fn moving(arena: &Arena, equations: &Equations, steps: &[Definition]) -> Vec<Expr> {
     let mut list: Vec<Expr> = equations.coordinates.iter().chain(&equations.variables).copied().collect();
     for step in steps {
@@ -170,7 +179,7 @@ fn moving(arena: &Arena, equations: &Equations, steps: &[Definition]) -> Vec<Exp
     list
 }
 
-/// Divisor without a factor that is a number.
+/// Removes a numeric factor from a divisor: x for 2 x.
 #[must_use]
 pub fn bare(arena: &Arena, divisor: Expr) -> Expr {
     match arena.node(divisor) {

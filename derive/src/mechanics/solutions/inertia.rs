@@ -1,7 +1,8 @@
-//! Check that every motion has inertia if some parameters are 0.
+//! Check that every speed moves a mass if some parameters of a model are 0.
 //!
-//! If parameters are 0, the mass matrix may be singular in every configuration, and a quotient by its determinant has
-//! no meaning. Only the set of parameters that are 0 matters, not the values of the others.
+//! If parameters are 0, the mass matrix may be singular in every configuration, and a quotient by
+//! its determinant has no meaning. Only the set of parameters that are 0 matters, not the values of
+//! the other parameters.
 
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::value::rank::rank;
@@ -14,34 +15,39 @@ use crate::model::Model;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::sync::{Mutex, PoisonError};
 
-/// Check of inertia for many sets of values of one model's parameters. Kane's equations are derived once, and only if a
-/// parameter on which inertia can depend is 0.
+/// Check of the mass matrix for many sets of parameter values of a model. Kane's equations are
+/// derived at most once, and only if a parameter on which inertia can depend is 0.
 pub struct InertiaCheck<'a> {
+    /// Model whose parameters are checked.
     model: &'a Model,
+    /// For each parameter: true if inertia can depend on it.
     inertial: Vec<bool>,
+    /// Kane's equations and earlier answers, shared between threads.
     known: Mutex<Known>,
 }
 
+/// Results that an inertia check keeps, because later calls need them again.
 #[derive(Default)]
 struct Known {
+    /// Kane's equations; `None` until they are first needed.
     kane: Option<Derivation>,
     /// Results of earlier checks, by the indices of the parameters that are 0.
     answers: FxHashMap<Vec<usize>, Result<(), DeriveError>>,
 }
 
 impl<'a> InertiaCheck<'a> {
-    /// Makes the check for this model without a derivation.
+    /// Creates the check for a model; nothing is derived yet.
     #[must_use]
     pub fn new(model: &'a Model) -> Self {
         Self { model, inertial: inertial(model), known: Mutex::default() }
     }
 
-    /// Checks that every motion has inertia at these values, one for each parameter; `None` for a parameter that stays
-    /// a letter.
+    /// Checks that every speed moves a mass at these values, one for each parameter. `None` is for a
+    /// parameter that stays symbolic.
     ///
     /// # Errors
-    /// [`DeriveError::NoInertiaAt`] if a speed moves no mass; another [`DeriveError`] if Kane's equations cannot be
-    /// derived.
+    /// [`DeriveError::NoInertiaAt`] if a speed moves no mass; another [`DeriveError`] if Kane's
+    /// equations cannot be derived.
     pub fn at(&self, values: &[Option<Rational>]) -> Result<(), DeriveError> {
         let absent = absent(&self.inertial, values);
         if absent.is_empty() {
@@ -62,8 +68,8 @@ impl<'a> InertiaCheck<'a> {
     }
 }
 
-/// Checks exactly that every motion has inertia at these values of the parameters, one for each parameter. `kane` are
-/// Kane's equations of the model, with their terms in `arena`.
+/// Checks exactly that every speed moves a mass at these values, one for each parameter (`None`
+/// stays symbolic). `kane` are Kane's equations of the model, with their terms in `arena`.
 ///
 /// # Errors
 /// [`DeriveError::NoInertiaAt`] if a speed moves no mass.
@@ -77,8 +83,8 @@ pub fn has_inertia_at(
     if absent.is_empty() { Ok(()) } else { without(arena, kane, model, &absent) }
 }
 
-/// For each parameter, true if inertia can depend on it: parameters of masses, inertias, positions, rotations,
-/// constraints and definitions of speeds.
+/// Lists, for each parameter, true if inertia can depend on it: it occurs in masses, inertias,
+/// positions, rotations, constraints or definitions of speeds.
 fn inertial(model: &Model) -> Vec<bool> {
     let bodies = model.bodies.iter().flat_map(|body| {
         let tensor = body.rigid.iter().flat_map(|(_, inertia)| inertia.tensor.iter().flatten().copied());
@@ -101,7 +107,10 @@ fn absent(inertial: &[bool], values: &[Option<Rational>]) -> Vec<usize> {
     each.filter(|(_, (inertial, value))| **inertial && is_zero(value)).map(|(at, _)| at).collect()
 }
 
-/// Checks that every motion has inertia if the parameters of these indices are 0.
+/// Checks that the mass matrix keeps full rank if the parameters with the indices `absent` are 0.
+///
+/// # Errors
+/// `DeriveError::NoInertiaAt` with the first speed whose row depends on the rows before it.
 fn without(arena: &Arena, kane: &Equations, model: &Model, absent: &[usize]) -> Result<(), DeriveError> {
     let mut arena = arena.clone();
     let pairs: Vec<(Expr, Expr)> = absent.iter().map(|at| (model.parameters[*at].symbol, Expr::ZERO)).collect();

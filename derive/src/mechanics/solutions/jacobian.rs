@@ -1,5 +1,5 @@
-//! Jacobian of a first-order system: slopes of q̇ and v̇ along the state, by the chain rule over the steps of an
-//! elimination.
+//! Jacobian of a first-order system: derivatives of q̇ and v̇ by the state, by the chain rule over
+//! a list of definitions.
 
 use crate::algebra::form::simplify::{Simplifier, cost, cost_of_all};
 use crate::algebra::solve::elimination::Elimination;
@@ -8,30 +8,34 @@ use crate::algebra::term::steps::{Definition, fresh_symbol, needed};
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::equations::Equations;
 
-/// Most operations in a slope of an intermediate quantity without a name of its own.
+/// Largest number of operations in a derivative of an intermediate quantity that gets no symbol of
+/// its own.
 const LONGEST_SLOPE: usize = 6;
 
-/// Jacobian ∂(q̇, v̇)/∂(q, v) of a first-order system, step by step: the whole matrix, or its product with a direction.
+/// Jacobian ∂(q̇, v̇)/∂(q, v) of a first-order system as a list of definitions: the whole matrix,
+/// or its product with a direction.
 #[derive(Clone, Debug, Default)]
 pub struct Jacobian {
-    /// Definitions in the order of computation: the accelerations, the quantities that they need, and the slopes of
-    /// both.
+    /// Definitions in the order of computation: the accelerations, the quantities that they need, and
+    /// the derivatives of both.
     pub steps: Vec<Definition>,
-    /// Entries of the Jacobian, row by row: first q̇, then v̇. It has a column for each coordinate, then for each
-    /// motion variable; the product with a direction has a single column.
+    /// Entries of the Jacobian, row by row: first q̇, then v̇. It has a column for each coordinate,
+    /// then for each motion variable. The product with a direction has a single column.
     pub entries: Vec<Vec<Expr>>,
-    /// Symbols of the direction of the product, one for each coordinate and motion variable. Empty for the whole
-    /// Jacobian.
+    /// Symbols of the direction, one for each coordinate and motion variable. Empty if the entries are
+    /// the whole Jacobian.
     pub direction: Vec<Expr>,
 }
 
-/// Most slopes, one for each step and state, of a whole Jacobian. With more, only its product with a direction is
-/// derived.
+/// Largest number of derivatives (definitions × states) of a whole Jacobian. With more, only its
+/// product with a direction is derived.
 const MOST_SLOPES: usize = 2000;
-/// Most slopes, one for each operation and state, of a whole Jacobian. The number tells how long the whole would be.
+/// Largest number of operations × states for a whole Jacobian. It limits the length of the
+/// formulas.
 const MOST_SLOPES_OF_OPERATIONS: usize = 8000;
 
-/// Differentiates q̇ and v̇ exactly, by the chain rule over the steps of an elimination, so that no term is expanded.
+/// Differentiates q̇ and v̇ exactly by q and v, with the chain rule over the solved definitions, so
+/// that no term is expanded. A long Jacobian is given only as its product with a direction.
 pub fn jacobian(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -49,8 +53,8 @@ pub fn jacobian(
     whole(arena, simplifier, &rates, steps, &states)
 }
 
-/// Slopes of values that steps compute, with a column for each of the symbols `along`; `None` if they would be too
-/// long.
+/// Derivatives of `values` by each of the symbols `along`, with a column for each symbol. The
+/// values may use the symbols that `steps` define. `None` if the Jacobian would be too long.
 pub(super) fn slopes_along(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -63,13 +67,14 @@ pub(super) fn slopes_along(
     is_short.then(|| whole(arena, simplifier, values, steps, along))
 }
 
-/// True if the slopes of all steps along this number of symbols would be too long.
+/// True if the derivatives of all definitions by `count` symbols would be too many or too long for
+/// a whole Jacobian.
 fn is_long(arena: &Arena, steps: &[Definition], count: usize) -> bool {
     let values: Vec<Expr> = steps.iter().map(|step| step.value).collect();
     count * steps.len() > MOST_SLOPES || count * cost_of_all(arena, &values) > MOST_SLOPES_OF_OPERATIONS
 }
 
-/// Slopes of values along symbols, with a column for each symbol.
+/// Derives the whole Jacobian of `values`, with a column for each symbol of `along`.
 fn whole(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -99,12 +104,13 @@ fn whole(
     Jacobian { steps, entries, direction: Vec::new() }
 }
 
-/// Name of a symbol as part of another name: `u1_dot` for u1'.
+/// Spells the name of a symbol for use in another name: `u1_dot` for `u1'`.
 fn spelled(arena: &Arena, symbol: Expr) -> String {
     arena.symbol_name(symbol).unwrap_or_default().replace("''", "_ddot").replace('\'', "_dot")
 }
 
-/// Product of the Jacobian with a direction: one derivative of each step along the direction.
+/// Derives the product of the Jacobian with a direction: a single derivative of each definition
+/// along the direction.
 fn product(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

@@ -1,4 +1,5 @@
-//! Results computed from equations of motion, each proved from the equations.
+//! Results computed from equations of motion, such as accelerations; each is proved from the
+//! equations.
 
 pub(super) mod accelerations;
 pub(super) mod certificate;

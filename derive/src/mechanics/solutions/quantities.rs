@@ -1,7 +1,9 @@
-//! Values of the quantities of a textbook derivation: velocities, loads, generalized forces, energies.
+//! Values of the quantities of a textbook derivation: velocities, loads, generalized forces,
+//! energies.
 //!
-//! Every value is computed from the kinematics that the formulations share, or read from their equations, and kept.
-//! Equations are solved only in [`Quantities::solved`]: accelerations stay linear in u̇, loads in the reactions.
+//! Every value is computed from the kinematics that the formulations share, or read from their
+//! equations, and is kept. Equations are solved only in [`Quantities::solved`]. All other values
+//! keep u̇ and the reactions as symbols.
 
 mod lagrangian;
 #[cfg(test)]
@@ -27,30 +29,40 @@ use crate::mechanics::quantity::{Energy, Quantity, QuantityKind, Row, VectorName
 use crate::model::{Model, Place, TIME};
 use rustc_hash::FxHashMap;
 
+/// Components of a 3 × 3 tensor along a frame, row by row.
 type Tensor = [[Expr; 3]; 3];
 
-/// Derived values of a model's quantities, as terms in the store of its derivations.
+/// Values of a model's quantities, such as velocities and energies, as terms in the arena of its
+/// derivations.
 pub struct Quantities<'a> {
-    /// Model to which the quantities belong.
+    /// Model whose quantities are derived.
     pub model: &'a Model,
-    /// Derivations of the model; `derivations.kinematics.arena` contains every value.
+    /// Derivations of the model; the arena `derivations.kinematics.arena` contains every value.
     pub derivations: &'a mut Derivations,
-    /// Velocities in terms of the generalized speeds.
+    /// Velocities of all frames and points as terms in q and the generalized speeds u.
     velocities: Velocities,
+    /// Time derivative along the motion of terms in q and u.
     d_dt: Differential,
+    /// Substitution of u and u̇ by terms in q, q̇ and q̈.
     to_rates: Substitution,
+    /// Substitution of q̇ and q̈ by terms in q, u and u̇.
     to_speeds: Substitution,
+    /// Vectors computed so far, by kind and index of the owner.
     vectors: FxHashMap<(VectorName, usize), Vector>,
+    /// Components of vectors computed so far, by kind, index of the owner, and frame.
     components: FxHashMap<(VectorName, usize, usize), Components>,
+    /// Central inertia tensors computed so far, by body and frame.
     inertias: FxHashMap<(usize, usize), Tensor>,
+    /// Kane's generalized active forces; `None` until first computed.
     active_forces: Option<Vec<Expr>>,
+    /// Kane's generalized inertia forces; `None` until first computed.
     inertia_forces: Option<Vec<Expr>>,
-    /// Solved u̇ in q and u; `None` until first computed.
+    /// Substitution of u̇ by the solved accelerations in q and u; `None` until first computed.
     accelerations: Option<Substitution>,
 }
 
 impl<'a> Quantities<'a> {
-    /// Quantities of a model, with no value derived yet.
+    /// Creates the quantities of a model; no value is derived yet.
     pub fn new(model: &'a Model, derivations: &'a mut Derivations) -> Self {
         let velocities = derivations.kinematics.in_speeds(model);
         let arena = &mut derivations.kinematics.arena;
@@ -84,13 +96,14 @@ impl<'a> Quantities<'a> {
         }
     }
 
-    /// Derived value of a quantity, simplified.
+    /// Derives the value of a quantity as a simplified term.
     ///
-    /// Values are in parameters, q and u. Those with accelerations are also linear in u̇, and loads contain reactions.
-    /// Speeds, Lagrange's E and A, slopes of L, and terms of M q̈ + C q̇ + g = τ are in q and q̇.
+    /// Most values are in parameters, q and u. Values with accelerations are also linear in u̇, and
+    /// loads contain reactions. Speeds, Lagrange's E and A, derivatives of L, and terms of M q̈ + C
+    /// q̇ + g = τ are in q and q̇.
     ///
     /// # Errors
-    /// Reason why the formulation of the quantity cannot be derived.
+    /// Text of the reason why the formulation of the quantity cannot be derived.
     pub fn value(&mut self, quantity: &Quantity) -> Result<Expr, String> {
         let value = match *quantity.kind() {
             QuantityKind::Rotation { from, to, entry: (i, j) } => {
@@ -139,10 +152,11 @@ impl<'a> Quantities<'a> {
         Ok(self.simplify(value))
     }
 
-    /// Term in which every u̇ and q̈ is replaced by its value from Kane's equations.
+    /// Replaces every u̇ and q̈ in a term by its value from the solved Kane equations, in q and u.
     ///
     /// # Errors
-    /// Reason why Kane's equations cannot be derived, or do not determine the accelerations.
+    /// Text of the reason why Kane's equations cannot be derived, or do not determine the
+    /// accelerations.
     pub fn solved(&mut self, e: Expr) -> Result<Expr, String> {
         let e = self.to_speeds.apply(&mut self.derivations.kinematics.arena, e);
         if self.accelerations.is_none() {
@@ -160,55 +174,58 @@ impl<'a> Quantities<'a> {
         Ok(written.apply(&mut self.derivations.kinematics.arena, e))
     }
 
-    /// True if a term contains q̇ or q̈; such a term is compared in q and q̇.
+    /// True if a term contains q̇ or q̈. A term that does is compared in q and q̇.
     #[must_use]
     pub fn mentions_rates(&self, e: Expr) -> bool {
         let symbols = self.model.coordinates.iter().flat_map(|c| [c.rate, c.second_rate]);
         self.mentions(e, symbols)
     }
 
-    /// True if a term contains u or u̇.
+    /// True if a term contains a generalized speed u or its rate u̇.
     #[must_use]
     pub fn mentions_speeds(&self, e: Expr) -> bool {
         let symbols = self.model.speeds.iter().flat_map(|s| [s.symbol, s.rate]);
         self.mentions(e, symbols)
     }
 
-    /// True if a term contains q̈ or u̇.
+    /// True if a term contains an acceleration q̈ or u̇.
     #[must_use]
     pub fn mentions_accelerations(&self, e: Expr) -> bool {
         let coordinates = self.model.coordinates.iter().map(|c| c.second_rate);
         self.mentions(e, coordinates.chain(self.model.speeds.iter().map(|s| s.rate)))
     }
 
+    /// True if a term contains any of the given symbols.
     fn mentions(&self, e: Expr, mut symbols: impl Iterator<Item = Expr>) -> bool {
         let parts = self.derivations.kinematics.arena.reachable(&[e]);
         symbols.any(|s| parts.binary_search(&s).is_ok())
     }
 
-    /// Writes a term in q, q̇ and q̈: u → J q̇ + d, and u̇ → its time derivative.
+    /// Rewrites a term in q, q̇ and q̈: u becomes J q̇ + d, and u̇ its time derivative.
     ///
-    /// If a divisor would become the literal 0, the quotient is unchanged, and [`Self::mentions_speeds`] is true.
+    /// If a divisor would become the literal 0, the quotient stays unchanged, and
+    /// [`Self::mentions_speeds`] is true for the result.
     pub fn in_rates(&mut self, e: Expr) -> Expr {
         self.to_rates.apply(&mut self.derivations.kinematics.arena, e)
     }
 
-    /// Writes a term in q, u and u̇: q̇ → W u + w, and q̈ → its time derivative.
+    /// Rewrites a term in q, u and u̇: q̇ becomes W u + w, and q̈ its time derivative.
     ///
-    /// If a divisor would become the literal 0, the quotient is unchanged, and [`Self::mentions_rates`] is true.
+    /// If a divisor would become the literal 0, the quotient stays unchanged, and
+    /// [`Self::mentions_rates`] is true for the result.
     pub fn in_speeds(&mut self, e: Expr) -> Expr {
         self.to_speeds.apply(&mut self.derivations.kinematics.arena, e)
     }
 
-    /// A term with 1 for the rate of time, which nobody writes as t'.
+    /// Replaces the rate t' of the time, which is a coordinate of some models, by 1.
     pub fn at_clock(&mut self, e: Expr) -> Expr {
         let clock: Vec<_> =
             self.model.coordinates.iter().filter(|c| c.name == TIME).map(|c| (c.rate, Expr::ONE)).collect();
         if clock.is_empty() { e } else { Substitution::new(&clock).apply(&mut self.derivations.kinematics.arena, e) }
     }
 
-    /// Value of an energy with no constraint put in, for comparison with entries in q̇: T keeps the rates of all
-    /// coordinates. A quantity other than T, L and T + V keeps its value `derived`.
+    /// Value of T, L or T + V without any constraint substituted, as a term in q and the rates q̇ of
+    /// all coordinates. For any other quantity, returns `derived`.
     #[must_use]
     pub fn before_constraints(&mut self, kind: &QuantityKind, derived: Expr) -> Expr {
         let QuantityKind::Energy(energy) = kind else { return derived };
@@ -224,11 +241,16 @@ impl<'a> Quantities<'a> {
         }
     }
 
+    /// Simplifies a term with the simplifier of the kinematics.
     fn simplify(&mut self, e: Expr) -> Expr {
         let Kinematics { arena, simplifier, .. } = &mut self.derivations.kinematics;
         simplifier.simplify(arena, e)
     }
 
+    /// Equations by a formulation, from the list of derivations.
+    ///
+    /// # Errors
+    /// Text of the reason why there are none.
     fn equations(&self, formulation: Formulation) -> Result<&Equations, String> {
         let found = self.derivations.list.iter().find(|(f, _)| *f == formulation);
         match found {
@@ -238,7 +260,8 @@ impl<'a> Quantities<'a> {
         }
     }
 
-    /// Central inertia R I Rᵀ of a body in a frame; R turns from the frame in which the inertia is stated.
+    /// Central inertia tensor R I Rᵀ of a body along a frame, kg m². R rotates from the frame in which
+    /// the model states the inertia. Zero for a particle.
     fn inertia(&mut self, body: usize, frame: usize) -> Tensor {
         if let Some(done) = self.inertias.get(&(body, frame)) {
             return *done;
@@ -260,16 +283,22 @@ impl<'a> Quantities<'a> {
         tensor
     }
 
+    /// Kane's generalized active forces, one for each speed; computed once.
     fn active_forces(&mut self) -> &[Expr] {
         let (model, kinematics, velocities) = (self.model, &mut self.derivations.kinematics, &self.velocities);
         self.active_forces.get_or_insert_with(|| kane::generalized_active_forces(model, kinematics, velocities))
     }
 
+    /// Kane's generalized inertia forces, one for each speed; computed once.
     fn inertia_forces(&mut self) -> &[Expr] {
         let (model, kinematics, velocities) = (self.model, &mut self.derivations.kinematics, &self.velocities);
         self.inertia_forces.get_or_insert_with(|| kane::generalized_inertia_forces(model, kinematics, velocities))
     }
 
+    /// Value of an energy as a term in q and u, J.
+    ///
+    /// # Errors
+    /// Text of the reason why Kane's equations or the potential of gravity cannot be derived.
     fn energy(&mut self, energy: Energy) -> Result<Expr, String> {
         let kane = self.equations(Formulation::Kane)?;
         let (t, v) = (kane.kinetic_energy, kane.potential_energy);
@@ -287,7 +316,8 @@ impl<'a> Quantities<'a> {
         })
     }
 
-    /// Kinetic energy of translation Σ ½ m v·v for the velocity, of rotation Σ ½ ω·H for the angular velocity.
+    /// Kinetic energy of translation Σ ½ m v·v if `name` is the velocity, of rotation Σ ½ ω·H if it is
+    /// the angular velocity, J.
     fn part_of_energy(&mut self, name: VectorName) -> Expr {
         let model = self.model;
         let mut terms = Vec::new();

@@ -1,16 +1,17 @@
-//! Forces that a motion requires, parameter by parameter: M u̇ − f = Σ π_k Y_k + rest. No Y_k contains a parameter π.
+//! Regressor: generalized forces that a motion requires, split by parameter: M u̇ − f = Σ π_k Y_k +
+//! rest. No Y_k contains a parameter π.
 //!
-//! Consider a rigid body that moves with the velocity v of its point P and turns at ω. Its weight counts as an inertia
-//! force. Then the force on it and the moment about P are linear in its mass m, its first moments s = m p_PC and its
-//! inertia J about P:
+//! A rigid body moves with the velocity v of its point P and rotates with ω. Its weight counts as
+//! an inertia force. The force on the body and the moment about P are linear in its mass m, its
+//! first moments s = m p_PC and its inertia J about P:
 //!
 //! ```text
 //! F = m b + α × s + ω × (ω × s),    N = s × b + J α + ω × J ω,    b = a_P − g
 //! ```
 //!
-//! C. G. Atkeson, C. H. An & J. M. Hollerbach, "Estimation of inertial parameters of manipulator loads and links", Int.
-//! J. Robotics Research 5(3) (1986) 101–119. The columns use nothing from Kane's equations, with which the regressor is
-//! compared.
+//! C. G. Atkeson, C. H. An & J. M. Hollerbach, "Estimation of inertial parameters of manipulator
+//! loads and links", Int. J. Robotics Research 5(3) (1986) 101–119. The columns use nothing from
+//! Kane's equations, with which the regressor is compared.
 
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::value::modular::{ZeroTest, zero_test};
@@ -27,60 +28,65 @@ use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates,
 use crate::mechanics::motion::loads::Load;
 use crate::model::{Body, Model, Unit};
 
-/// Set of parameters for which a regressor has columns.
+/// Choice of the parameters for which a regressor has columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Varied {
-    /// All ten inertial parameters of every rigid body, the mass of every particle, and the parameters of loads. The
-    /// values in the model file do not matter.
+    /// All ten inertial parameters of every rigid body, the mass of every particle, and the mass-like
+    /// parameters of loads. The values in the model file do not matter.
     Bodies,
-    /// Parameters declared in the model file whose unit contains the unit of mass to the first power.
+    /// Parameters of the model file whose unit contains the unit of mass to the first power.
     Declared,
 }
 
-/// Parameter of a regressor's column: an inertial parameter of a body, or a parameter of the model.
+/// Parameter of a regressor's column: an inertial parameter of a body, or a parameter of the model
+/// file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColumnParameter {
-    /// Inertial parameter of a body, with the index of the body.
+    /// Inertial parameter of the body with this index.
     Body(usize, Inertial),
-    /// Parameter of the model, with its index.
+    /// Parameter of the model file with this index.
     Parameter(usize),
 }
 
-/// Column of a regressor: the force that one parameter adds, per unit of the parameter.
+/// Column of a regressor: the generalized forces that a parameter requires, per unit of the
+/// parameter.
 #[derive(Clone, Debug)]
 pub struct Column {
-    /// Parameter to which the column belongs.
+    /// Parameter per unit of which the column states the required forces.
     pub of: ColumnParameter,
-    /// Name of the parameter, such as `mx_rod`.
+    /// Name of the parameter and its body, such as `mx_rod`.
     pub name: String,
-    /// Unit of the parameter.
+    /// Unit of the parameter of the column.
     pub unit: Unit,
-    /// Generalized forces Y_k per unit of the parameter, one for each speed; in geometry, q, u and u̇.
+    /// Generalized forces Y_k per unit of the parameter, one for each speed, as terms in geometry, q, u
+    /// and u̇.
     pub forces: Vec<Expr>,
-    /// Value of the parameter by the model, as a term in the model's own parameters.
+    /// Value of the parameter that the model states, as a term in the model file's parameters.
     pub stated: Expr,
 }
 
-/// Regressor of a model: M u̇ − f = Σ π_k Y_k + rest.
+/// Regressor of a model: columns Y_k of M u̇ − f = Σ π_k Y_k + rest, for the parameters π_k.
 pub struct Regressor {
-    /// Store of the terms of all fields.
+    /// Arena of the terms of all fields.
     pub arena: Arena,
-    /// Columns of the regressor, from the ground outward. For each body they are in the order of preference in which
-    /// base parameters keep them.
+    /// Columns Y_k of the regressor, from the ground outward. Those of a body come in the order in
+    /// which base parameters should keep them.
     pub columns: Vec<Column>,
-    /// Required forces of loads that belong to no column, one for each speed.
+    /// Required generalized forces that belong to no column, one for each speed, from loads.
     pub rest: Vec<Expr>,
-    /// Required forces M u̇ − f by Kane's method, in parameters, q, u and u̇.
+    /// Required generalized forces M u̇ − f by Kane's method, one for each speed, in parameters, q, u
+    /// and u̇.
     pub required: Vec<Expr>,
-    /// Anchor of each body's parameters, in the order of the bodies; empty for [`Varied::Declared`].
+    /// Reference point and axes of each body's inertial parameters, one for each body; empty for
+    /// [`Varied::Declared`].
     pub anchors: Vec<Anchor>,
 }
 
 impl Regressor {
-    /// Derives the regressor of a model.
+    /// Derives the regressor of a model for the chosen parameters.
     ///
     /// # Errors
-    /// [`DeriveError`] if the model cannot be derived.
+    /// [`DeriveError`] if the model cannot be derived, or if a body has an added mass.
     pub fn new(model: &Model, varied: Varied) -> Result<Self, DeriveError> {
         if let Some(added) = model.added_masses.first() {
             return Err(DeriveError::AddedMass { body: model.bodies[added.body].name.clone() });
@@ -97,6 +103,8 @@ impl Regressor {
         }
     }
 
+    /// Builds columns for the inertial parameters of all bodies and for the mass-like parameters of
+    /// loads.
     fn of_bodies(model: &Model, mut kinematics: Kinematics, required: Vec<Expr>, candidates: &[usize]) -> Self {
         let velocities = kinematics.in_speeds(model);
         let accelerations = kinematics.accelerations(
@@ -127,21 +135,22 @@ impl Regressor {
         Self { arena: kinematics.arena, columns, rest, required, anchors }
     }
 
+    /// Builds columns for the mass-like parameters of the model file, in which the forces are linear.
     fn as_declared(model: &Model, mut arena: Arena, required: Vec<Expr>, candidates: Vec<usize>) -> Self {
         let (columns, rest) = linear_part(model, &mut arena, required.clone(), candidates);
         Self { arena, columns, rest, required, anchors: Vec::new() }
     }
 }
 
-/// True if the unit of a parameter contains the unit of mass to the first power, and the parameter is no input. Forces
-/// are linear in all such parameters together, unless the parameters form ratios. An input drives loads and is no
-/// parameter of the mechanism.
+/// True if the unit of a parameter contains the unit of mass to the first power, and the parameter
+/// is not an input. Forces are linear in all such parameters together, unless the parameters form
+/// ratios.
 fn is_mass_like(parameter: &crate::model::Parameter) -> bool {
     !parameter.is_input && parameter.unit.of_mass().is_one()
 }
 
-/// Splits forces into Σ θ Y_θ + rest, over the candidates θ in which the forces are linear. The other candidates count
-/// as known.
+/// Splits forces into Σ θ Y_θ + rest, for those candidate parameters θ in which the forces are
+/// linear. Other candidates count as known. Returns the columns Y_θ and the rest.
 fn linear_part(
     model: &Model,
     arena: &mut Arena,
@@ -176,7 +185,7 @@ fn linear_part(
     (columns, rest)
 }
 
-/// Slopes of each term along each symbol, one row for each term.
+/// Partial derivatives of each term by each symbol, one row for each term.
 fn slopes_of(arena: &mut Arena, terms: &[Expr], symbols: &[Expr]) -> Vec<Vec<Expr>> {
     let mut gradient = Gradient::new(symbols);
     let row = |term: &Expr| {
@@ -189,8 +198,8 @@ fn slopes_of(arena: &mut Arena, terms: &[Expr], symbols: &[Expr]) -> Vec<Vec<Exp
     terms.iter().map(row).collect()
 }
 
-/// For each symbol, true if the slopes along it change with any of the symbols. Each row of `slopes` has one slope for
-/// each symbol.
+/// Lists, for each symbol, true if the derivatives by it still depend on any of the symbols.
+/// `slopes` has a row of derivatives for each force.
 fn bent_along(arena: &mut Arena, slopes: &[Vec<Expr>], symbols: &[Expr]) -> Vec<bool> {
     let mut gradient = Gradient::new(symbols);
     let mut bent = vec![false; symbols.len()];
@@ -203,17 +212,21 @@ fn bent_along(arena: &mut Arena, slopes: &[Vec<Expr>], symbols: &[Expr]) -> Vec<
     bent
 }
 
-/// Motion of a body, in the axes of its anchor.
+/// Motion of a body: accelerations, angular velocity and partial velocities, along the axes of its
+/// anchor.
 struct Motion {
-    /// Acceleration b = a_P − g of the anchor's point P, less free fall.
+    /// Acceleration b = a_P − g of the anchor's point P less that of free fall, m/s².
     b: Components,
+    /// Angular velocity ω of the body, rad/s.
     omega: Components,
+    /// Angular acceleration α of the body, rad/s².
     alpha: Components,
-    /// Partial velocities ∂v_P/∂u_r and ∂ω/∂u_r for each speed u_r.
+    /// Partial velocities ∂v_P/∂u_r and ∂ω/∂u_r, a pair for each speed u_r.
     along: Vec<[Components; 2]>,
 }
 
 impl Motion {
+    /// Computes the motion of a body, with a name for each long subterm.
     fn new(
         kinematics: &mut Kinematics,
         model: &Model,
@@ -237,12 +250,12 @@ impl Motion {
         Self { b, omega, alpha, along }
     }
 
-    /// Number of speeds that move the body.
+    /// Number of generalized speeds that move the body.
     fn moves_with(&self) -> usize {
         self.along.iter().filter(|pair| pair.iter().flatten().any(|e| *e != Expr::ZERO)).count()
     }
 
-    /// Columns of the regressor for the inertial parameters of a body.
+    /// Builds the regressor's columns for the inertial parameters of the body.
     fn columns(&self, kinematics: &mut Kinematics, model: &Model, anchor: &Anchor) -> Vec<Column> {
         let body = &model.bodies[anchor.body];
         let stated = InertialParameters::new(kinematics, body, anchor);
@@ -268,7 +281,7 @@ impl Motion {
             .collect()
     }
 
-    /// Force F and moment N about P that a unit of a parameter requires.
+    /// Force F and moment N about P that the motion requires per unit of an inertial parameter.
     fn wrench(&self, arena: &mut Arena, inertial: Inertial) -> [Components; 2] {
         let zero = [Expr::ZERO; 3];
         match inertial {
@@ -294,18 +307,25 @@ impl Motion {
     }
 }
 
+/// Name of the body to which an anchor belongs.
 fn anchor_name(model: &Model, anchor: &Anchor) -> String {
     model.bodies[anchor.body].name.clone()
 }
 
-/// Inertial parameters of a body by the model: mass, first moments and inertia about the anchor's point.
+/// Inertial parameters of a body that the model states, about the anchor's point and along its
+/// axes.
 struct InertialParameters {
+    /// Mass of the body, kg.
     mass: Expr,
+    /// First moments m p_PC of the body, kg m.
     moment: Components,
+    /// Inertia tensor of the body about the anchor's point, kg m².
     inertia: [Components; 3],
 }
 
 impl InertialParameters {
+    /// Computes the parameters from the model's mass, mass centre and central inertia, by the parallel
+    /// axis theorem.
     fn new(kinematics: &mut Kinematics, body: &Body, anchor: &Anchor) -> Self {
         let back = kinematics.positions[anchor.point].neg(&mut kinematics.arena);
         let arm = kinematics.positions[body.centre].add(&mut kinematics.arena, &back);
@@ -344,6 +364,7 @@ impl InertialParameters {
         Self { mass: body.mass, moment, inertia }
     }
 
+    /// Value of an inertial parameter, as a term in the model's parameters.
     fn of(&self, inertial: Inertial) -> Expr {
         match inertial {
             Inertial::Mass => self.mass,
@@ -353,7 +374,7 @@ impl InertialParameters {
     }
 }
 
-/// Writes out the named terms in a term.
+/// Replaces all named subterms of a term by the terms that they stand for.
 fn plain(arena: &mut Arena, e: Expr) -> Expr {
     let names: Vec<(Expr, Expr)> =
         arena.reachable(&[e]).into_iter().filter_map(|part| Some((part, arena.behind(part)?))).collect();
@@ -365,8 +386,8 @@ fn plain(arena: &mut Arena, e: Expr) -> Expr {
     put.apply(arena, e)
 }
 
-/// Value of a term at coordinates 0, for terms that depend on coordinates only in form. Without a value at 0, the term
-/// itself.
+/// Value of a term at zero coordinates, for terms that contain coordinates but do not depend on
+/// them. Returns the term itself if it has no value there.
 fn at_rest(arena: &mut Arena, e: Expr, coordinates: &[Expr]) -> Expr {
     let e = plain(arena, e);
     let mut put = Substitution::new(&coordinates.iter().map(|q| (*q, Expr::ZERO)).collect::<Vec<_>>());

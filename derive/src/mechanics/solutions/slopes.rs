@@ -1,4 +1,5 @@
-//! Slopes of what equations compute: of q̇ and v̇ along the parameters of a model, and of outputs.
+//! Derivatives of computed values: of q̇ and v̇ by the parameters of a model, and of outputs. Each
+//! is proved.
 
 use super::certificate::certify_slopes;
 use super::jacobian::{Jacobian, slopes_along};
@@ -9,8 +10,8 @@ use crate::algebra::{Arena, Expr};
 use crate::mechanics::equations::Equations;
 use crate::mechanics::unsolved::Unproved;
 
-/// Slopes ∂(q̇, v̇)/∂p along the parameters p, exactly, by the chain rule over the steps of an elimination, and proved.
-/// `None` if they would be too long.
+/// Derives the Jacobian ∂(q̇, v̇)/∂p by the parameters p exactly, with the chain rule over the
+/// solved definitions, and proves it. `None` if it would be too long.
 ///
 /// # Errors
 /// [`Unproved::Jacobian`] with the first row that is not the derivative of q̇ or v̇.
@@ -26,11 +27,12 @@ pub fn parameter_jacobian(
     slopes(arena, simplifier, &solved.steps, &rates, parameters)
 }
 
-/// Slopes of values that steps compute, exactly and proved, with a row for each value and a column for each of the
-/// symbols `along`. `None` if they would be too long.
+/// Derives and proves the derivatives of `values`, with a row for each value and a column for each
+/// of the symbols `along`. The values may use the symbols that `steps` define. `None` if the
+/// Jacobian would be too long.
 ///
 /// # Errors
-/// [`Unproved::Jacobian`] with the first value whose slopes are not its derivatives.
+/// [`Unproved::Jacobian`] with the first value whose derivatives are wrong.
 pub fn slopes(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

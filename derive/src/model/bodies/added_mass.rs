@@ -1,8 +1,9 @@
 //! Added mass of a body, as a model file states it under the key `added_mass`.
 //!
-//! The fluid around a body moves with it: T = ½ νᵀ M_A ν more, with ν = (v, ω) in the body's frame, v of a point fixed
-//! in the body. The matrix is kept about the mass centre. With r from the mass centre to the point, v of the point is
-//! v_C + ω × r, so that ν of the point is S ν_C with S = [1, −r×; 0, 1], and the matrix about the centre is Sᵀ M_A S.
+//! The fluid around a body moves with it and adds the kinetic energy T = ½ νᵀ M_A ν. Here ν = (v,
+//! ω) has components in the body's frame, and v is the velocity of a point fixed in the body. The
+//! matrix M_A is stored about the mass centre C. With r from C to the point, v = v_C + ω × r. So ν
+//! = S ν_C with `S = [1, −r×; 0, 1]`, and the matrix about C is Sᵀ M_A S.
 
 use super::elements::Elements;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
@@ -15,16 +16,18 @@ use crate::read::Located;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Number of rows and columns of an added mass: three for v, then three for ω.
+/// Number of rows and columns of an added mass matrix: three for v, then three for ω.
 const SIZE: usize = 6;
-/// Help for an added mass of a wrong form.
+/// Advice for an added mass that is stated in a wrong form.
 const FORM: &str =
     "write { diagonal = [\"X\", \"Y\", \"Z\", \"K\", \"M\", \"N\"] }, or matrix = six rows of six formulas";
 
+/// Added mass matrix, 6 × 6, in kg, kg m and kg m².
 type Matrix = [[Expr; SIZE]; SIZE];
 
 impl Elements {
-    /// Reads the added mass of a body, if it is stated, and keeps it about the mass centre. `frame` is the body's.
+    /// Reads the added mass of a body, if the entry states it, and transforms it to the mass centre.
+    /// `frame` is the index of the body's frame. Errors are recorded in the reader.
     pub(super) fn read_added_mass<'a>(
         &mut self,
         loading: &mut Loading<'a>,
@@ -70,7 +73,8 @@ impl Elements {
         }
     }
 
-    /// Reports added masses that no fluid can have at the default values.
+    /// Reports added masses whose kinetic energy can be negative at the default values of the
+    /// parameters.
     pub(super) fn check_added_masses(&self, loading: &mut Loading<'_>, parameters: &[Parameter]) {
         let known = physics::defaults(parameters);
         for added in &self.added_masses {
@@ -84,24 +88,26 @@ impl Elements {
     }
 }
 
-/// True if components contain no symbols but parameters.
+/// True if components contain no symbols other than parameters, so that they are constant.
 fn is_fixed(loading: &Loading<'_>, components: &[Expr; 3]) -> bool {
     let (arena, names) = (&loading.arena, &loading.names);
     let parts = arena.reachable(components);
     parts.iter().filter_map(|e| arena.symbol_name(*e)).all(|name| names.kind(name) == Some(Kind::Parameter))
 }
 
-/// Unit of an entry: kg, kg m or kg m².
+/// Unit of entry (i, j) of an added mass matrix: kg, kg m or kg m².
 fn unit(i: usize, j: usize) -> Unit {
     Unit::new(i64::from(i >= 3) + i64::from(j >= 3), 1, 0)
 }
 
+/// Reads entry (i, j) of an added mass matrix as a term; `None` after an error is reported.
 fn entry(loading: &mut Loading<'_>, formula: &Located, i: usize, j: usize) -> Option<Expr> {
     let what = format!("entry {}, {} of an added mass", i + 1, j + 1);
     loading.quantity(formula, PARAMETERS, &unit(i, j), &what)
 }
 
-/// List of six values; reports another value.
+/// Reads a list of six values. `None` after reporting another value; `what` names the list in the
+/// message.
 fn six<'a>(
     loading: &mut Loading<'a>,
     value: &'a Spanned<DeValue<'a>>,
@@ -120,6 +126,7 @@ fn six<'a>(
     }
 }
 
+/// Reads a diagonal added mass matrix from six formulas; `None` after an error is reported.
 fn diagonal_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Option<Matrix> {
     let mut matrix = [[Expr::ZERO; SIZE]; SIZE];
     for (i, value) in six(loading, value, "the diagonal of an added mass")?.into_iter().enumerate() {
@@ -129,6 +136,8 @@ fn diagonal_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>
     Some(matrix)
 }
 
+/// Reads a full, symmetric added mass matrix from six rows of six formulas; `None` after an error
+/// is reported.
 fn full_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Option<Matrix> {
     let mut matrix = [[Expr::ZERO; SIZE]; SIZE];
     let mut texts: Vec<Vec<String>> = Vec::new();
@@ -136,7 +145,7 @@ fn full_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -
         texts.push(Vec::new());
         for (j, value) in six(loading, row, "a row of an added mass")?.into_iter().enumerate() {
             let formula = loading.reader.formula(value, "an entry of `matrix`")?;
-            // A number with a unit that stands on both sides of the diagonal is one parameter.
+            // A number with a unit that occurs on both sides of the diagonal is a single parameter.
             let is_repeated = i > j && texts[j][i] == formula.text;
             matrix[i][j] = if is_repeated { matrix[j][i] } else { entry(loading, &formula, i, j)? };
             texts[i].push(formula.text.clone());
@@ -157,7 +166,8 @@ fn full_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -
     Some(matrix)
 }
 
-/// Matrix Sᵀ M S about the mass centre, from M about a point at the place `arm` from the centre.
+/// Added mass matrix Sᵀ M S about the mass centre C, from M about a point; `arm` is the vector from
+/// C to that point, m.
 fn about_centre(arena: &mut Arena, matrix: &Matrix, arm: [Expr; 3]) -> Matrix {
     if arm == [Expr::ZERO; 3] {
         return *matrix;
@@ -178,6 +188,7 @@ fn about_centre(arena: &mut Arena, matrix: &Matrix, arm: [Expr; 3]) -> Matrix {
     product(arena, &transposed, &right)
 }
 
+/// Product of two 6 × 6 matrices.
 fn product(arena: &mut Arena, a: &Matrix, b: &Matrix) -> Matrix {
     std::array::from_fn(|i| {
         std::array::from_fn(|j| {

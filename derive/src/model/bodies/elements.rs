@@ -1,4 +1,4 @@
-//! Frames, points and bodies, as a model file states them.
+//! Elements of a mechanism, frames, points and bodies, as a model file states them.
 
 use super::joints::Joints;
 use crate::algebra::term::calculus::Gradient;
@@ -16,34 +16,46 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Motion of a body along an axis of a frame.
+/// Motion of a body along an axis of a frame, caused by a single variable of an equation.
 #[derive(Clone, Copy)]
 pub struct AxisMotion {
-    /// Index of the frame.
+    /// Index of the frame whose axis the motion follows.
     pub frame: usize,
-    /// Index of the axis: 0, 1 or 2.
+    /// Axis of the motion: 0, 1 or 2.
     pub axis: usize,
-    /// Distance per unit of the variable that moves the body.
+    /// Displacement or velocity along the axis per unit of the variable.
     pub distance: Expr,
 }
 
-/// Elements of a mechanism: frames, points and bodies, with the loads, reactions and contacts on them.
+/// Elements of a mechanism: frames, points and bodies, with the loads, reactions and contacts on
+/// them.
 #[derive(Default)]
 pub struct Elements {
+    /// Reference frames, parents first; the inertial frame has index 0.
     pub frames: Vec<Frame>,
+    /// Points, parents first; the origin has index 0.
     pub points: Vec<Point>,
+    /// Rigid bodies and particles.
     pub bodies: Vec<Body>,
+    /// Added masses of rigid bodies.
     pub added_masses: Vec<AddedMass>,
+    /// Uniform gravity; `None` if the model file states none.
     pub gravity: Option<Gravity>,
+    /// Applied forces, including those of springs and friction.
     pub forces: Vec<Force>,
+    /// Applied torques, including those of friction.
     pub torques: Vec<Torque>,
+    /// Potential energies that the model file states.
     pub potentials: Vec<Potential>,
+    /// Reactions that the model file states.
     pub reactions: Vec<Reaction>,
+    /// Rolling, friction and comparisons of bodies that the model file states.
     pub contacts: Contacts,
 }
 
 impl Elements {
-    /// Reads the sections of frames, points, bodies, loads and reactions; errors are added to those of the reader.
+    /// Reads the sections of frames, points, bodies, loads and reactions of a model file. Errors are
+    /// recorded in the reader.
     pub fn read<'a>(
         loading: &mut Loading<'a>,
         table: &'a DeTable<'a>,
@@ -64,8 +76,8 @@ impl Elements {
         all
     }
 
-    /// Index of the one body that a coordinate moves relative to the body or origin from which it is placed. `None` if
-    /// the coordinate moves no body so, or several.
+    /// Index of the only body that a coordinate moves relative to the body or origin from which that
+    /// body is placed. `None` if the coordinate moves no body in this way, or several bodies.
     pub fn placed_by(&self, arena: &Arena, coordinate: Expr) -> Option<usize> {
         let depends = |terms: &[Expr]| arena.reachable(terms).contains(&coordinate);
         let is_bodily =
@@ -91,8 +103,8 @@ impl Elements {
         found.next().filter(|_| found.next().is_none())
     }
 
-    /// Axis along which a coordinate moves a body relative to the place from which it is placed. `None` unless the
-    /// coordinate stands in exactly one component of one position.
+    /// Axis along which a coordinate moves a body relative to its parent in the placement. `None`
+    /// unless the coordinate occurs in exactly one component of one position.
     pub fn axis_moved(&self, arena: &mut Arena, body: usize, coordinate: Expr) -> Option<AxisMotion> {
         let steps = self.own_steps(&self.bodies[body]);
         let components = steps.iter().flat_map(|(frame, position)| {
@@ -104,8 +116,8 @@ impl Elements {
         slopes.first().map(|(_, slope)| AxisMotion { frame, axis, distance: *slope })
     }
 
-    /// Steps from the mass centre of a body back to the mass centre of the body from which it is placed, or to the
-    /// origin. Each step has its frame and components.
+    /// Position vectors, as (frame, components), from the mass centre of a body back to the mass centre
+    /// of its parent in the placement, or to the origin.
     fn own_steps(&self, body: &Body) -> Vec<(usize, &[Expr; 3])> {
         let is_centre = |point: usize| self.bodies.iter().any(|body| body.centre == point);
         let mut steps = Vec::new();
@@ -117,6 +129,7 @@ impl Elements {
         steps
     }
 
+    /// Reads `[inertial]`: the inertial frame and the origin. Errors are recorded in the reader.
     fn read_inertial<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
         let what = "`inertial`";
         let value = loading.reader.get(table, "inertial");
@@ -141,6 +154,8 @@ impl Elements {
         }
     }
 
+    /// Reads `[frames]` and the frames of joints, and orders them after their parents. Errors are
+    /// recorded.
     fn read_frames<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, joints: &Joints<'a>) {
         let mut nodes = Vec::new();
         let root = self.frames.first().map(|f| f.name.clone());
@@ -184,6 +199,8 @@ impl Elements {
         }
     }
 
+    /// Reads `[points]` and the points of joints, and orders them after their parents. Errors are
+    /// recorded.
     fn read_points<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, joints: &Joints<'a>) {
         let mut nodes = Vec::new();
         for (name, value) in loading.section(table, "points", &[Kind::Point]) {
@@ -216,6 +233,7 @@ impl Elements {
         }
     }
 
+    /// Reads `[bodies]`: frame, mass centre, mass and inertia of each rigid body. Errors are recorded in the reader.
     fn read_bodies<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, joints: &Joints<'a>) {
         for (name, value) in loading.section(table, "bodies", &[Kind::Body]) {
             let entry = loading.entry(&name, value, Kind::Body, None, "[bodies.NAME]");
@@ -240,6 +258,7 @@ impl Elements {
         }
     }
 
+    /// Reads `[particles]`: point and mass of each particle. Errors are recorded in the reader.
     fn read_particles<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
         for (name, value) in loading.section(table, "particles", &[Kind::Body]) {
             let entry = loading.entry(&name, value, Kind::Body, None, "{ point = \"P\", mass = \"m\" }");
@@ -254,6 +273,8 @@ impl Elements {
         }
     }
 
+    /// Reads the inertia of a body and transforms it to the mass centre; `None` after an error is
+    /// reported.
     fn inertia<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -294,8 +315,9 @@ impl Elements {
         Some(Inertia { frame: frame?, tensor })
     }
 
-    /// Inertia of a body that turns about one axis only, stated by its moment about that axis. It is the inertia of a
-    /// thin plate across the axis.
+    /// Reads the inertia of a body that turns about one axis only, from its moment about that axis, kg
+    /// m². The result is the inertia of a thin plate normal to the axis. `None` after an error is
+    /// reported.
     fn planar_inertia<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -316,7 +338,7 @@ impl Elements {
             }
             at = *parent;
         }
-        // A constant turn of the plane of motion in space does not matter.
+        // A constant rotation between the plane of motion and the inertial frame has no effect here.
         while turns.last().is_some_and(|(_, moves)| !moves) {
             turns.pop();
         }
@@ -339,8 +361,8 @@ impl Elements {
         Some(Inertia { frame, tensor })
     }
 
-    /// Components in `frame` of the vector between two points; `None` unless one point is placed directly from the
-    /// other in this frame.
+    /// Components in `frame` of the vector from one point to another, m. `None` unless one point is
+    /// placed directly from the other with components in this frame.
     pub(super) fn arm(&self, arena: &mut Arena, from: usize, to: usize, frame: usize) -> Option<[Expr; 3]> {
         if from == to {
             return Some([Expr::ZERO; 3]);
@@ -352,7 +374,7 @@ impl Elements {
         direct(from, to).or_else(|| direct(to, from).map(|r| r.map(|e| arena.neg(e))))
     }
 
-    /// Index of the frame under the key `frame` of an entry.
+    /// Index of the frame under the key `frame` of an entry; `None` after an error is reported.
     pub fn frame<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -365,17 +387,19 @@ impl Elements {
         self.frame_named(loading, &name)
     }
 
+    /// Index of the frame with this name; `None` after reporting an unknown name.
     fn frame_named(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
         let known = loading.names.expect(&mut loading.reader, name, Kind::Frame);
         self.frames.iter().position(|f| known && f.name == name.text)
     }
 
+    /// Index of the point with this name; `None` after reporting an unknown name.
     fn point_named(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
         let known = loading.names.expect(&mut loading.reader, name, Kind::Point);
         self.points.iter().position(|p| known && p.name == name.text)
     }
 
-    /// Index of the point under a key of an entry.
+    /// Index of the point under a key of an entry; `None` after an error is reported.
     pub fn point<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -389,8 +413,8 @@ impl Elements {
         self.point_named(loading, &name)
     }
 
-    /// Replaces every expression of the elements by its image under `map`, for example to eliminate constrained
-    /// variables.
+    /// Replaces every term of the elements by its value under `map`, for example to eliminate variables
+    /// that constraints determine.
     pub fn rewrite(&mut self, map: &mut impl FnMut(Expr) -> Expr) {
         for frame in &mut self.frames {
             if let Some((_, turn)) = &mut frame.rotation {
@@ -418,7 +442,8 @@ impl Elements {
         }
     }
 
-    /// Reports masses and inertias that no body can have at the default values.
+    /// Reports masses, inertias and added masses that no body can have at the default values of the
+    /// parameters.
     pub fn check(&self, loading: &mut Loading<'_>, parameters: &[Parameter]) {
         let known = physics::defaults(parameters);
         for body in &self.bodies {
@@ -431,13 +456,14 @@ impl Elements {
     }
 }
 
+/// Reads the mass of a body, kg, as a term; `None` after an error is reported.
 fn mass<'a>(loading: &mut Loading<'a>, entry: &'a DeTable<'a>, what: &str, owner: &Range<usize>) -> Option<Expr> {
     let value = loading.reader.need(entry, "mass", what, owner)?;
     let formula = loading.reader.formula(value, "`mass`")?;
     loading.quantity(&formula, PARAMETERS, &Unit::new(0, 1, 0), &format!("the mass of {what}"))
 }
 
-/// Reads three formulas under a key, each in `unit`.
+/// Reads three formulas under a key, each with the unit `unit`. `None` after an error is reported.
 pub fn vector<'a>(
     loading: &mut Loading<'a>,
     entry: &'a DeTable<'a>,
@@ -454,7 +480,8 @@ pub fn vector<'a>(
     Some([a?, b?, c?])
 }
 
-/// Steiner's theorem, I_C = I_P − m (|r|² 1 − r rᵀ), with r from P to the mass centre C.
+/// Moves a 3 × 3 inertia tensor from P to the mass centre C by Steiner's theorem: I_C = I_P − m
+/// (|r|² 1 − r rᵀ). `arm` is r from P to C, m.
 fn to_centre(arena: &mut Arena, tensor: [[Expr; 3]; 3], mass: Expr, arm: [Expr; 3]) -> [[Expr; 3]; 3] {
     let squares = arm.map(|r| arena.square(r));
     let length = arena.sum(&squares);

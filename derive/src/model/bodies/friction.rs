@@ -1,9 +1,12 @@
-//! Dry friction, smooth at rest: at a point of contact, and about an axis.
+//! Dry friction that is smooth at rest: at a point of contact, and about an axis.
 //!
-//! Coulomb's law jumps where the slip changes sign. Here the resistance is R(s) s/√(|s|² + s₀²) against the slip s. It
-//! is within s₀²/(2|s|²) of Coulomb's law where |s| is well above s₀, and linear in s where |s| is well below s₀. R may
-//! be higher at rest and fall with the slip by A. Stribeck's curve: R(s) = R + (R_s − R) exp(−|s|²/s_S²) (B.
-//! Armstrong-Hélouvry, P. Dupont & C. Canudas de Wit, Automatica 30 (1994) 1083–1138).
+//! Coulomb's law jumps where the slip changes sign. Here the resistance against the slip s is R(s)
+//! s/√(|s|² + s₀²). It is within s₀²/(2|s|²) of Coulomb's law if |s| is well above s₀, and linear
+//! in s if |s| is well below s₀.
+//!
+//! R may be higher at rest and fall with the slip by A. Stribeck's curve: R(s) = R + (R_s − R)
+//! exp(−|s|²/s_S²). Source: B. Armstrong-Hélouvry, P. Dupont & C. Canudas de Wit, Automatica 30
+//! (1994) 1083–1138.
 
 use super::elements::Elements;
 use super::motion::MechanismMotion;
@@ -19,16 +22,16 @@ use crate::read::Located;
 use std::ops::Range;
 use toml::de::DeTable;
 
-/// Two bodies that rub on one another, or a body that rubs on the ground.
+/// Contact with friction between two bodies, or between a body and the ground.
 enum Contact {
-    /// Contact of the material of a body at a point with that of another body or of the ground. If an axis of `frame`
-    /// is normal to the contact, friction acts across that axis.
+    /// Contact at a point, between the material of a body and that of another body or the ground. If an
+    /// axis of `frame` is normal to the contact, friction acts only across this axis.
     Point { on: Place, against: Option<usize>, frame: usize, normal: Option<usize> },
-    /// A body that turns about an axis of a frame, against another body or the ground.
+    /// Contact of a body that rotates about an axis of a frame, against another body or the ground.
     Axis { on: usize, against: Option<usize>, frame: usize, axis: usize },
 }
 
-/// Entry whose keys are read, for error messages.
+/// Entry of the model file that is read, for error messages.
 #[derive(Clone, Copy)]
 struct Owner<'o> {
     /// Name of the entry in messages, such as "friction `f`".
@@ -37,26 +40,31 @@ struct Owner<'o> {
     span: &'o Range<usize>,
 }
 
-/// Law by which a contact resists slip.
+/// Law of resistance against slip at a contact.
 #[derive(Clone, Copy)]
 struct Law {
-    /// Resistance while sliding, N or N m. If the resistance is higher at rest, `at_rest` has the resistance at rest
-    /// and the slip s_S over which the excess decays.
+    /// Resistance during sliding, N or N m.
     resistance: Expr,
+    /// Resistance at rest, N or N m, and the slip s_S over which its excess decays; `None` if it is not
+    /// higher at rest.
     at_rest: Option<(Expr, Expr)>,
-    /// Slip s₀ below which the law is smooth, m/s or rad/s.
+    /// Slip s₀ below which the law is linear, m/s or rad/s.
     smoothing: Expr,
 }
 
-/// Friction as the model file states it.
+/// Friction entry as the model file states it, before it becomes a load.
 pub struct StatedFriction {
+    /// Name of the friction in the model file.
     name: Located,
+    /// Bodies and place of the contact.
     contact: Contact,
+    /// Law of resistance against slip.
     law: Law,
 }
 
 impl<'a> Loading<'a> {
     /// Reads the section `[friction]` of a model file: an entry `[friction.NAME]` for each contact.
+    /// Errors are recorded in the reader.
     pub fn friction(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedFriction> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "friction", &[]) {
@@ -76,6 +84,7 @@ impl<'a> Loading<'a> {
         list
     }
 
+    /// Reads friction at a point of contact; `None` after an error is reported.
     fn at_a_point(&mut self, entry: &'a DeTable<'a>, elements: &Elements, owner: Owner<'_>) -> Option<(Contact, Law)> {
         let Owner { what, span } = owner;
         let keys = [
@@ -110,6 +119,7 @@ impl<'a> Loading<'a> {
         Some((Contact::Point { on, against, frame, normal }, Law { resistance, at_rest, smoothing }))
     }
 
+    /// Reads friction about an axis; `None` after an error is reported.
     fn about_an_axis(
         &mut self,
         entry: &'a DeTable<'a>,
@@ -133,8 +143,8 @@ impl<'a> Loading<'a> {
         Some((Contact::Axis { on, against, frame: frame?, axis: axis? }, Law { resistance, at_rest, smoothing }))
     }
 
-    /// Index of the rigid body under the key `against`: `Some(None)` for the ground if the key is absent, `None` after
-    /// an error.
+    /// Index of the rigid body under the key `against`. `Some(None)` is the ground, if the key is
+    /// absent; `None` means a reported error.
     #[allow(clippy::option_option, reason = "no body is the ground, no answer an error")]
     fn against(&mut self, entry: &'a DeTable<'a>, elements: &Elements) -> Option<Option<usize>> {
         let Some(value) = self.reader.get(entry, "against") else { return Some(None) };
@@ -142,6 +152,7 @@ impl<'a> Loading<'a> {
         self.rigid(elements, &name).map(Some)
     }
 
+    /// Index of the rigid body with this name; `None` after reporting a particle or an unknown name.
     fn rigid(&mut self, elements: &Elements, name: &Located) -> Option<usize> {
         let body = elements.body(self, name)?;
         if elements.bodies[body].rigid.is_some() {
@@ -152,6 +163,7 @@ impl<'a> Loading<'a> {
         None
     }
 
+    /// Reads the formula of a required key in the unit `unit`; `None` after an error is reported.
     fn needed(
         &mut self,
         entry: &'a DeTable<'a>,
@@ -166,8 +178,8 @@ impl<'a> Loading<'a> {
         self.quantity(&formula, allowed, unit, &format!("`{key}` of {what}"))
     }
 
-    /// Reads `static` and `stribeck`, which must be stated together: `Some(None)` if both are absent, `None` after an
-    /// error.
+    /// Reads `static` and `stribeck`, which must be stated together: resistance at rest and slip of its
+    /// decay. `Some(None)` if both are absent; `None` after an error is reported.
     #[allow(clippy::option_option, reason = "nothing stated is no error")]
     fn at_rest(
         &mut self,
@@ -184,6 +196,7 @@ impl<'a> Loading<'a> {
         Some(Some((more?, until?)))
     }
 
+    /// Reads the slip `smoothing`, which must not be zero; `None` after an error is reported.
     fn smoothing(&mut self, entry: &'a DeTable<'a>, speed: &Unit, owner: Owner<'_>) -> Option<Expr> {
         let Owner { what, span } = owner;
         let smoothing = self.needed(entry, "smoothing", PARAMETERS, speed, owner)?;
@@ -195,7 +208,7 @@ impl<'a> Loading<'a> {
         None
     }
 
-    /// Adds the forces and torques of friction to the elements.
+    /// Adds the forces and torques of friction to the elements, and the rubbing bodies to the contacts.
     pub fn friction_loads(
         &mut self,
         moving: &mut MechanismMotion,
@@ -244,7 +257,8 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Force or torque −R(s) s/√(|s|² + s₀²) against a slip s; reports and returns `None` if nothing slips.
+    /// Force or torque −R(s) s/√(|s|² + s₀²) against a slip s, with three components. `None` after
+    /// reporting that the slip is always zero.
     fn resisting(&mut self, friction: &StatedFriction, slip: [Expr; 3]) -> Option<[Expr; 3]> {
         let arena = &mut self.arena;
         let squares = slip.map(|s| arena.square(s));
@@ -273,7 +287,8 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Difference of two vectors; the first vector if there is no second, as against the ground.
+/// Difference of two vectors. Without a second vector, as against the ground, it is the first
+/// vector.
 fn difference(arena: &mut Arena, one: Vector, other: Option<Vector>) -> Vector {
     match other {
         Some(other) => {

@@ -1,7 +1,8 @@
-//! Signals that drive loads: parameters that a program may change during a run, or formulas that scenes give instead.
+//! Inputs that drive loads: parameters that a program may change during a run, or formulas that
+//! scenes give instead.
 //!
-//! A formula is put in before anything is derived, so that slopes and series include it. Only the reading of files
-//! knows which loads it affects.
+//! A formula replaces its input before anything is derived, so that derivatives and series include
+//! it. Only the reading of files knows which loads an input affects.
 
 use super::elements::Elements;
 use crate::algebra::term::calculus::Substitution;
@@ -13,12 +14,14 @@ use crate::model::{Condition, Parameter, StatedUnit, Unit};
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};
 
-/// Quantities that a formula of an input may contain.
+/// Kinds of quantities that a formula of an input may contain.
 const PARTS: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed]);
 
-/// Inputs of a model, and terms that replace the symbols of inputs with a formula.
+/// Inputs of a model, and the formulas that replace inputs.
 pub struct Signals {
+    /// Inputs, in the order of the model file.
     pub list: Vec<Input>,
+    /// Symbols of the inputs that have a formula, each with its term.
     replacements: Vec<(Expr, Expr)>,
 }
 
@@ -37,7 +40,8 @@ impl Signals {
 }
 
 impl<'a> Loading<'a> {
-    /// Reads `[inputs]`; inputs without a formula become parameters.
+    /// Reads `[inputs]`. An input whose value is a number becomes a parameter, which is added to
+    /// `parameters`. Errors are recorded in the reader.
     pub fn inputs(&mut self, table: &'a DeTable<'a>, parameters: &mut Vec<Parameter>) -> Signals {
         let (mut list, mut replacements) = (Vec::new(), Vec::new());
         for (name, value) in self.section(table, "inputs", &[Kind::Input]) {
@@ -50,7 +54,7 @@ impl<'a> Loading<'a> {
             let about = self.about(entry);
             let bound = self.bindings.iter().find(|binding| binding.input == name.text);
             let formula = match (bound, self.reader.get(entry, "value")) {
-                // Errors in this formula were reported with the file that states it.
+                // Errors in the formula of a scene were reported with the scene's file.
                 (Some(binding), _) => {
                     Some(Located { text: binding.formula.clone(), span: name.span.clone(), exact: false })
                 }
@@ -102,8 +106,8 @@ impl<'a> Loading<'a> {
         Signals { list, replacements }
     }
 
-    /// Parts of the formula of an input: the number, and the unit if one follows it. Reports a unit of another kind
-    /// than that of the input.
+    /// Splits the formula of an input into the number and the unit that may follow it. `None` after
+    /// reporting a unit of another dimension than that of the input.
     fn number_of_input(&mut self, formula: &Located, unit: &Unit, what: &str) -> Option<(Located, Option<StatedUnit>)> {
         let Some(stated) = StatedUnit::of(&formula.text) else { return Some((formula.clone(), None)) };
         if stated.unit != *unit {
@@ -116,7 +120,8 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Formulas of inputs that are in force: those of the scene, and those of the model file for all other inputs.
+/// Texts of the input formulas that apply: those of the scene, and those of the model file for all
+/// other inputs.
 pub fn formulas<'t>(table: &'t DeTable<'_>, bindings: &'t [Binding]) -> Vec<&'t str> {
     let inputs = table.get("inputs").and_then(|value| value.get_ref().as_table());
     let stated = inputs.into_iter().flat_map(|inputs| inputs.iter()).filter_map(|(name, value)| {

@@ -1,20 +1,30 @@
-//! Kinds of joints, and the motions that they permit.
+//! Kinds of joints and the relative motions that they permit.
 
-/// Kind of a joint, which determines how its body may move: see [`JointKind::freedoms`].
+/// Kind of a joint, which determines the relative motion of the two bodies: see
+/// [`JointKind::freedoms`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum JointKind {
+    /// Rotation about one axis.
     Pin,
+    /// Displacement along one axis.
     Slider,
+    /// Rotation about an axis and an independent displacement along it.
     Cylinder,
+    /// Rotation about an axis with a proportional displacement along it.
     Screw,
+    /// Rotations about two axes, one after the other.
     Universal,
+    /// Three rotations, by angles or by Euler parameters.
     Ball,
+    /// Two displacements in a plane and a rotation about its normal.
     Planar,
+    /// No relative motion.
     Weld,
+    /// Three displacements and three rotations.
     Free,
 }
 
-/// Kinds of joints by name, in the order in which a message lists them.
+/// Kinds of joints by their names in model files, in the order in which messages list them.
 pub const KINDS: [(&str, JointKind); 9] = [
     ("pin", JointKind::Pin),
     ("slider", JointKind::Slider),
@@ -27,7 +37,7 @@ pub const KINDS: [(&str, JointKind); 9] = [
     ("free", JointKind::Free),
 ];
 
-/// Names of the kinds of joints, in the order of [`KINDS`].
+/// Names of the kinds of joints in model files, in the order of [`KINDS`].
 pub const JOINT_KINDS: [&str; KINDS.len()] = {
     let mut names = [""; KINDS.len()];
     let mut at = 0;
@@ -38,22 +48,22 @@ pub const JOINT_KINDS: [&str; KINDS.len()] = {
     names
 };
 
-/// A coordinate of a joint: a displacement along or a turn about an axis, 0, 1 or 2.
+/// Degree of freedom of a joint: a displacement along, or a rotation about, an axis 0, 1 or 2.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Freedom {
-    /// A displacement along an axis of the joint's frame on the body that carries.
+    /// Displacement along an axis of the joint's frame on the body to which the joint is attached.
     Along(usize),
-    /// A turn about an axis of the frame to which the turns before it lead.
+    /// Rotation about an axis of the frame to which the joint's earlier rotations lead.
     About(usize),
-    /// A turn about an axis with a displacement along it: one lead for each full turn.
+    /// Rotation about an axis together with a displacement along it: one lead for each full turn.
     Screwed(usize),
-    /// An Euler parameter. The first of the four is the scalar.
+    /// Euler parameter, one of four coordinates of a rotation. The first of the four is the scalar.
     Parameter,
 }
 
 impl JointKind {
-    /// Motion of each coordinate of a joint of this kind, in the order of the coordinates. `axes` are those of its
-    /// turns; empty for Euler parameters.
+    /// Degree of freedom of each coordinate of a joint of this kind, in the order of the coordinates.
+    /// `axes` are the axes of its rotations; empty means Euler parameters.
     pub fn freedoms(self, axes: &[usize]) -> Vec<Freedom> {
         let turns = axes.iter().map(|axis| Freedom::About(*axis));
         let parameters = if axes.is_empty() { 4 } else { 0 };
@@ -73,7 +83,7 @@ impl JointKind {
         }
     }
 
-    /// Keys that a joint of this kind may have in addition to those of every joint.
+    /// Keys that a joint of this kind may have in a model file, in addition to the keys of every joint.
     pub fn keys(self) -> &'static [&'static str] {
         match self {
             Self::Pin | Self::Slider | Self::Cylinder | Self::Planar => &["axis"],
@@ -85,8 +95,8 @@ impl JointKind {
     }
 }
 
-/// Components of ω by Euler parameters, in the turned frame, as formulas: 2 (ε₀ ε' − ε₀' ε − ε × ε')/|ε|². The scalar
-/// ε₀ comes first.
+/// Formulas, as text, of the three components of ω for Euler parameters, in the rotated frame: 2
+/// (ε₀ ε' − ε₀' ε − ε × ε')/|ε|². `names` are the four coordinates, the scalar ε₀ first.
 pub fn by_euler_parameters(names: [&str; 4]) -> [String; 3] {
     let [w, x, y, z] = names;
     let length = names.map(|name| format!("{name}^2")).join(" + ");
@@ -94,14 +104,15 @@ pub fn by_euler_parameters(names: [&str; 4]) -> [String; 3] {
         .map(|(i, j, k)| format!("2*({w}*{i}' - {w}'*{i} - {j}*{k}' + {k}*{j}')/({length})"))
 }
 
-/// Components of ω after turns about body-fixed axes, in the last frame, as formulas.
+/// Formulas, as text, of the components of ω after rotations about body-fixed axes, in the last
+/// frame.
 ///
-/// Each turn's axis is expressed in the last frame by the turns after it. A frame turned by q about axis b sees the
-/// unit vector e_a as e_a cos q ∓ (third axis) sin q.
+/// The axis of each rotation is expressed in the last frame by the later rotations. A frame rotated
+/// by q about axis b sees the unit vector e_a as e_a cos q ∓ (third axis) sin q.
 pub fn angular_velocity(axes: &[usize], angles: &[&str]) -> Vec<String> {
     let mut sums: [Vec<String>; 3] = Default::default();
     for (first, (axis, angle)) in axes.iter().zip(angles).enumerate() {
-        // Each part of the turn's axis as (axis, sign, factors).
+        // Parts of the rotation's axis as (axis, sign, factors).
         let mut parts = vec![(*axis, 1, String::new())];
         for (about, by) in axes.iter().zip(angles).skip(first + 1) {
             let turned = |(axis, sign, factors): &(usize, i32, String)| {
@@ -109,7 +120,7 @@ pub fn angular_velocity(axes: &[usize], angles: &[&str]) -> Vec<String> {
                     return vec![(*axis, *sign, factors.clone())];
                 }
                 let third = 3 - axis - about;
-                // Seen from the turned frame, the axis turns back, towards axis × about.
+                // Seen from the rotated frame, the axis rotates backwards, towards axis × about.
                 let side = if (axis + 1) % 3 == *about { 1 } else { -1 };
                 vec![
                     (*axis, *sign, format!("{factors}*cos({by})")),

@@ -1,8 +1,9 @@
-//! Joints: each connects two bodies. A joint that carries a body adds the body's frame, points, coordinates and speeds.
+//! Joints of a model file. Each connects two bodies; a joint that places a body adds its frame,
+//! points, coordinates and speeds.
 //!
-//! A joint adds entries to the sections of a model file, under names that formulas may use. Only the reading of files
-//! knows of joints. The first joint that names a body carries it, unless the body's frame is declared. A further joint
-//! of a body closes a loop.
+//! A joint adds entries to the sections of a model file, under names that formulas may use. Only
+//! the reading of files knows of joints. The first joint of a body places it, unless the body's
+//! frame is declared. A further joint of a body closes a loop.
 
 use super::joint_kinds::{Freedom, JointKind, KINDS, angular_velocity, by_euler_parameters};
 use crate::diagnostic::{nearest, shown};
@@ -16,67 +17,75 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Value of `sequence` that asks for Euler parameters in place of a sequence of turns.
+/// Value of the key `sequence` that selects Euler parameters instead of successive rotations.
 const EULER: &str = "euler";
 
-/// A joint as the model file states it.
+/// A joint as the model file states it: its kind, its axes and the two bodies.
 pub struct Joint<'a> {
+    /// Name of the joint in the model file.
     pub name: Located,
+    /// Table of the joint in the model file.
     pub entry: &'a DeTable<'a>,
-    /// Name of the joint in messages.
+    /// Name of the joint in messages, such as "joint `pivot`".
     pub what: String,
+    /// Kind of the joint, which determines its degrees of freedom.
     pub kind: JointKind,
-    /// Axes in the order of the turns; one entry for a kind with one axis. Empty for a kind with three turns that uses
-    /// Euler parameters.
+    /// Axes, 0 to 2, in the order of the joint's rotations; a single entry for a kind with one axis.
+    /// Empty for Euler parameters.
     pub axes: Vec<usize>,
-    /// Vector along which axis 3 of the joint lies; `None` if the model file states an axis by number or none.
+    /// Vector along which axis 3 of the joint points; `None` if the model file states an axis by
+    /// number, or none.
     pub along: Option<&'a Spanned<DeValue<'a>>>,
-    /// Name of the body that the joint connects to its holder.
+    /// Name of the body that the joint places, or that it ties to another body by closing a loop.
     pub body: Located,
-    /// Name of the body that carries; `None` for the ground.
+    /// Name of the body to which the joint attaches the body `body`; `None` for the ground.
     pub to: Option<Located>,
-    /// True if the joint carries its body; false if it closes a loop.
+    /// True if the joint's coordinates place its body (a tree joint); false if the joint closes a loop.
     pub carries: bool,
-    /// Names of the joint's coordinates.
+    /// Names of the joint's coordinates, in the order of its degrees of freedom.
     pub coordinates: Vec<Located>,
 }
 
-/// Names of the frame and mass centre of a body, and of the joint that carries it.
+/// Names of the frame and mass centre of a body, and of the joint that places it.
 #[derive(Clone)]
 pub struct Placed {
+    /// Name of the body's frame.
     pub frame: Located,
+    /// Name of the body's mass centre.
     pub centre: Located,
-    /// Name of the joint that carries the body, and of its point on the body; `None` if no joint carries it.
+    /// Name of the joint that places the body, and of its point on the body; `None` if no joint places
+    /// it.
     pub joint: Option<Located>,
 }
 
 /// All joints of a model file, and the names by which they place bodies.
 #[derive(Default)]
 pub struct Joints<'a> {
+    /// Joints, in the order of the model file.
     pub list: Vec<Joint<'a>>,
-    /// Frames and mass centres of bodies by name of the body: stated names or default names.
+    /// Frames and mass centres by name of the body, with stated or default names.
     pub bodies: FxHashMap<String, Placed>,
-    /// Name and definition of each speed that joints add.
+    /// Name and definition, as text, of each generalized speed that joints add.
     pub speeds: Vec<(Located, Located)>,
-    /// Names of speeds of joints that the model file states.
+    /// Names of those speeds of joints that the model file states.
     pub stated_speeds: FxHashSet<String>,
     /// True if a joint could not be read. Names that it would add are then not reported as missing.
     pub is_short: bool,
 }
 
 impl Joints<'_> {
-    /// True if a joint adds this speed to the model.
+    /// True if a joint adds this generalized speed to the model.
     pub fn brings(&self, speed: &Speed) -> bool {
         self.speeds.iter().any(|(name, _)| name.text == speed.name)
     }
 
-    /// The dependent speed made of a joint's speed that follows from others.
+    /// Converts a joint's speed that constraints determine into a dependent speed.
     pub fn dependent(&self, speed: Speed) -> DependentSpeed {
         let is_stated = self.stated_speeds.contains(&speed.name);
         DependentSpeed { name: speed.name, definition: speed.definition, is_stated }
     }
 
-    /// Coordinates that joints add, each with its unit and a description.
+    /// Coordinates that joints add to the model, each with its unit and a description.
     pub fn coordinates(&self) -> Vec<(Located, Unit, String)> {
         let mut list = Vec::new();
         for joint in self.list.iter().filter(|joint| joint.carries) {
@@ -97,7 +106,8 @@ impl Joints<'_> {
 }
 
 impl<'a> Loading<'a> {
-    /// Reads `[joints]`, except formulas, since these may name coordinates of joints.
+    /// Reads `[joints]` without its formulas, since these may contain coordinates of joints. Errors are
+    /// recorded.
     pub fn joints(&mut self, table: &'a DeTable<'a>) -> Joints<'a> {
         let mut joints = Joints::default();
         let entries = self.section(table, "joints", &[Kind::Point, Kind::Frame, Kind::Coordinate, Kind::Speed]);
@@ -132,7 +142,7 @@ impl<'a> Loading<'a> {
                 continue;
             }
             joints.is_short = true;
-            // Names that this joint would have added are not reported as missing.
+            // Names that the failed joint would have added are not reported as missing.
             let carried = joints.bodies.values().filter(|placed| placed.joint.as_ref() == Some(&name));
             for placed in carried {
                 self.names.spoil(&placed.frame.text);
@@ -148,6 +158,7 @@ impl<'a> Loading<'a> {
         joints
     }
 
+    /// Reads one joint. `None` if it could not be read; the error is reported here or elsewhere.
     fn joint(
         &mut self,
         joints: &mut Joints<'a>,
@@ -212,7 +223,8 @@ impl<'a> Loading<'a> {
         Some(joint)
     }
 
-    /// Name of the rigid body under a key of a joint; reports a name that is no rigid body.
+    /// Name of the rigid body under a key of a joint; `None` after reporting a name that is no rigid
+    /// body.
     fn jointed(
         &mut self,
         joints: &Joints<'a>,
@@ -233,7 +245,8 @@ impl<'a> Loading<'a> {
         None
     }
 
-    /// Axes of the turns of a joint of this kind: 0, 1 or 2.
+    /// Reads the axes, 0 to 2, of the rotations of a joint of this kind; empty for Euler parameters.
+    /// `None` after an error is reported.
     fn axes(&mut self, kind: JointKind, entry: &'a DeTable<'a>, what: &str) -> Option<Vec<usize>> {
         match kind {
             JointKind::Weld => Some(Vec::new()),
@@ -264,7 +277,7 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Reads an axis of a frame, 1, 2 or 3, as 0, 1 or 2.
+    /// Reads the number of an axis, 1, 2 or 3, as 0, 1 or 2. `None` after reporting another value.
     pub fn axis(&mut self, value: &'a toml::Spanned<DeValue<'a>>) -> Option<usize> {
         let axis = match value.get_ref() {
             DeValue::Integer(n) => ["1", "2", "3"].iter().position(|a| *a == n.as_str()),
@@ -276,7 +289,8 @@ impl<'a> Loading<'a> {
         axis
     }
 
-    /// Reads the axes of successive turns, such as `"313"`, as 0, 1 or 2. `count` is the number required, if any.
+    /// Reads the axes of successive rotations, such as `"313"`, each as 0, 1 or 2. `count` is the
+    /// required number, if any. `None` after reporting another value.
     pub fn sequence(&mut self, value: &'a toml::Spanned<DeValue<'a>>, count: Option<usize>) -> Option<Vec<usize>> {
         let text = self.reader.string(value, "`sequence`")?;
         let axes: Option<Vec<usize>> =
@@ -293,7 +307,8 @@ impl<'a> Loading<'a> {
         good
     }
 
-    /// Reads `count` names under a key of a joint; if the key is absent, takes the default names.
+    /// Reads `count` names under a key of a joint; default names if the key is absent. `None` after an
+    /// error is reported.
     fn joint_names(
         &mut self,
         joint: &Joint<'a>,
@@ -319,8 +334,9 @@ impl<'a> Loading<'a> {
         list.iter().map(|item| self.reader.string(item, &format!("one of `{key}`"))).collect()
     }
 
-    /// Names and definitions of the speeds of a joint: rates of displacements and of turns. For three turns they are
-    /// the components of the body's angular velocity relative to its holder, in the frame of the body.
+    /// Names and definitions, as text, of the speeds of a joint: rates of displacements and rotations.
+    /// For three rotations they are the components of the body's relative angular velocity in the
+    /// body's frame. `None` after an error is reported.
     fn joint_speeds(&mut self, joint: &Joint<'a>, freedoms: &[Freedom]) -> Option<Vec<(Located, Located)>> {
         let none = self.reader.get(joint.entry, "speeds").and_then(|v| v.get_ref().as_array());
         if none.is_some_and(|list| list.iter().next().is_none()) {
@@ -333,8 +349,8 @@ impl<'a> Loading<'a> {
         let first_turn = if turns_in_space { count - 3 } else { count };
         let names = self.joint_names(joint, "speeds", count, |at, _| {
             let coordinate = &joint.coordinates[at].text;
-            // A component along an axis of the body is not the rate of a coordinate. It gets the number of its axis,
-            // and no letter of an angle.
+            // A component of ω along an axis of the body is not the rate of a coordinate. So it is named by the
+            // number of its axis, not by an angle.
             let is_number = |rest: &str| !rest.is_empty() && rest.bytes().all(|byte| byte.is_ascii_digit());
             if at >= first_turn && (has_parameters || !coordinate.strip_prefix('q').is_some_and(is_number)) {
                 return format!("u_{}_{}", joint.name.text, at + 1);

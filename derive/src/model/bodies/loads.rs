@@ -1,4 +1,4 @@
-//! Gravity, forces, torques and reactions, as a model file states them.
+//! Loads as a model file states them: gravity, forces and torques; also reactions.
 
 use super::elements::{Elements, vector};
 use crate::algebra::Expr;
@@ -15,7 +15,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 impl Elements {
-    /// Reads the section `[gravity]` of a model file.
+    /// Reads the section `[gravity]` of a model file. Errors are recorded in the reader.
     pub fn read_gravity<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
         let Some(value) = loading.reader.get(table, "gravity") else { return };
         let what = "`gravity`";
@@ -35,7 +35,7 @@ impl Elements {
         }
     }
 
-    /// Reads the section `[forces]` of a model file.
+    /// Reads the section `[forces]` of a model file. Errors are recorded in the reader.
     pub fn read_forces<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
         for (name, value) in loading.section(table, "forces", &[]) {
             let entry = loading.entry(&name, value, Kind::Force, None, "[forces.NAME]");
@@ -62,7 +62,7 @@ impl Elements {
         }
     }
 
-    /// Reads the section `[torques]` of a model file.
+    /// Reads the section `[torques]` of a model file. Errors are recorded in the reader.
     pub fn read_torques<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
         for (name, value) in loading.section(table, "torques", &[]) {
             let entry = loading.entry(&name, value, Kind::Torque, None, "[torques.NAME]");
@@ -82,8 +82,8 @@ impl Elements {
         }
     }
 
-    /// Reads the target of a torque, a rigid body or a frame without mass: index of the frame, and of its body if it
-    /// has one.
+    /// Reads the target of a torque, a rigid body or a massless frame, as (frame, body of that frame if
+    /// it has one). `None` after an error is reported.
     fn turned<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -107,8 +107,8 @@ impl Elements {
         }
     }
 
-    /// Index of the rigid body that a reaction torque turns; `None` for the ground. Reports a frame that carries no
-    /// body.
+    /// Index of the rigid body on which a reaction torque acts. `None` for the ground, or after
+    /// reporting a frame without a body.
     fn turned_body<'a>(&self, loading: &mut Loading<'a>, entry: &'a DeTable<'a>, key: &str) -> Option<usize> {
         let value = loading.reader.get(entry, key)?;
         let (frame, body) = self.turned(loading, value, key)?;
@@ -121,7 +121,7 @@ impl Elements {
         body
     }
 
-    /// Reads the entries of `[reactions]`, whose names are declared already.
+    /// Reads the entries of `[reactions]`, whose names are already declared. Errors are recorded in the reader.
     pub fn read_reactions<'a>(&mut self, loading: &mut Loading<'a>, entries: &[Entry<'a>]) {
         for (name, value) in entries {
             let what = format!("reaction `{}`", name.text);
@@ -172,13 +172,15 @@ impl Elements {
         }
     }
 
-    /// Velocities and positions that formulas name, with indices into the lists of the model. Reports a particle that
-    /// is not at the named point.
+    /// Velocities and positions that occur by name in formulas, with indices of points, frames and
+    /// bodies. Wrong names are left out and reported.
     pub fn velocities(&self, loading: &mut Loading<'_>) -> Vec<NamedVelocity> {
         let stated = std::mem::take(&mut loading.names.velocities);
         stated.iter().filter_map(|velocity| self.velocity(loading, velocity)).collect()
     }
 
+    /// Resolves the names of a stated velocity or position to indices; `None` after an error is
+    /// reported.
     fn velocity(&self, loading: &mut Loading<'_>, stated: &StatedVelocity) -> Option<NamedVelocity> {
         let StatedVelocity { symbol, axis, .. } = *stated;
         let point_of = |name: &Located| self.points.iter().position(|p| p.name == name.text);
@@ -206,7 +208,7 @@ impl Elements {
         Some(NamedVelocity { symbol, of, frame, axis })
     }
 
-    /// Index of the frame of a rigid body; reports a particle, which has no frame.
+    /// Index of the frame of a rigid body; `None` after reporting a particle, which has no frame.
     fn frame_of_body(&self, loading: &mut Loading<'_>, name: &Located, body: usize) -> Option<usize> {
         let frame = self.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
         if frame.is_none() {
@@ -216,12 +218,14 @@ impl Elements {
         frame
     }
 
+    /// Index of the body with this name; `None` after reporting an unknown name.
     pub fn body(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
         let known = loading.names.expect(&mut loading.reader, name, Kind::Body);
         self.bodies.iter().position(|b| known && b.name == name.text)
     }
 
-    /// Reads a body and a point under two keys of an entry; the point is the body's mass centre unless stated.
+    /// Reads a body and a point under two keys of an entry; without the point key it is the body's mass
+    /// centre. `None` after an error is reported.
     pub fn place<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -248,8 +252,8 @@ impl Elements {
         Some(Place { body, point })
     }
 
-    /// Reads the place of a force's opposite: on the body `against`, at the point `against_at` or at the point of the
-    /// force.
+    /// Reads the place of the opposite of a force: on the body `against`, at the point `against_at` or
+    /// else at the force's own point. `None` without `against`, or after an error is reported.
     fn opposite<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -274,7 +278,8 @@ impl Elements {
     }
 }
 
-/// True if a reaction is a torque, false if it is a force; reports any other kind.
+/// Reads the kind of a reaction: true for a torque, false for a force. `None` after reporting
+/// another kind.
 fn is_torque<'a>(loading: &mut Loading<'a>, entry: &'a DeTable<'a>) -> Option<bool> {
     let Some(value) = loading.reader.get(entry, "kind") else { return Some(false) };
     let kind = loading.reader.string(value, "`kind`")?;
@@ -289,6 +294,8 @@ fn is_torque<'a>(loading: &mut Loading<'a>, entry: &'a DeTable<'a>) -> Option<bo
     }
 }
 
+/// Reads the configuration at which the potential energy of gravity is zero, as (coordinate,
+/// value).
 fn zero_at<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Vec<(Expr, Expr)> {
     let mut pairs = Vec::new();
     let Some(entry) = loading.reader.table(value, "`zero_at`", "{ q2 = 0 }") else { return pairs };
@@ -300,7 +307,7 @@ fn zero_at<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Ve
         let symbol = loading.arena.symbol(&name.text);
         let Some(unit) = loading.units.get(&symbol).cloned() else { continue };
         let what = "a coordinate's value";
-        // A plain number is in the coordinate's own unit, and needs no check.
+        // A plain number is in the coordinate's own unit, so it needs no check.
         let plain = loading.names.formula(&mut loading.reader, &mut loading.arena, &formula, PARAMETERS, what);
         let Some(e) = plain else { continue };
         if loading.arena.as_number(e).is_none() {

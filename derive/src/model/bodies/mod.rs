@@ -1,4 +1,4 @@
-//! Frames, points, bodies and joints, the loads and inputs on them, and shapes.
+//! Bodies of a model file, with their frames, points, joints, loads, inputs and shapes.
 
 mod added_mass;
 pub(super) mod elements;

@@ -1,4 +1,4 @@
-//! Positions and velocities of the frames and points of a model file, in q and q̇.
+//! Motion of the frames and points of a model file: positions and velocities as terms in q and q̇.
 
 use super::elements::Elements;
 use crate::algebra::form::simplify::Simplifier;
@@ -10,16 +10,20 @@ use crate::geometry::{Frames, Motion, Vector};
 use crate::model::velocities::NamedVelocity;
 use crate::model::{Coordinate, Place};
 
-/// Positions and velocities of the frames and points of a mechanism, in q and q̇.
+/// Positions and velocities of the frames and points of a mechanism, as terms in q and q̇.
 pub struct MechanismMotion {
+    /// Tree of frames, with their rotation matrices.
     frames: Frames,
+    /// Positions and velocities of all frames and points.
     motion: Motion,
+    /// Time derivative along q̇.
     rates: Differential,
+    /// Simplifier of the computed terms.
     simplifier: Simplifier,
 }
 
 impl MechanismMotion {
-    /// The motion of frames and points that were read without errors.
+    /// Computes the motion of frames and points, which must have been read without errors.
     pub fn new(arena: &mut Arena, elements: &Elements, coordinates: &[Coordinate]) -> Self {
         let rates: Vec<_> = coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         let mut rates = Differential::along(&rates);
@@ -28,7 +32,8 @@ impl MechanismMotion {
         Self { frames, motion, rates, simplifier: Simplifier::default() }
     }
 
-    /// Component of a velocity or position that a formula names, as a simplified term in q and q̇.
+    /// Component of a velocity or position that occurs by name in a formula, as a simplified term in q
+    /// and q̇.
     pub fn named(&mut self, arena: &mut Arena, elements: &Elements, name: &NamedVelocity) -> Expr {
         let vector = match name.of {
             VelocityOf::Material(body, point) => self.material(arena, elements, body, point),
@@ -39,13 +44,13 @@ impl MechanismMotion {
         self.component(arena, &vector, name.frame, name.axis)
     }
 
-    /// Component of a vector along an axis, 0, 1 or 2, of a frame, simplified.
+    /// Component of a vector along the axis 0, 1 or 2 of a frame, simplified.
     pub fn component(&mut self, arena: &mut Arena, vector: &Vector, frame: usize, axis: usize) -> Expr {
         let component = self.frames.component(arena, vector, frame, axis);
         self.simplifier.simplify(arena, component)
     }
 
-    /// Velocity, relative to the inertial frame, of the material of a body at a point.
+    /// Velocity in the inertial frame, m/s, of the material of a body that is at a point.
     pub fn material(&mut self, arena: &mut Arena, elements: &Elements, body: usize, point: usize) -> Vector {
         let body = &elements.bodies[body];
         match &body.rigid {
@@ -54,12 +59,12 @@ impl MechanismMotion {
         }
     }
 
-    /// Angular velocity of a frame relative to the inertial frame.
+    /// Angular velocity of a frame relative to the inertial frame, rad/s.
     pub fn turning(&self, frame: usize) -> Vector {
         self.motion.angular[frame].clone()
     }
 
-    /// Vector from one point to another, as a function of q.
+    /// Vector from one point to another, m, as a function of q.
     pub fn way(&self, arena: &mut Arena, from: usize, to: usize) -> Vector {
         let back = self.motion.positions[from].neg(arena);
         self.motion.positions[to].add(arena, &back)
@@ -71,14 +76,14 @@ impl MechanismMotion {
         self.simplifier.simplify(arena, square)
     }
 
-    /// Time derivative of a term in q, simplified.
+    /// Time derivative of a term in q, as a simplified term in q and q̇.
     pub fn rate(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         let rate = self.rates.apply(arena, e);
         self.simplifier.simplify(arena, rate)
     }
 
-    /// True if a body always has the same material at a point. Otherwise the power of a force at the point is not force
-    /// times velocity of the point.
+    /// True if a body always has the same material at a point. If false, the power of a force there is
+    /// not the force times the velocity of the point.
     pub fn stays(&mut self, arena: &mut Arena, elements: &Elements, Place { body, point }: Place) -> bool {
         let back = self.motion.linear[point].neg(arena);
         let slip = self.material(arena, elements, body, point).add(arena, &back);

@@ -1,4 +1,5 @@
-//! Potentials that the model file states: energies that depend only on coordinates, positions and time.
+//! Potentials that a model file states: energies that depend only on coordinates, positions and
+//! time.
 
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::{Gradient, Substitution};
@@ -10,15 +11,18 @@ use crate::read::Located;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
-/// A potential as the model file states it, with the byte range of its formula.
+/// Potential entry as the model file states it, with the byte range of its formula.
 pub struct StatedPotential {
+    /// Name of the potential in the model file.
     name: Located,
+    /// Energy, J, as a term in parameters, coordinates and positions.
     energy: Expr,
+    /// Byte range of the formula in the model file.
     span: Range<usize>,
 }
 
 impl<'a> Loading<'a> {
-    /// Reads the section `[potentials]` of a model file.
+    /// Reads the section `[potentials]` of a model file. Errors are recorded in the reader.
     pub fn potentials(&mut self, table: &'a DeTable<'a>) -> Vec<StatedPotential> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "potentials", &[]) {
@@ -39,7 +43,8 @@ impl<'a> Loading<'a> {
         list
     }
 
-    /// Potentials in which terms replace the positions that they name; reports a potential that exerts no force.
+    /// Replaces named positions in the stated potentials by terms. Reports and leaves out a potential
+    /// that exerts no force.
     pub fn placed_potentials(&mut self, put: &mut Substitution, stated: Vec<StatedPotential>) -> Vec<Potential> {
         let time = self.arena.find_symbol(crate::model::TIME);
         let mut coordinates = self.names.symbols_of(&[Kind::Coordinate]);

@@ -1,7 +1,8 @@
-//! Shapes of a mechanism, from `[shapes]` of a model file. Views draw them; no equation uses them.
+//! Shapes of the bodies of a mechanism, from `[shapes]` of a model file. Views draw them; no
+//! equation uses them.
 //!
-//! Invariant: no derived result depends on a shape. The hash of a model's text does not depend on shapes at the end of
-//! the file ([`equations_text`]).
+//! Invariant: no derived result depends on a shape. The hash of a model's text does not depend on
+//! shapes at the end of the file ([`equations_text`]).
 
 use super::elements::Elements;
 use crate::algebra::Expr;
@@ -25,25 +26,25 @@ pub struct Shape {
     pub about: String,
     /// Form of the shape.
     pub form: ShapeForm,
-    /// Index of the body to which the shape belongs; `None` if the model file names none.
+    /// Index of the body to which the shape belongs; `None` if the model file names no body.
     pub body: Option<usize>,
     /// Index of the frame in which the shape is fixed.
     pub frame: usize,
-    /// Index of the point from which the position of the shape's middle is measured.
+    /// Index of the point from which the position of the shape's centre is measured.
     pub point: usize,
-    /// Components of the position of the shape's middle relative to `point`, in `frame`, m.
+    /// Components, in `frame`, of the vector from `point` to the shape's centre, m.
     pub position: [Expr; 3],
 }
 
-/// Form of a shape: lengths in m, in parameters.
+/// Form of a shape with its lengths, m, as terms in parameters.
 #[derive(Clone, Debug)]
 pub enum ShapeForm {
-    /// A ball about the middle of the shape.
+    /// Ball about the shape's centre.
     Sphere {
         /// Radius of the ball, m.
         radius: Expr,
     },
-    /// A disk about an axis, 0, 1 or 2, of the shape's frame.
+    /// Disk about an axis, 0, 1 or 2, of the shape's frame.
     Disk {
         /// Axis of the disk: 0, 1 or 2.
         axis: usize,
@@ -52,7 +53,7 @@ pub enum ShapeForm {
         /// Thickness of the disk, m; `None` for a thin disk.
         thickness: Option<Expr>,
     },
-    /// A cylinder about an axis, 0, 1 or 2, of the shape's frame.
+    /// Cylinder about an axis, 0, 1 or 2, of the shape's frame.
     Cylinder {
         /// Axis of the cylinder: 0, 1 or 2.
         axis: usize,
@@ -61,19 +62,19 @@ pub enum ShapeForm {
         /// Length of the cylinder, m.
         length: Expr,
     },
-    /// A box along the axes of the shape's frame.
+    /// Box with edges along the axes of the shape's frame.
     Box {
-        /// Lengths of the box along the three axes, m.
+        /// Lengths of the edges along the three axes, m.
         size: [Expr; 3],
     },
-    /// A line through points, in their order.
+    /// Line through points, in their order.
     Line {
         /// Indices of the points, at least two.
         through: Vec<usize>,
         /// Radius of the line, m; `None` for a thin line.
         radius: Option<Expr>,
     },
-    /// A plane whose normal is an axis, 0, 1 or 2, of the shape's frame.
+    /// Plane whose normal is an axis, 0, 1 or 2, of the shape's frame.
     Ground {
         /// Axis normal to the plane: 0, 1 or 2.
         axis: usize,
@@ -81,7 +82,7 @@ pub enum ShapeForm {
 }
 
 impl ShapeForm {
-    /// Every length of the shape, after the key that states it.
+    /// All lengths of the shape, each as (key that states it, term in m).
     #[must_use]
     pub fn lengths(&self) -> Vec<(&'static str, Expr)> {
         match self {
@@ -97,7 +98,7 @@ impl ShapeForm {
     }
 }
 
-/// Kinds of shapes, each with its keys and an example.
+/// Kinds of shapes by name, each with its own keys and an example of an entry.
 const KINDS: [(&str, &[&str], &str); 6] = [
     ("sphere", &["radius"], "{ kind = \"sphere\", body = \"bob\", radius = \"r\" }"),
     ("disk", &["radius", "thickness", "axis"], "{ kind = \"disk\", body = \"wheel\", axis = 3, radius = \"R\" }"),
@@ -122,18 +123,22 @@ pub(crate) const SHAPE_KINDS: [&str; KINDS.len()] = {
     names
 };
 
-/// Keys that place a shape of any kind except a line.
+/// Keys that place a shape; a line has none of them.
 const PLACE: [&str; 4] = ["body", "frame", "at", "position"];
 
-/// Table of one shape, its name in messages, and the byte range of its name.
+/// Entry of `[shapes]` that is read, for error messages.
 struct Entry<'a, 'b> {
+    /// Table of the entry in the model file.
     table: &'a DeTable<'a>,
+    /// Name of the shape in messages, such as "shape `wheel`".
     what: &'b str,
+    /// Byte range of the shape's name in the model file.
     owner: &'b Range<usize>,
 }
 
 impl<'a> Loading<'a> {
-    /// Reads `[shapes]`. A shape may have the name of a body, such as a disk of a body `disk`.
+    /// Reads `[shapes]` of a model file. A shape may have the name of a body, such as a disk of a body
+    /// `disk`. Wrong shapes are reported and left out.
     pub fn shapes(&mut self, table: &'a DeTable<'a>, elements: &Elements, parameters: &[Parameter]) -> Vec<Shape> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "shapes", &[]) {
@@ -152,6 +157,7 @@ impl<'a> Loading<'a> {
         list
     }
 
+    /// Reads a single shape; `None` after an error is reported.
     fn shape(&mut self, elements: &Elements, name: &Located, entry: &Entry<'a, '_>) -> Option<Shape> {
         let kind = self.reader.need(entry.table, "kind", entry.what, entry.owner)?;
         let kind = self.reader.string(kind, "`kind`")?;
@@ -174,6 +180,7 @@ impl<'a> Loading<'a> {
         Some(Shape { name: name.text.clone(), about, form: form?, body, frame, point, position })
     }
 
+    /// Reads the form of a shape of this kind, with its lengths; `None` after an error is reported.
     fn form(&mut self, elements: &Elements, kind: &str, entry: &Entry<'a, '_>) -> Option<ShapeForm> {
         let axis = match self.reader.get(entry.table, "axis") {
             Some(value) => self.shape_axis(value)?,
@@ -201,6 +208,8 @@ impl<'a> Loading<'a> {
         })
     }
 
+    /// Reads the number of a shape's axis, 1, 2 or 3, as 0, 1 or 2. `None` after reporting another
+    /// value.
     fn shape_axis(&mut self, value: &'a Spanned<DeValue<'a>>) -> Option<usize> {
         let axis = match value.get_ref() {
             DeValue::Integer(n) => ["1", "2", "3"].iter().position(|axis| *axis == n.as_str()),
@@ -212,20 +221,21 @@ impl<'a> Loading<'a> {
         axis
     }
 
-    /// Reads a length that must be stated, m.
+    /// Reads a required length of a shape, m; `None` after an error is reported.
     fn size(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<Expr> {
         self.reader.need(entry.table, key, entry.what, entry.owner)?;
         self.optional_size(entry, key)
     }
 
-    /// Reads a length that may be absent, m. A wrong length is reported, and its shape is left out.
+    /// Reads an optional length of a shape, m. `None` if absent, or after an error is reported, for
+    /// which the shape is left out.
     fn optional_size(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<Expr> {
         let value = self.reader.get(entry.table, key)?;
         let formula = self.reader.formula(value, &format!("`{key}`"))?;
         self.shape_length(&formula, &format!("the {key} of {}", entry.what))
     }
 
-    /// Reads three lengths of a shape, m.
+    /// Reads three lengths of a shape, m; `None` after an error is reported.
     fn lengths(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<[Expr; 3]> {
         let value = self.reader.need(entry.table, key, entry.what, entry.owner)?;
         let triple = self.reader.triple(value, &format!("`{key}`"))?;
@@ -234,8 +244,9 @@ impl<'a> Loading<'a> {
         Some([a?, b?, c?])
     }
 
-    /// Reads a length of a shape, m: a formula of parameters, or a number with a unit of length. No equation contains
-    /// it, so no other formula has to fit its unit.
+    /// Reads a length of a shape, m: a formula of parameters, or a number with a unit of length. No
+    /// equation contains the number, so it does not become a parameter. `None` after an error is
+    /// reported.
     fn shape_length(&mut self, formula: &Located, what: &str) -> Option<Expr> {
         let metre = Unit::new(1, 0, 0);
         let Some(stated) = StatedUnit::of(&formula.text) else {
@@ -251,7 +262,8 @@ impl<'a> Loading<'a> {
         Some(stated.apply(&mut self.arena, number))
     }
 
-    /// Indices of the points of a line; reports fewer than two.
+    /// Reads `through`: indices of the points of a line. `None` after reporting fewer than two points
+    /// or an unknown point.
     fn through(&mut self, elements: &Elements, entry: &Entry<'a, '_>) -> Option<Vec<usize>> {
         let value = self.reader.need(entry.table, "through", entry.what, entry.owner)?;
         let help = "name two points or more, such as through = [\"O\", \"P\"]";
@@ -274,7 +286,8 @@ impl<'a> Loading<'a> {
         points.into_iter().collect()
     }
 
-    /// Body, frame and point of a shape. The frame and the point are those of the body, unless the shape names others.
+    /// Reads the body, frame and point of a shape, as indices. Frame and point are those of the body
+    /// unless the shape states others. `None` after reporting a shape without a place.
     fn where_it_is(
         &mut self,
         elements: &Elements,
@@ -310,7 +323,7 @@ impl<'a> Loading<'a> {
         Some((body, frame?, point?))
     }
 
-    /// Reports lengths of a shape that are not positive at the default values.
+    /// Reports lengths of a shape that are not positive at the default values of the parameters.
     fn positive_lengths(
         &mut self,
         parameters: &[Parameter],
@@ -330,16 +343,16 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Text of a model from which equations are derived: without the sections `[shapes]` and `[notation]` at its end, and
-/// without blank lines before them.
+/// Part of a model's text from which equations are derived. It leaves out the sections `[shapes]`
+/// and `[notation]` at the end of the file, and blank lines before them.
 ///
-/// Such sections elsewhere in the file stay. Text that only looks like a section stays too, such as a line in a longer
-/// text.
+/// These sections stay if another section follows them. Text that only resembles a section header
+/// stays too, such as a line in a longer string.
 #[must_use]
 pub fn equations_text(text: &str) -> &str {
     let is_look = |line: &str| ["[shapes]", "[shapes.", "[notation]"].iter().any(|look| line.starts_with(look));
     let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1));
-    // A header may be indented. A line that only looks like one keeps the whole text.
+    // A header may be indented. A line that only resembles a header keeps the whole text.
     let mut headers = starts
         .filter(|at| text[*at..].trim_start_matches([' ', '\t']).starts_with('['))
         .skip_while(|at| !is_look(&text[*at..]));
@@ -351,7 +364,8 @@ pub fn equations_text(text: &str) -> &str {
     while rest.ends_with("\n\n") {
         rest = &rest[..rest.len() - 1];
     }
-    // If this cuts through a text or a list, the rest is no longer a valid file.
+    // If the cut goes through a string or an array, the rest is no valid file, and the whole text is
+    // kept.
     let source = crate::diagnostic::Source::from_text("model.toml", rest);
     if Reader::parse(&source).is_ok() { rest } else { text }
 }

@@ -1,7 +1,8 @@
-//! Springs and dampers between two points.
+//! Springs and dampers between two points, as a model file states them.
 //!
-//! A spring of stiffness k and free length l₀, and a damper c, pull the ends together. The force is k (d − l₀) + c ḋ,
-//! where d is the distance of the ends. At rest the potential is k (d − l₀)²/2.
+//! A spring of stiffness k, N/m, and free length l₀, m, and a damper c, N s/m, pull their ends
+//! together with the force k (d − l₀) + c ḋ. Here d is the distance of the ends. The potential of
+//! the spring is k (d − l₀)²/2.
 
 use super::elements::Elements;
 use super::motion::MechanismMotion;
@@ -14,21 +15,26 @@ use crate::model::{Force, Place};
 use crate::read::Located;
 use toml::de::DeTable;
 
-/// A spring or damper as the model file states it.
+/// Spring or damper entry as the model file states it, before it becomes a force.
 pub struct StatedSpring {
+    /// Name of the spring in the model file.
     name: Located,
+    /// Body and point at one end of the spring.
     on: Place,
     /// Index of the body at the other end of the spring; `None` for the ground.
     against: Option<usize>,
     /// Index of the point at the other end of the spring.
     to: usize,
+    /// Stiffness, N/m, as a term in parameters.
     stiffness: Expr,
+    /// Free length, m, as a term in parameters.
     free_length: Expr,
+    /// Damping coefficient, N s/m, as a term in parameters.
     damping: Expr,
 }
 
 impl<'a> Loading<'a> {
-    /// Reads the section `[springs]` of a model file.
+    /// Reads the section `[springs]` of a model file. Errors are recorded in the reader.
     pub fn springs(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedSpring> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "springs", &[]) {
@@ -64,7 +70,8 @@ impl<'a> Loading<'a> {
         list
     }
 
-    /// Value in parameters of a spring under a key, in `unit`; 0 if the key is absent.
+    /// Reads a coefficient of a spring under a key, in the unit `unit`, as a term in parameters; 0 if
+    /// the key is absent. `None` after an error is reported.
     fn spring_number(&mut self, entry: &'a DeTable<'a>, key: &str, owner: &str, unit: &Unit) -> Option<Expr> {
         let Some(value) = self.reader.get(entry, key) else { return Some(Expr::ZERO) };
         let what = format!("`{key}` of {owner}");
@@ -72,8 +79,8 @@ impl<'a> Loading<'a> {
         self.quantity(&formula, PARAMETERS, unit, &what)
     }
 
-    /// Forces of springs and dampers. Reports a spring whose ends coincide at all times, or whose end moves in its
-    /// body.
+    /// Converts springs and dampers into forces, with components in the inertial frame. Reports and
+    /// leaves out a spring whose ends always coincide, or whose end moves relative to its body.
     pub fn spring_forces(
         &mut self,
         moving: &mut MechanismMotion,

@@ -1,5 +1,5 @@
-//! Decisions made in the closed poses of a mechanism: the constraints that follow from others there, and the joint
-//! speeds that describe the motion best.
+//! Choices made in the closed poses of a mechanism: which constraints are redundant there, and
+//! which joint speeds become generalized speeds.
 
 use super::closed_poses::{ClosedPoses, Dependent, Poses, reach};
 use super::motion::{SpeedDefinitions, Ties};
@@ -10,9 +10,9 @@ use crate::model::{Coordinate, DependentConstraint, MotionConstraintKind, Unit};
 use std::ops::{Range, RangeInclusive};
 
 impl Loading<'_> {
-    /// Removes from the independent constraints those that follow from others wherever the loops are closed. If there
-    /// are too many speeds, it chooses among those of joints. Without closed poses it removes the
-    /// constraints at `also`, whose rates follow from the others everywhere.
+    /// Removes constraints from `ties` that follow from others wherever the loops are closed. If there
+    /// are too many speeds, it chooses among those of joints. If no closed pose is found, it removes
+    /// the constraints at the indices `also`, whose rates follow from the other constraints everywhere.
     pub fn when_closed(
         &mut self,
         coordinates: &[Coordinate],
@@ -50,8 +50,8 @@ impl Loading<'_> {
         }
     }
 
-    /// Slopes of constraints and speeds in closed poses, on a branch whose number of freedoms is `declared`; `None` if
-    /// no closed pose is found.
+    /// Derivatives of constraints and speeds in closed poses, on a branch whose number of degrees of
+    /// freedom is in `declared`. `None` if no closed pose is found.
     fn closed_poses(
         &mut self,
         coordinates: &[Coordinate],
@@ -65,7 +65,7 @@ impl Loading<'_> {
         let equations = ties.motion.iter().map(|(c, _)| c.equation).chain(speeds.iter().copied());
         let rows: Result<Vec<Vec<Expr>>, _> =
             equations.map(|e| form.coefficients(&mut self.arena, e).map(|(row, _)| row)).collect();
-        // A row that is not linear is reported where the rates are solved for.
+        // A row that is not linear is reported later, when the equations are solved for the rates.
         let rows = rows.ok()?;
         let lengths = defaults.iter().filter(|(symbol, _)| self.units.get(symbol) == Some(&Unit::new(1, 0, 0)));
         let reach = reach(coordinates.iter().map(|c| c.unit.is_plain()), lengths.map(|(_, value)| *value));
@@ -77,8 +77,8 @@ impl Loading<'_> {
     }
 }
 
-/// Removes a constraint from the independent ones. A loop continues to be closed. Returns its name, and for a
-/// constraint between velocities the expression that is zero.
+/// Removes the constraint at an index from the independent constraints; a loop still has to be
+/// closed. Returns its name, and for a constraint between velocities the term that is zero.
 fn take_out(ties: &mut Ties, at: usize) -> (String, Option<Expr>) {
     let (constraint, _) = ties.motion.remove(at);
     let MotionConstraintKind::Loop(place) = constraint.kind else {

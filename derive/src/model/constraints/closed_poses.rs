@@ -1,12 +1,14 @@
-//! Closed poses of a mechanism with loops, at the default values of its parameters, and the constraints that are
-//! independent there.
+//! Closed poses of a mechanism, in which all its loops are closed, at the default values of its
+//! parameters. Finds the constraints that are independent in these poses.
 //!
-//! Loops may restrict more at random places than when closed. Six pins in space prevent all motion of six bars, except
-//! for special lengths. In the closed poses of such bars, one equation follows from the others (R. Bricard 1897). So
-//! independence is decided in closed poses, in doubles. Values that count as zero are far below the smallest value that
-//! does not.
-//! The poses are found by the method of Levenberg and Marquardt. If its damping is the square of the residual, it
-//! converges quadratically to solutions that are not isolated (N. Yamashita & M. Fukushima 2001).
+//! Loops may restrict more at random poses than in closed poses. Six pins in space prevent all
+//! motion of six bars, except for special lengths. In the closed poses of these special bars, one
+//! equation follows from the others (R. Bricard 1897). So independence is decided in closed poses,
+//! in doubles. Values that count as zero are far below the smallest value that does not.
+//!
+//! The poses are found by the method of Levenberg and Marquardt. With the square of the residual as
+//! damping, it converges quadratically to solutions that are not isolated (N. Yamashita & M.
+//! Fukushima 2001).
 
 use crate::algebra::Arena;
 use crate::algebra::Expr;
@@ -17,83 +19,103 @@ use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// Largest number of random starts of a search for closed poses; large mechanisms have fewer starts. `ENOUGH` poses end
-/// the search, and `STEPS` bounds the steps from one start.
+/// Largest number of random starts of a search for closed poses. Large mechanisms have fewer
+/// starts.
 const TRIES: usize = 40;
+/// Number of found closed poses at which a search ends.
 const ENOUGH: usize = 6;
+/// Largest number of steps of Levenberg and Marquardt's method from one start.
 const STEPS: usize = 200;
-/// Number of poses on a walk through closed poses. `STRIDE` is the step between two poses, over the reach of the
-/// coordinates. Mechanisms with more than `WALKED` loops are not walked.
+/// Number of poses on a walk through connected closed poses.
 const WALK: usize = 60;
+/// Distance of two poses on a walk through closed poses, relative to the ranges of the coordinates.
 const STRIDE: f64 = 0.05;
+/// Largest number of loops of a mechanism for which the search walks through closed poses.
 const WALKED: usize = 24;
-/// Largest number of loops for which poses are also found by closing one loop after another. This search has `GROWTHS`
-/// random starts, and walks from `WAYS` of its poses.
+/// Largest number of loops for which poses are also found by closing one loop after another.
 const GROWN: usize = 60;
+/// Number of random starts of the search that closes one loop after another.
 const GROWTHS: usize = 16;
+/// Number of poses, found by closing one loop after another, from which the search walks on.
 const WAYS: usize = 2;
-/// Residual up to which a loop counts as closed, over the length of the loop's row of slopes.
+/// Residual up to which a loop counts as closed, relative to the length of the loop's row of
+/// derivatives.
 const CLOSED: f64 = 1e-13;
-/// Residual above which a row of length 1 is independent of other rows, after these are projected out of it.
+/// Norm of a row of length 1, after other rows are projected out, above which the row is
+/// independent of them.
 const INDEPENDENT: f64 = 1e-6;
-/// Residual below which a row of length 1 depends on other rows. A residual between this and `INDEPENDENT` decides
-/// nothing.
+/// Norm of a row of length 1, after other rows are projected out, below which the row depends on
+/// them. A norm between this value and `INDEPENDENT` is undecided.
 const DEPENDENT: f64 = 1e-8;
 
-/// Loop equations of a mechanism, known values of parameters, and the ranges from which coordinates are drawn.
+/// Search for closed poses: loop equations, parameter values, and the ranges of random coordinates.
 pub struct Poses<'m> {
+    /// Symbols of the parameters with their values, in SI units.
     pub known: &'m [(Expr, f64)],
+    /// Symbols of the coordinates, which the search changes.
     pub coordinates: &'m [Expr],
-    /// Largest absolute value at which a coordinate is drawn: π for angles, a length of the mechanism for distances.
+    /// Largest absolute value of each random coordinate: π rad for angles, a length of the mechanism
+    /// for distances, m.
     pub reach: &'m [f64],
+    /// Left sides of the loop equations, which are zero in closed poses.
     pub loops: &'m [Expr],
-    /// Additional residual allowed for each equation, over the norm of all slopes; 0 if every equation has a slope. An
-    /// equation may have no slope of its own in the pose.
+    /// Additional residual allowed for each equation, relative to the norm of all derivatives. It
+    /// serves equations without derivatives in the pose; otherwise it is 0.
     pub flat: f64,
 }
 
-/// A constraint that follows from others in every closed pose that was found.
+/// Redundant constraint: it follows from others in every closed pose that was found.
 pub struct Dependent {
-    /// Index of the dependent constraint. `of` has the indices of the constraints from which it follows.
+    /// Index of the redundant constraint.
     pub at: usize,
+    /// Indices of the constraints from which it follows.
     pub of: Vec<usize>,
 }
 
-/// Slopes of constraints and speeds in closed poses: rows of length 1, and the rows among them that are independent.
+/// Derivatives of constraints and speeds in closed poses, scaled to rows of length 1, with the
+/// independent rows among them.
 pub struct ClosedPoses {
+    /// Matrix of derivatives in each closed pose: a row for each constraint, then for each speed.
     poses: Vec<DMatrix<f64>>,
-    /// Indices of the rows that are independent of earlier rows, in order, in the pose where most rows are independent.
+    /// Indices of the constraint rows that are independent of one another, ascending.
     independent: Vec<usize>,
-    /// Dependent rows, each with the rows from which it follows.
+    /// Redundant rows, each with the rows from which it follows.
     dependent: Vec<Dependent>,
+    /// Branch of closed poses with its rank.
     branch: Branch,
 }
 
-/// Coordinates, rows of slopes, and independent rows of one closed pose.
+/// A closed pose, with the rows of derivatives in it and their dependence.
 struct ClosedPose {
+    /// Coordinates of the pose, in SI units.
     q: Vec<f64>,
+    /// Rows of derivatives in the pose, scaled to length 1.
     matrix: DMatrix<f64>,
+    /// Independent and dependent rows among those of constraints.
     rows: Rows,
 }
 
-/// Indices of rows that are independent of earlier rows, and rows that depend on earlier rows.
+/// Split of rows into those independent of earlier rows, and those that depend on earlier rows.
 struct Rows {
+    /// Indices of the independent rows.
     independent: Vec<usize>,
+    /// Dependent rows, each with the rows from which it follows.
     dependent: Vec<Dependent>,
-    /// Smallest residual of an independent row, and largest residual of a dependent one.
+    /// Smallest norm that an independent row keeps after projection, and largest norm that a dependent
+    /// row keeps.
     left: (f64, f64),
 }
 
-/// A generator of random numbers that are the same on every machine (G. Marsaglia 2003, xorshift64*).
+/// Generator of random numbers that are equal on every machine (G. Marsaglia 2003, xorshift64*).
 pub struct Chance(u64);
 
 impl Chance {
-    /// A generator with a fixed seed, which gives equal numbers in every run.
+    /// Creates a generator with a fixed seed, which gives the same numbers in every run.
     pub fn new() -> Self {
         Self(SEED)
     }
 
-    /// Next random number, between -1 and 1.
+    /// Next random number, from −1 to 1.
     pub fn draw(&mut self) -> f64 {
         self.0 ^= self.0 >> 12;
         self.0 ^= self.0 << 25;
@@ -108,13 +130,15 @@ impl Chance {
 /// Seed of the random numbers in searches for closed poses.
 const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// Factor by which the least singular value of a later choice of rows must exceed that of the earliest choice.
+/// Factor by which the smallest singular value of a later choice of rows must exceed that of an
+/// earlier choice.
 const BETTER: f64 = 1.5;
 
 impl ClosedPoses {
-    /// Finds closed poses and judges rows there: first `constraints` rows of constraints, then rows of speeds, in q.
-    /// The poses are on a branch whose number of freedoms is `declared`, if there is such a branch. `None` if no pose
-    /// was found, or a value is not known.
+    /// Finds closed poses and determines the independent rows in them. `rows` are the derivatives of
+    /// `constraints` constraints, then of speeds, as terms in q. The poses are on a branch whose number
+    /// of degrees of freedom is in `declared`, if there is such a branch. `None` if no pose was found,
+    /// or if a value is not known.
     pub fn new(
         arena: &mut Arena,
         poses: &Poses<'_>,
@@ -137,8 +161,8 @@ impl ClosedPoses {
         let freedoms = |found: &ClosedPose| poses.coordinates.len() - found.rows.independent.len();
         let is_declared = |found: &ClosedPose| declared.contains(&freedoms(found));
         let mut all: Vec<ClosedPose> = poses.find(&of_loops).into_iter().filter_map(judged).collect();
-        // Random poses reach the branch with most freedoms, although a mechanism may be meant to be assembled on
-        // another branch.
+        // Random poses reach the branch with most degrees of freedom. A mechanism may be meant to be
+        // assembled on another branch.
         if !all.iter().any(is_declared) || all.iter().any(|found| freedoms(found) != freedoms(&all[0])) {
             let moves = |found: &&ClosedPose| is_declared(found) && (freedoms(found) > 0 || *declared.end() == 0);
             let best = |list: &[ClosedPose]| list.iter().filter(moves).map(|found| found.rows.independent.len()).max();
@@ -151,13 +175,13 @@ impl ClosedPoses {
         if all.iter().any(is_declared) {
             all.retain(is_declared);
         }
-        // A mechanism may be unable to move in a pose that is closed the other way round. Such a pose tells nothing
-        // about the poses in which it moves.
+        // A mechanism may be unable to move in another assembly. Such a pose tells nothing about the poses
+        // in which it moves.
         let moves = |found: &ClosedPose| found.rows.independent.len() < poses.coordinates.len();
         if all.iter().filter(|found| moves(found)).count() > ENOUGH {
             all.retain(moves);
         }
-        // At singular poses more rows are dependent than elsewhere: these poses tell nothing about the others.
+        // At singular poses more rows are dependent than elsewhere, so these poses are left out.
         let most = all.iter().map(|found| found.rows.independent.len()).max()?;
         all.retain(|found| found.rows.independent.len() == most);
         let branch = Branch {
@@ -185,19 +209,20 @@ impl ClosedPoses {
         self.poses.len()
     }
 
-    /// Branch of closed poses on which independence was decided.
+    /// Branch of closed poses in which independence was decided.
     pub fn branch(&self) -> &Branch {
         &self.branch
     }
 
-    /// Constraints that follow from others in every closed pose that was found.
+    /// Redundant constraints: they follow from others in every closed pose that was found.
     pub fn dependent(&self) -> &[Dependent] {
         &self.dependent
     }
 
-    /// Least singular value of these rows over all closed poses: their distance from dependent rows.
+    /// Smallest singular value of these rows over all closed poses, a measure of their independence; 0
+    /// if a value is missing.
     fn least(&self, rows: &[usize]) -> f64 {
-        // A pose in which a slope has no value distinguishes no rows.
+        // A pose in which a derivative has no value distinguishes no rows.
         let value = |pose: &DMatrix<f64>| {
             let part = pose.select_rows(rows);
             if part.iter().all(|x| x.is_finite()) { part.singular_values().min() } else { 0.0 }
@@ -205,8 +230,8 @@ impl ClosedPoses {
         self.poses.iter().map(value).fold(f64::INFINITY, f64::min)
     }
 
-    /// Chooses the dependent row of each dependent group: the row without which the other rows are farthest from
-    /// dependent.
+    /// Chooses the redundant row of each group of dependent rows: the row without which the other rows
+    /// have the largest smallest singular value.
     fn choose_dependent(&mut self) {
         for at in 0..self.dependent.len() {
             let Dependent { at: last, of } = &self.dependent[at];
@@ -230,8 +255,9 @@ impl ClosedPoses {
         self.dependent.sort_by_key(|dependent| dependent.at);
     }
 
-    /// Chooses up to `wanted` rows of `among` that stay independent in all closed poses, together with the rows `kept`.
-    /// Rows whose choice leaves the largest least singular value come first.
+    /// Chooses up to `wanted` rows of `among` that stay independent of each other and of the rows
+    /// `kept` in all closed poses. The row that leaves the largest smallest singular value is chosen
+    /// first. Returns ascending indices.
     pub fn choose(&self, mut kept: Vec<usize>, mut among: Vec<usize>, wanted: usize) -> Vec<usize> {
         let mut chosen = Vec::new();
         while chosen.len() < wanted {
@@ -252,20 +278,21 @@ impl ClosedPoses {
         chosen
     }
 
-    /// Indices of constraints that do not follow from others.
+    /// Indices of the constraints that do not follow from others.
     pub fn independent(&self) -> &[usize] {
         &self.independent
     }
 }
 
-/// Splits the first `count` rows into independent and dependent ones, in order. `None` if a residual decides nothing.
+/// Splits the first `count` rows into independent and dependent rows, in order. `None` if a norm is
+/// undecided.
 fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<Rows> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut rows = Rows { independent: Vec::new(), dependent: Vec::new(), left: (f64::INFINITY, 0.0) };
     for at in 0..count {
         let row: DVector<f64> = matrix.row(at).transpose();
         let mut left = row.clone();
-        // Twice, to remove the rounding error of the first projection.
+        // Projected twice, to remove the rounding error of the first projection.
         for _ in 0..2 {
             for other in &basis {
                 left -= other * other.dot(&left);
@@ -286,7 +313,8 @@ fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<Rows> {
     Some(rows)
 }
 
-/// Indices of the rows, among those kept, of which a row is a linear combination. `None` if the solution fails.
+/// Indices of those rows, among `kept`, of which `row` is a linear combination. `None` if the
+/// combination cannot be computed.
 fn shares(matrix: &DMatrix<f64>, kept: &[usize], row: &DVector<f64>) -> Option<Vec<usize>> {
     let rows = matrix.select_rows(kept).transpose();
     if !rows.iter().all(|x| x.is_finite()) {
@@ -297,15 +325,18 @@ fn shares(matrix: &DMatrix<f64>, kept: &[usize], row: &DVector<f64>) -> Option<V
 }
 
 impl Poses<'_> {
+    /// Symbols of the inputs of the loop program: parameters, then coordinates.
     fn inputs(&self) -> Vec<Expr> {
         self.known.iter().map(|(symbol, _)| *symbol).chain(self.coordinates.iter().copied()).collect()
     }
 
+    /// Values of the inputs of the loop program: parameters, then the coordinates `q`.
     fn with_known(&self, q: &[f64]) -> Vec<f64> {
         self.known.iter().map(|(_, value)| *value).chain(q.iter().copied()).collect()
     }
 
-    /// Closed poses found from random places, and on walks from these.
+    /// Closed poses found from random poses and on walks from these; each has a value for every
+    /// coordinate.
     fn find(&self, tape: &Tape) -> Vec<Vec<f64>> {
         let mut chance = Chance(SEED);
         let mut found = self.seek(tape, &mut chance, self.tries(), ENOUGH);
@@ -317,8 +348,8 @@ impl Poses<'_> {
         found
     }
 
-    /// Closed poses on the branches with the fewest freedoms, found by closing one loop after another. A search that
-    /// closes all loops at once ends on branches with most freedoms.
+    /// Closed poses on the branches with the fewest degrees of freedom, found by closing one loop after
+    /// another. A search that closes all loops at once ends on branches with most degrees of freedom.
     fn grown(&self, tape: &Tape) -> Vec<Vec<f64>> {
         let mut chance = Chance(SEED ^ 1);
         let (rows, columns) = (self.loops.len(), self.coordinates.len());
@@ -352,24 +383,26 @@ impl Poses<'_> {
         found
     }
 
-    /// At most `most` closed poses, found from random places alone; `None` if a value is not known.
+    /// Finds at most `most` closed poses from random poses, without walks. `None` if a value is not
+    /// known.
     pub fn some(&self, arena: &mut Arena, most: usize) -> Option<Vec<Vec<f64>>> {
         self.seek_from(arena, self.tries(), most)
     }
 
-    /// At most `most` closed poses, found from at most this number of random places alone; `None` if a value is not
-    /// known.
+    /// Finds at most `most` closed poses from at most `tries` random poses, without walks. `None` if a
+    /// value is not known.
     pub fn seek_from(&self, arena: &mut Arena, tries: usize, most: usize) -> Option<Vec<Vec<f64>>> {
         let tape = self.tape(arena)?;
         Some(self.seek(&tape, &mut Chance(SEED), tries, most))
     }
 
-    /// Number of random starts of a search for closed poses; smaller for more loops.
+    /// Number of random starts of a search for closed poses: 40 for few loops, down to 3 for many.
     pub fn tries(&self) -> usize {
         (TRIES * 1000 / (self.loops.len().pow(2) + 1)).clamp(3, TRIES)
     }
 
-    /// Values of all loop equations, then their slopes along the coordinates, as one program.
+    /// Program for the values of all loop equations, then their derivatives with respect to the
+    /// coordinates. `None` if a symbol is not known.
     fn tape(&self, arena: &mut Arena) -> Option<Tape> {
         let mut gradient = Gradient::new(self.coordinates);
         let mut all = self.loops.to_vec();
@@ -383,6 +416,7 @@ impl Poses<'_> {
         Tape::new(arena, &self.inputs(), &all).ok()
     }
 
+    /// Searches for closed poses from at most `tries` random poses, until `most` are found.
     fn seek(&self, tape: &Tape, chance: &mut Chance, tries: usize, most: usize) -> Vec<Vec<f64>> {
         let mut found = Vec::new();
         for _ in 0..tries {
@@ -397,7 +431,8 @@ impl Poses<'_> {
         found
     }
 
-    /// Adds closed poses on a walk from one pose, ahead along a direction that the loops leave open.
+    /// Adds closed poses on a walk from the pose `q`. Each step continues the last direction as far as
+    /// the loops permit.
     fn walk(&self, tape: &Tape, mut q: Vec<f64>, chance: &mut Chance, found: &mut Vec<Vec<f64>>) {
         let (rows, columns) = (self.loops.len(), self.coordinates.len());
         let start: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();
@@ -410,7 +445,7 @@ impl Poses<'_> {
             }
             let svd = slopes.svd(false, true);
             let (Some(axes), largest) = (svd.v_t, svd.singular_values.max()) else { return };
-            // Continue in the direction so far, as far as the loops permit.
+            // Keep the part of the last direction that the loops permit.
             let mut onward = direction.clone();
             for (axis, value) in axes.row_iter().zip(svd.singular_values.iter()) {
                 if *value > INDEPENDENT * largest {
@@ -432,7 +467,8 @@ impl Poses<'_> {
         }
     }
 
-    /// Moves `q` to a pose in which the first `rows` loops are closed. Returns false if no such pose is reached.
+    /// Moves `q` to a pose in which the first `rows` loops are closed. Returns false if no such pose is
+    /// reached.
     fn closes(&self, tape: &Tape, rows: usize, q: &mut Vec<f64>) -> bool {
         let (columns, all) = (q.len(), self.loops.len());
         let at = |q: &[f64]| {
@@ -476,8 +512,8 @@ impl Poses<'_> {
     }
 }
 
-/// Largest absolute values at which coordinates are drawn: π for angles. For distances, twice the longest known length,
-/// or 1 if no length is known.
+/// Largest absolute values of random coordinates: π rad for angles. For distances, twice the
+/// longest of the `lengths`, or 1 m if there is none.
 pub fn reach(is_angle: impl Iterator<Item = bool>, lengths: impl Iterator<Item = f64>) -> Vec<f64> {
     let longest = lengths.fold(0.0, |most: f64, length| most.max(length.abs()));
     let longest = if longest > 0.0 { 2.0 * longest } else { 1.0 };

@@ -1,8 +1,9 @@
-//! Bodies that a constraint of the model file ties, and a test whether the constraint compares them.
+//! Comparison of bodies by constraints: finds the bodies that a constraint relates, and tests
+//! whether it compares their motions.
 //!
-//! An equation compares two bodies if it stays true while both move together: along each direction the slopes of its
-//! variables sum to zero, as in `y2 = y1 + h`. A rope over a pulley, `a + b = l`, ties two bodies and compares none:
-//! the pulley carries both.
+//! An equation compares two bodies if it stays satisfied while both move together. Then, for each
+//! direction, the derivatives with respect to its variables sum to zero, as in `y2 = y1 + h`. A
+//! rope over a pulley, `a + b = l`, relates two bodies and compares none: the pulley supports both.
 
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::text::parse::VelocityOf;
@@ -14,15 +15,17 @@ use crate::model::reading::names::Kind;
 use crate::model::reading::reader::Loading;
 use crate::model::{Coordinate, NamedVelocity};
 
-/// A variable of an equation.
+/// Variable of a constraint's equation, with the motion that it causes.
 struct Tied {
+    /// Symbol of the variable.
     symbol: Expr,
     /// Motion of a body along an axis with the variable; `None` for any other motion.
     motion: Option<AxisMotion>,
 }
 
 impl Loading<'_> {
-    /// Finds the bodies that an equation ties. Named velocities must still be symbols in the equation.
+    /// Finds the bodies that a constraint's equation relates. Named velocities must still be symbols in
+    /// the equation.
     pub fn compared(
         &mut self,
         elements: &Elements,
@@ -44,7 +47,7 @@ impl Loading<'_> {
             })
             .collect();
         let mut own = Vec::new();
-        // Coordinates next to several names, or next to speeds, are coefficients.
+        // Coordinates are coefficients if the equation also contains several named velocities, or speeds.
         if names.len() <= 1 && !has_speeds {
             for (body, symbol, coordinate) in own_variables(&self.arena, elements, coordinates, equation) {
                 own.push(body);
@@ -66,8 +69,8 @@ impl Loading<'_> {
         Compared { name: name.to_owned(), alone, named, own, moved, is_difference }
     }
 
-    /// Indices of bodies whose own coordinates an equation contains, in the order of the model file. If the equation
-    /// contains rates, those count instead.
+    /// Indices of bodies whose own coordinates an equation contains, in the order of the model file. If
+    /// the equation contains rates, these count instead of coordinates.
     pub fn moved(&self, elements: &Elements, coordinates: &[Coordinate], equation: Expr) -> Vec<usize> {
         let own = own_variables(&self.arena, elements, coordinates, equation);
         let mut bodies: Vec<usize> = own.into_iter().map(|(body, ..)| body).collect();
@@ -77,8 +80,8 @@ impl Loading<'_> {
     }
 }
 
-/// Coordinates of an equation that each move one body alone: the body, the symbol in the equation, and the coordinate.
-/// If the equation contains rates, the symbols are rates.
+/// Coordinates in an equation that each move a single body, as (body, symbol in the equation,
+/// coordinate). If the equation contains rates, the symbols are rates.
 fn own_variables(
     arena: &Arena,
     elements: &Elements,
@@ -92,8 +95,8 @@ fn own_variables(
     tied.filter_map(|(symbol, coordinate)| Some((elements.placed_by(arena, coordinate)?, symbol, coordinate))).collect()
 }
 
-/// True if an equation stays true while everything that it ties moves together along each direction; false if a
-/// direction is unknown.
+/// True if an equation stays satisfied while everything that it relates moves together along each
+/// direction. False if it does not, or if a direction is unknown.
 fn is_difference(arena: &mut Arena, tied: &[Tied], equation: Expr) -> bool {
     let Some(motions) = tied.iter().map(|one| one.motion).collect::<Option<Vec<_>>>() else { return false };
     let symbols: Vec<Expr> = tied.iter().map(|one| one.symbol).collect();

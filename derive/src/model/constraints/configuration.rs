@@ -1,10 +1,12 @@
-//! Constraints between coordinates, which are solved for one coordinate if possible, and constraints between
-//! velocities.
+//! Configuration constraints: equations between coordinates, solved for a coordinate if possible.
+//! Reads all entries of `[constraints]`.
 //!
-//! A coordinate for which a constraint is solved leaves the model. No solution mentions such a coordinate: each new
-//! solution is put into those before it. A prescribed coordinate stays, tied by its
-//! constraint, if a potential pushes along it. If a value replaced it, the potential would depend on time alone there
-//! and push nothing. The drive of the coordinate would then seem to need no more power than without the potential.
+//! A coordinate for which a constraint is solved leaves the model. Each new solution is substituted
+//! into the earlier solutions, so no solution contains these coordinates.
+//!
+//! A prescribed coordinate stays, with its constraint, if a potential depends on it. If a value
+//! replaced the coordinate, the potential would depend on time alone there and exert no force. The
+//! power of the drive would then lack the potential's part.
 
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::{Differential, Substitution};
@@ -18,34 +20,35 @@ use crate::read::Reader;
 use std::ops::Range;
 use toml::de::DeTable;
 
-/// A constraint as read, before it is solved.
+/// Constraint of a model file as read, before it is solved.
 pub struct StatedConstraint {
-    /// Name of the constraint.
+    /// Name of the constraint in the model file.
     pub name: String,
-    /// Left side less right side of the constraint: the expression that is zero.
+    /// Left side less right side of the constraint: the term that is zero.
     pub equation: Expr,
-    /// Index of the reaction that enforces the constraint; `None` if the model file names none.
+    /// Index of the reaction that enforces the constraint; `None` if the model file states none.
     pub enforced_by: Option<usize>,
     /// Byte range of the equation in the model file.
     pub span: Range<usize>,
-    /// True if the equation may follow from other constraints without an error. It is then no constraint.
+    /// True if the equation may be redundant without an error; it is then no constraint. False for an
+    /// entry of `[constraints]`, whose redundancy is an error.
     pub may_repeat: bool,
 }
 
 impl StatedConstraint {
-    /// The constraint after a substitution in its equation.
+    /// Copy of the constraint with a substitution applied to its equation.
     pub fn with(self, arena: &mut Arena, put: &mut Substitution) -> Self {
         Self { equation: put.apply(arena, self.equation), ..self }
     }
 }
 
 impl<'a> Loading<'a> {
-    /// Reads the section `[constraints]` of a model file.
+    /// Reads the section `[constraints]` of a model file. Errors are recorded in the reader.
     pub fn constraints(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedConstraint> {
         let mut stated = Vec::new();
         for (name, value) in self.section(table, "constraints", &[]) {
             let (value, enforced_by) = if value.get_ref().is_str() {
-                // `NAME = "z = 0"` is the short form for a constraint that needs only its equation.
+                // `NAME = "z = 0"` is the short form of a constraint with only an equation.
                 self.names.declare(&mut self.reader, &name, Kind::Constraint, None);
                 (value, None)
             } else {
@@ -79,7 +82,8 @@ impl<'a> Loading<'a> {
         stated
     }
 
-    /// Index of the reaction that a constraint names; `None` if it names none.
+    /// Index of the reaction under the key `enforced_by`. `None` if the key is absent, or after an
+    /// error is reported.
     fn enforced_by(&mut self, entry: &'a DeTable<'a>, elements: &Elements) -> Option<usize> {
         let value = self.reader.get(entry, "enforced_by")?;
         let reaction = self.reader.string(value, "`enforced_by`")?;
@@ -88,38 +92,41 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Results of solving constraints between coordinates.
+/// Results of solving the constraints between coordinates.
 pub struct Solved {
     /// Constraints that were solved for a coordinate.
     pub constraints: Vec<Constraint>,
-    /// Coordinates that constraints fix, and the time derivatives of these, each with its replacement.
+    /// Coordinates that constraints determine, and their rates, each with the term that replaces it.
     pub replacements: Vec<(Expr, Expr)>,
     /// Constraints that could not be solved for a coordinate: loops and prescribed coordinates.
     pub kept: Vec<StatedConstraint>,
-    /// Names of constraints that follow from others, which is no error for them.
+    /// Names of redundant constraints whose redundancy is no error.
     pub repeated: Vec<String>,
-    /// Names of constraints of the model file that stay unsolved and contain one coordinate other than time.
+    /// Names of unsolved constraints of the model file that contain a single coordinate other than
+    /// time.
     pub prescribing: Vec<String>,
-    /// Coordinates that equations of closed joints fix.
+    /// Coordinates that equations of closing joints determine.
     pub opened: Opened,
-    /// Term that divides by zero once the solutions are put into one another; `None` if there is none.
+    /// Term that divides by zero after the solutions are substituted into one another; `None` if there
+    /// is none.
     pub undefined: Option<Expr>,
 }
 
-/// Coordinates that equations of closed joints fix, and that would move if these joints were open.
+/// Coordinates that equations of closing joints determine, and that would move freely if these
+/// joints were open.
 #[derive(Default)]
 pub struct Opened {
-    /// Symbols of the coordinates.
+    /// Symbols of the coordinates that equations of closing joints determine.
     pub symbols: Vec<Expr>,
-    /// Rates of the coordinates, in the same order.
+    /// Symbols of the rates of the coordinates in `symbols`, in the same order.
     pub rates: Vec<Expr>,
-    /// Coordinates that the model file's own constraints fix, and their rates, each with its value in the coordinates
-    /// that these constraints leave.
+    /// Coordinates and rates that the model file's own constraints determine, each with its value in
+    /// the remaining coordinates.
     pub before: Vec<(Expr, Expr)>,
 }
 
-/// Solves constraints for coordinates, one after the other, and removes these coordinates. Reports constraints that are
-/// always or never fulfilled.
+/// Solves constraints one after the other for a coordinate and removes these coordinates from the
+/// list. Reports constraints that are always or never satisfied.
 pub fn solve_all(
     reader: &mut Reader<'_>,
     arena: &mut Arena,
@@ -205,13 +212,14 @@ pub fn solve_all(
     Solved { constraints: solved, replacements, kept, repeated, prescribing, opened, undefined }
 }
 
-/// Symbols of the coordinates other than time.
+/// Symbols of the coordinates without time.
 fn own(coordinates: &[Coordinate]) -> Vec<Expr> {
     coordinates.iter().filter(|c| c.name != TIME).map(|c| c.symbol).collect()
 }
 
-/// Solves an equation for the last coordinate in which it is linear with a constant, nonzero factor: index and value.
-/// If the equation contains time, coordinates that `energies` contain are excluded.
+/// Solves an equation for the last coordinate in which it is linear with a constant, nonzero
+/// factor. Returns the coordinate's index and value; `None` if there is none. If the equation
+/// contains time, coordinates that occur in `energies` are excluded.
 fn solve_one(
     arena: &mut Arena,
     coordinates: &[Coordinate],

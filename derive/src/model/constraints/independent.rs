@@ -1,10 +1,14 @@
-//! Choice of independent motion constraints.
+//! Independent motion constraints: chooses them among all constraints and leaves out redundant
+//! ones.
 //!
-//! Components of rolling that follow from other constraints are left out: the coordinates often already keep a body
-//! from penetrating the ground. Along some axes a component follows in most poses only. An example is two wheels on an
-//! axle. The second wheel's slip along a fixed axis of the ground tells how that wheel turns, except where the wheel
-//! heads across the axis. So a contact whose frame the model file does not state is taken along the axes of another
-//! frame. In that frame every component that follows does so in every pose, if the mechanism has such a frame.
+//! Components of rolling that follow from other constraints are left out. Often the coordinates
+//! already keep a body from penetrating the ground. Along some axes a component follows in most
+//! poses only. An example is two wheels on an axle: the second wheel's slip along a fixed axis of
+//! the ground determines its rotation, except where the wheel heads across that axis.
+//!
+//! So a contact whose frame the model file does not state may be taken along the axes of another
+//! frame. In that frame every redundant component is redundant in every pose, if the mechanism has
+//! such a frame.
 
 use super::closed_poses::{Poses, reach};
 use crate::algebra::form::simplify::Simplifier;
@@ -24,72 +28,88 @@ use crate::read::Located;
 use rustc_hash::FxHashSet;
 use std::ops::Range;
 
-/// An equation A q̇ + a = 0 before it is known to be independent.
+/// Candidate for a motion constraint: an equation A q̇ + a = 0 before its independence is known.
 pub struct Candidate {
+    /// Name of the constraint.
     pub name: String,
+    /// Left side of the equation, linear in the rates.
     pub equation: Expr,
+    /// Kind of the constraint.
     pub kind: MotionConstraintKind,
+    /// Index of the reaction that enforces the constraint; `None` if the model file states none.
     pub enforced_by: Option<usize>,
+    /// Byte range of the constraint in the model file.
     pub span: Range<usize>,
+    /// True if the equation may be redundant without an error.
     pub may_repeat: bool,
 }
 
-/// Independent constraints, and equations that follow from them.
+/// Independent motion constraints, and redundant equations.
 #[derive(Default)]
 pub struct Independent {
+    /// Independent constraints, each with its byte range in the model file.
     pub motion: Vec<(MotionConstraint, Range<usize>)>,
+    /// Redundant equations of rolling and of joints.
     pub repeated: Vec<Repeated>,
-    /// Loops of joints whose rates follow from other constraints. Where the others are closed, these loops may be
-    /// closed or open.
+    /// Loops of joints whose rates follow from other constraints. Where the other loops are closed,
+    /// these loops may be closed or open.
     pub also: Vec<(MotionConstraint, Range<usize>)>,
 }
 
-/// Coordinates, elements and loops to which constraints refer.
+/// Coordinates, elements, loops and parameter values to which the constraints refer.
 pub struct ConstrainedSystem<'m> {
+    /// Coordinates that no constraint has eliminated.
     pub coordinates: &'m [Coordinate],
+    /// Frames, points and bodies.
     pub elements: &'m Elements,
     /// Equations between coordinates, indexed by [`MotionConstraintKind::Loop`].
     pub loops: &'m [Loop],
-    /// Symbols of parameters with their default values.
+    /// Symbols of the parameters with their default values, in SI units.
     pub defaults: &'m [(Expr, f64)],
 }
 
-/// Number of closed poses in which an equation that restricts no further velocity is tested.
+/// Number of closed poses in which a redundant equation between coordinates is tested.
 const POSES: usize = 6;
-/// Residual up to which such an equation holds in a closed pose, over the sum of its slopes times the reach of the
-/// coordinates.
+/// Residual up to which a redundant equation holds in a closed pose, relative to the sum of its
+/// derivatives times the ranges of the coordinates.
 const CLOSED: f64 = 1e-8;
 
-/// Constraints taken so far, and the rows against which candidates are tested.
+/// Constraints accepted so far, with the rows against which further candidates are tested.
 struct Taken {
+    /// Form that extracts the coefficients of the rates from a linear term.
     form: LinearForm,
-    /// Coefficients of each constraint taken: slopes along the rates, then the term without rates.
+    /// Rows of the accepted constraints: coefficients of the rates, then the term without rates.
     rows: Vec<Vec<Expr>>,
-    /// Slopes along the rates of the constraints taken that are not contacts.
+    /// Coefficients of the rates in the accepted constraints that are not rolling contacts.
     others: Vec<Vec<Expr>>,
-    /// Slip velocities of the contacts taken, each with all three components.
+    /// Slip velocities of the accepted rolling contacts, each with all three components.
     slips: Vec<Vector>,
+    /// Frames of the model, with their rotation matrices.
     frames: Frames,
+    /// Simplifier of slip components.
     simplifier: Simplifier,
-    /// Symbols of the coordinates, including time.
+    /// Symbols of the coordinates, time included.
     places: FxHashSet<Expr>,
+    /// Independent constraints and redundant equations found so far.
     found: Independent,
 }
 
 impl Taken {
-    /// Slopes along the rates of every constraint taken, without the term that has no rates.
+    /// Coefficients of the rates in every accepted constraint, without the term that has no rates.
     fn slopes(&self) -> Vec<Vec<Expr>> {
         self.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect()
     }
 
+    /// Components of a slip velocity along the axes of a frame, simplified.
     fn components(&mut self, arena: &mut Arena, slip: &Vector, frame: usize) -> [Expr; 3] {
         let components = self.frames.express(arena, slip, frame);
         components.map(|e| self.simplifier.simplify(arena, e))
     }
 
-    /// True if every component of a contact along the axes of a frame that follows from other constraints does so in
-    /// every pose. A component may also follow from other components of the contact. Earlier contacts are taken along
-    /// the same axes: their three components together say the same along any axes.
+    /// True if every redundant component of a contact, taken along the axes of a frame, is redundant in
+    /// every pose. A component may also follow from other components of the contact. Earlier contacts
+    /// are taken along the same axes, which does not change what their three components together
+    /// restrict.
     fn follow_everywhere(&mut self, arena: &mut Arena, slip: &Vector, frame: usize) -> bool {
         let mut kept = self.others.clone();
         for before in self.slips.clone() {
@@ -103,8 +123,8 @@ impl Taken {
         left.iter().all(|row| follows_everywhere(arena, &kept, row, &self.places))
     }
 
-    /// Adds the rows of equations that are independent of those kept, and returns the dependent rows; `None` if
-    /// independence is not known.
+    /// Adds to `kept` the rows of equations that are independent of it, and returns the dependent rows.
+    /// `None` if independence is undecided.
     fn keep_independent(
         &mut self,
         arena: &mut Arena,
@@ -123,17 +143,19 @@ impl Taken {
     }
 }
 
-/// Poses in which a constraint follows from others.
+/// Poses in which a redundant constraint follows from other constraints.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Reach {
+    /// The redundant constraint follows in every pose.
     EveryPose,
-    /// All poses except those in which the constraints that it follows from are dependent themselves.
+    /// The redundant constraint follows in all poses except those in which the other constraints are
+    /// dependent themselves.
     MostPoses,
 }
 
 impl Loading<'_> {
-    /// Chooses the constraints that are independent of those before them. Reports constraints that contradict or repeat
-    /// others.
+    /// Chooses the candidates that are independent of earlier candidates. Reports constraints that
+    /// contradict or repeat others.
     pub fn independent(&mut self, given: &ConstrainedSystem<'_>, candidates: Vec<Candidate>) -> Independent {
         let coordinates = given.coordinates;
         let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
@@ -155,7 +177,7 @@ impl Loading<'_> {
                 self.take(&mut taken, given, candidate, Reach::EveryPose);
                 continue;
             };
-            // The three components of a contact come one after another.
+            // The three components of a rolling contact come one after another.
             let mut group = vec![candidate];
             group.extend(waiting.by_ref().take(2));
             let reach = self.turn_contact(&mut taken, given.elements, rolled, &mut group);
@@ -166,8 +188,8 @@ impl Loading<'_> {
         taken.found
     }
 
-    /// Takes a contact along the axes of another frame if a component along its own axes follows from other constraints
-    /// in most poses only. Returns the poses in which the components that follow do so.
+    /// Takes a rolling contact along the axes of another frame if a component along its own axes is
+    /// redundant in most poses only. Returns the poses in which its redundant components follow.
     fn turn_contact(
         &mut self,
         taken: &mut Taken,
@@ -195,8 +217,8 @@ impl Loading<'_> {
         if everywhere { Reach::EveryPose } else { Reach::MostPoses }
     }
 
-    /// Takes a candidate if it is independent of those taken before; else it follows from them, in the poses of
-    /// `reach`.
+    /// Accepts a candidate if it is independent of the accepted constraints. Otherwise records it as
+    /// redundant, in the poses `reach`, or reports an error.
     fn take(&mut self, taken: &mut Taken, given: &ConstrainedSystem<'_>, candidate: Candidate, reach: Reach) {
         let Candidate { name, equation, kind, enforced_by, span, may_repeat } = candidate;
         let (row, rest) = match taken.form.coefficients(&mut self.arena, equation) {
@@ -213,7 +235,7 @@ impl Loading<'_> {
         let is_zero = |arena: &Arena, e: &Expr| zero_test(arena, *e) == ZeroTest::Zero;
         if row.iter().all(|e| is_zero(&self.arena, e)) {
             match (may_repeat, is_zero(&self.arena, &rest)) {
-                // An equation between coordinates that is zero everywhere was left out before.
+                // An equation between coordinates that is identically zero was left out earlier.
                 (true, true) if matches!(kind, MotionConstraintKind::Loop(_)) => self.unmoved(given, &name, span, kind),
                 (true, true) => taken.found.repeated.push(Repeated::of(name, kind, None)),
                 (_, true) => self.repeated(&name, span, "is always fulfilled"),
@@ -262,8 +284,8 @@ impl Loading<'_> {
         }
     }
 
-    /// Words for an equation between coordinates whose rate follows from earlier ones. It follows from them, or
-    /// contradicts them, in the poses where these hold.
+    /// Words for an equation between coordinates whose rate is redundant. In the poses where the
+    /// earlier equations hold, it follows from them or contradicts them.
     fn where_others_hold(&mut self, taken: &Taken, given: &ConstrainedSystem<'_>, place: usize) -> &'static str {
         let others = taken.found.motion.iter().filter_map(|(c, _)| match c.kind {
             MotionConstraintKind::Loop(at) => Some(given.loops[at].equation),
@@ -280,8 +302,8 @@ impl Loading<'_> {
         }
     }
 
-    /// Number of poses in which an equation holds, and number of poses tested. The other equations hold in all tested
-    /// poses, at the default values. `None` if no pose was found.
+    /// Counts the closed poses of the equations `others` in which `equation` holds, at the default
+    /// values: (number in which it holds, number tested). `None` if no pose was found.
     fn closed_share(
         &mut self,
         given: &ConstrainedSystem<'_>,
@@ -308,8 +330,8 @@ impl Loading<'_> {
         (!found.is_empty()).then(|| (found.iter().filter(is_closed).count(), found.len()))
     }
 
-    /// Reports an equation of a joint that no motion changes and that is not exactly zero. The other joints leave the
-    /// points or axes of this joint apart by as much, in every pose.
+    /// Reports an equation of a joint that no coordinate changes and that is not exactly zero. The
+    /// other joints then keep its points or axes apart in every pose.
     fn unmoved(&mut self, given: &ConstrainedSystem<'_>, name: &str, span: Range<usize>, kind: MotionConstraintKind) {
         let MotionConstraintKind::Loop(place) = kind else { return };
         let known = given.defaults.iter().map(|(symbol, value)| (*symbol, *value));
@@ -328,6 +350,7 @@ impl Loading<'_> {
         self.reader.error(span, message, help);
     }
 
+    /// Reports a constraint whose independence could not be decided.
     fn undecided(&mut self, name: &str, span: Range<usize>) {
         let message = format!("it cannot be decided whether the constraint `{name}` follows from those before it");
         self.reader.error(
@@ -337,12 +360,15 @@ impl Loading<'_> {
         );
     }
 
+    /// Reports a constraint that restricts nothing, or contradicts others; `how` completes the
+    /// sentence.
     fn repeated(&mut self, name: &str, span: Range<usize>, how: &str) {
         self.reader.error(span, format!("the constraint `{name}` {how}"), "remove it, or correct one of the others");
     }
 }
 
-/// Frames along whose axes a contact may be taken: those from the ground outwards to its bodies and its point.
+/// Frames along whose axes a rolling contact may be taken: on the paths from the ground to its
+/// bodies and its point.
 fn frames_at(elements: &Elements, rolled: Rolled) -> Vec<usize> {
     let of_body = |body: usize| elements.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
     let of_point = elements.points[rolled.point].position.map(|placement| placement.frame);

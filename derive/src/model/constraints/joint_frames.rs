@@ -1,4 +1,5 @@
-//! Frames and points that joints place, and equations of joints that close loops.
+//! Joint frames and points: those that joints add to a model, and the equations of joints that
+//! close loops.
 
 use super::configuration::StatedConstraint;
 use crate::algebra::term::calculus::Substitution;
@@ -16,39 +17,46 @@ use crate::model::{CarriedBody, JointReaction, Model, Place, Reaction, ReactionK
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};
 
-/// A frame with its parent and its turn, before frames are sorted.
+/// Frame with its parent and its rotation, before frames are sorted.
 type FrameNode = Node<Turn>;
-/// A point with its parent, the frame of its components, and its components, before points are sorted.
+/// Point with its parent, the frame of its components, and its components, m, before points are
+/// sorted.
 type PointNode = Node<(Located, [Expr; 3])>;
 
-/// A joint that closes a loop.
+/// A joint that closes a loop, with its frames, points and bodies.
 pub struct Closing {
+    /// Name of the closing joint in the model file.
     name: Located,
+    /// Kind of the joint, which determines the equations of the loop.
     kind: JointKind,
+    /// Axes of the joint's rotations, 0 to 2.
     axes: Vec<usize>,
-    /// Indices of the joint's frame on the body that carries, and of the joint's frame on the closed body.
+    /// Indices of the joint's frame on the body to which it is attached, and of its frame on the
+    /// closing body.
     frames: [usize; 2],
-    /// True if both sides of the loop branch at the inertial frame.
+    /// True if the inertial frame is the last common ancestor of the joint's two frames.
     parts_at_ground: bool,
-    /// Indices of the joint's point on the body that carries, and of its point on the closed body.
+    /// Indices of the joint's point on the body to which it is attached, and of its point on the
+    /// closing body.
     points: [usize; 2],
-    /// Index of the closed body, and index of the body that carries; `None` for the ground.
+    /// Index of the closing body, and of the body to which the joint attaches it (`None`: the ground).
     bodies: (usize, Option<usize>),
 }
 
 impl Joint<'_> {
-    /// Name `JOINT_part`, made of the joint's name and a part.
+    /// Name `JOINT_part` of a frame or point that the joint adds.
     fn named(&self, part: &str) -> Located {
         Located { text: format!("{}_{part}", self.name.text), span: self.name.span.clone(), exact: false }
     }
 
-    /// Name of the frame on the body that carries, in which the joint's coordinates start from 0.
+    /// Name of the joint's base frame, on the body to which the joint is attached. The joint's
+    /// coordinates are zero in this frame.
     fn base(&self, joints: &Joints<'_>, root: &str) -> Located {
         let has_own = self.entry.contains_key("turned") || self.along.is_some();
         if has_own { self.named("base") } else { self.frame_below(joints, root) }
     }
 
-    /// Name of the frame of the body that carries the joint, or of the inertial frame.
+    /// Name of the frame of the body to which the joint is attached, or of the inertial frame.
     fn frame_below(&self, joints: &Joints<'_>, root: &str) -> Located {
         match self.to.as_ref().and_then(|to| Some((to, joints.bodies.get(&to.text)?))) {
             Some((to, placed)) => Located { text: placed.frame.text.clone(), ..to.clone() },
@@ -56,8 +64,8 @@ impl Joint<'_> {
         }
     }
 
-    /// Name of the point from which positions on a body are measured: the joint that carries the body, else its mass
-    /// centre. The origin for the ground.
+    /// Name of the point from which positions on a body are measured: the joint that places the body,
+    /// else its mass centre. The origin for the ground.
     fn home(&self, body: Option<&Located>, joints: &Joints<'_>, origin: &str) -> Located {
         let text = match body.and_then(|body| joints.bodies.get(&body.text)) {
             Some(Placed { joint: Some(joint), .. }) => joint.text.clone(),
@@ -69,7 +77,7 @@ impl Joint<'_> {
 }
 
 impl<'a> Joints<'a> {
-    /// Joints that close loops, by indices into the sorted frames and points.
+    /// Joints that close loops, with indices of sorted frames, points and bodies.
     pub fn closings(&self, elements: &Elements) -> Vec<Closing> {
         let frame = |name: &str| elements.frames.iter().position(|f| f.name == name);
         let point = |name: &str| elements.points.iter().position(|p| p.name == name);
@@ -102,7 +110,8 @@ impl<'a> Joints<'a> {
 }
 
 impl Joints<'_> {
-    /// Bodies that joints carry, each with its holder and its point at the joint.
+    /// Bodies that joints place, each with the body to which the joint attaches it and with its point
+    /// at the joint.
     pub fn carried(&self, elements: &Elements) -> Vec<CarriedBody> {
         let body = |name: &str| elements.bodies.iter().position(|body| body.name == name);
         let carries = |joint: &Joint<'_>| {
@@ -118,7 +127,7 @@ impl Joints<'_> {
 }
 
 impl<'a> Loading<'a> {
-    /// Declares the frames that joints add, and returns them with their turns.
+    /// Declares the frames that joints add, and returns them with their rotations. Errors are recorded in the reader.
     pub fn joint_frames(&mut self, joints: &Joints<'a>, root: &str) -> Vec<FrameNode> {
         let mut nodes = Vec::new();
         for joint in &joints.list {
@@ -160,7 +169,8 @@ impl<'a> Loading<'a> {
         nodes
     }
 
-    /// Turns by which a joint orients the body that it carries.
+    /// Rotations by which a joint orients the body that it places, as terms in its coordinates. A joint
+    /// without rotations has a rotation by 0.
     fn turns_of(&mut self, joint: &Joint<'a>) -> Vec<Turn> {
         let mut turns = Vec::new();
         let mut parameters = Vec::new();
@@ -181,8 +191,8 @@ impl<'a> Loading<'a> {
         turns
     }
 
-    /// Appends the frames that lead from a parent to the frame `last` by successive turns. Intermediate frames are
-    /// declared. Returns the name of the last frame.
+    /// Adds the frames that lead from a parent to the frame `last` by successive rotations.
+    /// Intermediate frames are declared as `LAST_turnK`. Returns the name of the last frame.
     pub fn chain(
         &mut self,
         nodes: &mut Vec<FrameNode>,
@@ -195,7 +205,7 @@ impl<'a> Loading<'a> {
             let is_last = at + 1 == count;
             let turned = || Located { text: format!("{}_turn{}", last.text, at + 1), ..last.clone() };
             let name = if is_last { last.clone() } else { turned() };
-            // A frame of the model file is declared already.
+            // A frame of the model file is already declared.
             if !is_last || self.names.kind(&name.text).is_none() {
                 self.names.declare_brought(&mut self.reader, &name, Kind::Frame);
             }
@@ -205,8 +215,8 @@ impl<'a> Loading<'a> {
         parent
     }
 
-    /// Declares the points that joints add: the point of each joint on its body, with the joint's name, and the mass
-    /// centre.
+    /// Declares and returns the points that joints add: the point of each joint, with the joint's name,
+    /// and the mass centre of its body. Errors are recorded in the reader.
     pub fn joint_points(&mut self, joints: &Joints<'a>, table: &'a DeTable<'a>, root: (&str, &str)) -> Vec<PointNode> {
         let stated = table.get("points").and_then(|v| v.get_ref().as_table());
         let mut nodes = Vec::new();
@@ -257,7 +267,7 @@ impl<'a> Loading<'a> {
         nodes
     }
 
-    /// Marks the points of a joint as spoiled, since the reason why they are missing is reported.
+    /// Marks the points of a joint as wrongly declared; the error is already reported.
     fn spoil_points(&mut self, joint: &Joint<'a>, joints: &Joints<'a>) {
         self.names.spoil(&joint.name.text);
         if let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) {
@@ -265,8 +275,8 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Reads the location of a joint on a body under a key: a point, or components from `home`. Without the key it is
-    /// `home`.
+    /// Reads the position of a joint on a body under a key: a point, or three components from `home`,
+    /// m. Without the key it is `home`. `None` after an error is reported.
     fn place(&mut self, joint: &Joint<'a>, key: &str, home: Located) -> Option<(Located, [Expr; 3])> {
         match self.reader.get(joint.entry, key) {
             None => Some((home, [Expr::ZERO; 3])),
@@ -281,7 +291,8 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Displacement of a joint's point by the coordinates of the joint, in its base frame, m.
+    /// Displacement of a joint's point by the joint's coordinates, with components in its base frame,
+    /// m. `None` after an error is reported.
     fn way_along(&mut self, joint: &Joint<'a>) -> Option<[Expr; 3]> {
         let mut way = [Expr::ZERO; 3];
         for (name, freedom) in joint.coordinates.iter().zip(joint.kind.freedoms(&joint.axes)) {
@@ -303,10 +314,11 @@ impl<'a> Loading<'a> {
         Some(way)
     }
 
-    /// Equations of joints that close loops: components of the vector between the joint's two points, and cosines of
-    /// axes that stay perpendicular. Each has its reaction. The force on the closed body acts at the joint's point. Its
-    /// opposite acts on the other body, at that body's joint point or at its material at the first point. So the two do
-    /// no work in open loops either.
+    /// Equations of joints that close loops, each with its reaction. They are components of the vector
+    /// between the joint's two points, m, and cosines of axes that stay perpendicular. The force on the
+    /// closing body acts at the joint's point. Its opposite acts on the other body, at that body's
+    /// joint point or at its material at the first point. So the pair does no work in open loops
+    /// either.
     pub fn closed(
         &mut self,
         moving: &mut MechanismMotion,
@@ -316,7 +328,7 @@ impl<'a> Loading<'a> {
         for Closing { name, kind, axes, frames: [base, body], parts_at_ground, points: [on, at], bodies } in closings {
             let axis = axes.first().copied().unwrap_or(2);
             let across = [(axis + 1) % 3, (axis + 2) % 3];
-            // Pairs (axis of the body, axis of the base) that stay perpendicular.
+            // Pairs (axis of the closing body, axis of the base frame) that stay perpendicular.
             let (ways, right): (Vec<usize>, Vec<(usize, usize)>) = match kind {
                 JointKind::Pin => (vec![0, 1, 2], across.map(|i| (axis, i)).to_vec()),
                 JointKind::Ball => (vec![0, 1, 2], Vec::new()),
@@ -356,9 +368,9 @@ impl<'a> Loading<'a> {
                     });
                 };
             let way = moving.way(&mut self.arena, *on, *at);
-            // The points coincide in every frame; formulas are shortest in the frame from which both points are stated.
-            // In an open loop the vector changes in the inertial frame as the joint's two points move. In another frame
-            // it changes as two points at one place do.
+            // The points coincide in every frame; formulas are shortest in the frame from which both points are
+            // stated. In an open loop, the rate of the vector's components depends on the frame, and so does
+            // the place of the opposite force.
             let is_told_there = *parts_at_ground && ways.len() == 3;
             let (frame, held) = if is_told_there { (0, on) } else { (*base, at) };
             for i in ways {
@@ -374,7 +386,7 @@ impl<'a> Loading<'a> {
                 unit[of] = Expr::ONE;
                 let axis = Vector::in_frame(*body, unit);
                 let [x, y, z] = [0, 1, 2].map(|i| moving.component(&mut self.arena, &axis, *base, i));
-                // The cosine of two axes changes as the body turns about their common normal.
+                // The cosine of two axes changes as the body rotates about their common normal.
                 let mut other = [Expr::ZERO; 3];
                 other[along] = Expr::ONE;
                 let direction = cross_components(&mut self.arena, &[x, y, z], &other);
@@ -386,7 +398,7 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Index of the last frame from which two frames are both turned.
+/// Index of the last common ancestor of two frames.
 fn parting(frames: &[Frame], [mut a, mut b]: [usize; 2]) -> usize {
     // A frame comes after its parent in the list.
     while a != b {
@@ -397,8 +409,9 @@ fn parting(frames: &[Frame], [mut a, mut b]: [usize; 2]) -> usize {
 }
 
 impl Model {
-    /// Adds the reactions of joint equations that are constraints; the reactions of dependent equations are redundant.
-    /// In directions, values replace the coordinates that constraints fix.
+    /// Adds to the model the reactions of joint equations that are constraints; those of redundant
+    /// equations go to `redundant`. In the directions, terms replace the coordinates that constraints
+    /// determine.
     pub(in crate::model) fn hold_joints(&mut self, holding: Vec<JointReaction>, fixed: &mut Substitution) {
         for mut held in holding {
             let reaction = &mut held.reaction;

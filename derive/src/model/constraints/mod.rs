@@ -1,4 +1,4 @@
-//! Constraints, frames of joints, explicit time, and generalized speeds.
+//! Constraints of a model file, frames of joints, explicit time, and generalized speeds.
 
 pub(super) mod closed_choices;
 pub(crate) mod closed_poses;

@@ -1,22 +1,22 @@
-//! Motion constraints: equations between velocities.
+//! Motion constraints of a model file: equations between velocities, rolling, and rates of loops.
 //!
-//! Let there be p generalized speeds u = J q̇ + d and m motion constraints A q̇ + a = 0, p + m = n. The rates of the n
-//! coordinates follow from
+//! Let there be p generalized speeds u = J q̇ + d and m motion constraints A q̇ + a = 0, with p + m
+//! = n. The rates of the n coordinates follow from
 //!
 //! ```text
 //! [ A ]        [  −a   ]
 //! [ J ] q̇  =  [ u − d ]
 //! ```
 //!
-//! as q̇ = W u + w. An equation between coordinates that cannot be solved for a coordinate restricts their rates by its
-//! time derivative.
+//! as q̇ = W u + w. An equation between coordinates that cannot be solved for a coordinate
+//! restricts their rates by its time derivative.
 
-/// Definitions of all speeds, in terms of q and q̇.
+/// Definitions of all speeds as terms in q and q̇.
 #[derive(Clone, Copy)]
 pub struct SpeedDefinitions<'s> {
-    /// Right sides of the definitions.
+    /// Terms that define the speeds.
     pub definitions: &'s [Expr],
-    /// True for each speed that a joint brings.
+    /// True for each speed that a joint adds.
     pub brought: &'s [bool],
 }
 
@@ -40,51 +40,66 @@ use crate::read::Located;
 use std::ops::Range;
 use toml::de::DeTable;
 
-/// Rolling of a body, as the model file states it.
+/// Rolling of a body as the model file states it in `[rolling.NAME]`.
 pub struct StatedRolling {
+    /// Name of the rolling contact.
     pub name: Located,
+    /// Index of the body that rolls.
     body: usize,
+    /// Index of the point of contact.
     point: usize,
+    /// Index of the body on which the rolling body rolls; `None` for the ground.
     against: Option<usize>,
+    /// Index of the frame along whose axes the slip components are taken.
     frame: usize,
+    /// True if the model file states the frame; false if it is the inertial frame by default.
     is_stated: bool,
 }
 
-/// Parts from which motion constraints are formed, in the remaining coordinates.
+/// Parts from which motion constraints are formed, as terms in the remaining coordinates.
 pub struct Tied<'m> {
+    /// Coordinates that no constraint has eliminated.
     pub coordinates: &'m [Coordinate],
+    /// Frames, points and bodies.
     pub elements: &'m Elements,
+    /// Speeds, each with the byte range of its definition.
     pub speeds: &'m [(Speed, Range<usize>)],
+    /// Joints of the model file.
     pub joints: &'m Joints<'m>,
+    /// Parameters of the model, whose default values are used in closed poses.
     pub parameters: &'m [Parameter],
     /// Equations between coordinates that were not solved for a coordinate.
     pub kept: Vec<StatedConstraint>,
     /// Equations between velocities that the model file states.
     pub stated: Vec<StatedConstraint>,
-    /// Components of the velocities at which rolling bodies would slip, each as an equation.
+    /// Components of the velocities at which rolling bodies would slip, each as an equation that makes
+    /// it zero.
     pub rolling: Vec<(StatedConstraint, Rolled)>,
 }
 
-/// Motion constraints, with their byte ranges in the model file, and the loops of which some are time derivatives.
+/// Motion constraints of a model and its loops, with the constraints that turned out redundant.
 #[derive(Default)]
 pub struct Ties {
+    /// Motion constraints, each with its byte range in the model file.
     pub motion: Vec<(MotionConstraint, Range<usize>)>,
+    /// Loop equations, whose time derivatives are motion constraints.
     pub loops: Vec<Loop>,
-    /// Equations of rolling and of joints that follow from other constraints.
+    /// Redundant equations of rolling and of joints.
     pub repeated: Vec<Repeated>,
     /// Loops whose rates follow from other constraints wherever all loops are closed.
     pub closed: Vec<Loop>,
-    /// Constraints that depend on others in the closed poses.
+    /// Constraints that follow from others in all poses in which the loops are closed.
     pub dependent: Vec<DependentConstraint>,
-    /// Branch of closed poses on which dependence was decided.
+    /// Branch of closed poses in which redundancy was decided; `None` without loops.
     pub branch: Option<Branch>,
-    /// Indices, among all speeds, of those to keep; `None` if closed poses did not decide which speeds of joints to
+    /// Indices of the speeds to keep; `None` if closed poses did not decide which speeds of joints to
     /// keep.
     pub speeds: Option<Vec<usize>>,
 }
 
 impl<'a> Loading<'a> {
     /// Reads the section `[rolling]` of a model file: an entry `[rolling.NAME]` for each contact.
+    /// Errors are recorded in the reader.
     pub fn rolling(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedRolling> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "rolling", &[]) {
@@ -118,7 +133,8 @@ impl<'a> Loading<'a> {
         list
     }
 
-    /// Equations of rolling: three components of the velocity at which each rolling body would slip are zero.
+    /// Equations of rolling: each of the three components of the velocity at which a rolling body would
+    /// slip is zero.
     pub fn slips(
         &mut self,
         moving: &mut MechanismMotion,
@@ -145,8 +161,8 @@ impl<'a> Loading<'a> {
         list
     }
 
-    /// The motion constraints of a mechanism, each independent of those before it. Reports constraints that contradict
-    /// or repeat others.
+    /// Forms the independent motion constraints of a mechanism. Reports constraints that contradict or
+    /// repeat others. `None` after errors.
     pub fn ties(&mut self, tied: Tied<'_>) -> Option<Ties> {
         let Tied { coordinates, elements, speeds, joints, parameters, kept, stated, rolling } = tied;
         let clock = coordinates.iter().any(|c| c.name == TIME);
@@ -196,7 +212,7 @@ impl<'a> Loading<'a> {
         if self.reader.errors.len() > before {
             return None;
         }
-        // Constraints of loops come first.
+        // Rates of loops come first in the list.
         let place = motion.iter().take_while(|(c, _)| matches!(c.kind, MotionConstraintKind::Loop(_))).count();
         let also_at = place..place + also.len();
         motion.splice(place..place, also);
@@ -213,7 +229,8 @@ impl<'a> Loading<'a> {
         Some(ties)
     }
 
-    /// Unit of an equation's left side less its right side. Its sums were checked when it was read.
+    /// Unit of an equation's left side less its right side; its sums were checked at reading. The unit
+    /// is 1 if it is indefinite.
     pub fn unit_of_difference(&self, e: Expr) -> crate::model::Unit {
         crate::model::units::unit_of(&self.arena, e, &self.units).ok().flatten().unwrap_or_default()
     }

@@ -1,8 +1,9 @@
-//! Motions that a mechanism would have if the joints that close its loops were open.
+//! Openings: the motions that a mechanism would have if the joints that close its loops were open.
 //!
-//! An equation of such a joint may be solved for a coordinate, which then leaves the model. Reactions still need the
-//! motion along it: a slider carries no force along its own axis, even if a loop prevents it from sliding. So each such
-//! coordinate keeps the velocities at which frames turn and points move along it.
+//! An equation of a closing joint may be solved for a coordinate, which then leaves the model.
+//! Reactions still need the motion along that coordinate. For example, a slider transmits no force
+//! along its own axis, even if a loop prevents it from sliding. So each of these coordinates keeps
+//! the velocities that it gives to frames and points.
 
 use super::configuration::{Opened, StatedConstraint};
 use crate::algebra::term::calculus::{Gradient, Substitution};
@@ -11,8 +12,9 @@ use crate::geometry::Turn;
 use crate::model::bodies::elements::Elements;
 use crate::model::{AddedVelocity, Opening, Placement};
 
-/// Motions along the coordinates that equations of joints fix. `elements` and the `constraints` that were not solved
-/// still contain these coordinates; `replacements` are the values of all coordinates that constraints fix.
+/// Computes the motions along the coordinates that equations of joints determine. `elements` and
+/// the unsolved `constraints` still contain these coordinates. `replacements` are the values of all
+/// coordinates that constraints determine.
 pub(in crate::model) fn openings(
     arena: &mut Arena,
     opened: &Opened,
@@ -68,7 +70,8 @@ pub(in crate::model) fn openings(
     list
 }
 
-/// Components of a vector of a frame or a point, by its index; they are 0 at first.
+/// Three components of the velocity that belongs to the frame or point `at`; added as zeros if
+/// absent.
 fn own(list: &mut Vec<AddedVelocity>, at: usize) -> &mut [Expr; 3] {
     if list.last().is_none_or(|(last, _)| *last != at) {
         list.push((at, [Expr::ZERO; 3]));
@@ -77,30 +80,35 @@ fn own(list: &mut Vec<AddedVelocity>, at: usize) -> &mut [Expr; 3] {
     &mut list[last].1
 }
 
-/// Slopes along the opened coordinates and their rates, where all joints are closed.
+/// Derivatives with respect to the opened coordinates, which equations of closing joints determine,
+/// and to their rates. They are evaluated where all joints are closed.
 struct OpenSlopes {
-    /// Values of the coordinates that the model file's own constraints fix.
+    /// Values of the coordinates that the model file's own constraints determine.
     before: Substitution,
+    /// Derivatives with respect to the opened coordinates.
     along: Gradient,
+    /// Derivatives with respect to the rates of the opened coordinates.
     along_rates: Gradient,
-    /// Values of all coordinates that constraints fix.
+    /// Values of all coordinates that constraints determine.
     fixed: Substitution,
 }
 
 impl OpenSlopes {
-    /// The value of a term where all joints are closed.
+    /// Value of a term where all joints are closed.
     fn value(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         self.fixed.apply(arena, e)
     }
 
-    /// Slopes along the opened coordinates, each after the number of its coordinate.
+    /// Derivatives of a term with respect to the opened coordinates, as (index of the coordinate,
+    /// derivative).
     fn of(&mut self, arena: &mut Arena, e: Expr) -> Vec<(usize, Expr)> {
         let e = self.before.apply(arena, e);
         let slopes = self.along.apply(arena, e);
         slopes.iter().map(|(at, slope)| (*at, self.fixed.apply(arena, *slope))).collect()
     }
 
-    /// Slopes along the rates of the opened coordinates, each after the number of its coordinate.
+    /// Derivatives of a term with respect to the rates of the opened coordinates, as (index of the
+    /// coordinate, derivative).
     fn of_rates(&mut self, arena: &mut Arena, e: Expr) -> Vec<(usize, Expr)> {
         let e = self.before.apply(arena, e);
         let slopes = self.along_rates.apply(arena, e);

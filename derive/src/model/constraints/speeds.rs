@@ -1,4 +1,4 @@
-//! Generalized speeds, and the kinematic equations that they define.
+//! Generalized speeds of a model file, and the kinematic equations that they define.
 
 use super::motion::Ties;
 use crate::algebra::form::simplify::Simplifier;
@@ -18,12 +18,13 @@ use crate::read::{Located, Reader};
 use std::ops::Range;
 use toml::de::DeTable;
 
-/// Speeds of a model, with their places in the file, and the speeds that were left out.
+/// Generalized speeds of a model with the byte ranges of their definitions, and the dependent
+/// speeds that were left out.
 type Chosen = (Vec<(Speed, Range<usize>)>, Vec<Speed>);
 
 impl<'a> Loading<'a> {
-    /// Declares the speeds. Reads the expressions and the units of the speeds; definitions are read once coordinates
-    /// are known.
+    /// Declares the speeds and reads the expressions and the units of the speeds. Returns the names and
+    /// definitions as text, since definitions are read once all coordinates are known.
     pub fn speed_symbols(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> Vec<(Located, Located)> {
         let mut texts = Vec::new();
         for (name, value) in self.section(table, "speeds", &[Kind::Speed]) {
@@ -43,22 +44,22 @@ impl<'a> Loading<'a> {
         let expressions = self.expressions(table);
         for (name, formula) in &texts {
             let what = "the definition of a speed";
-            // A speed has the unit of its definition, which is read here, since forces may use speeds.
+            // A speed has the unit of its definition. It is read here, since forces may contain speeds.
             let e = self.names.formula(&mut self.reader, &mut self.arena, formula, VELOCITY, what);
             self.know_units_of_velocities();
             let unit = e.and_then(|e| self.unit_of(e, &formula.span));
             let symbol = self.arena.symbol(&name.text);
             self.units.extend(unit.map(|unit| (symbol, unit)));
         }
-        // Units of expressions that contain speeds are known only now.
+        // Units of expressions that contain speeds are only now known.
         for (e, span) in expressions {
             self.unit_of(e, &span);
         }
         texts
     }
 
-    /// Reads the definitions of the speeds. Values replace the velocities of points and frames in them, and then the
-    /// constrained variables.
+    /// Reads the definitions of the speeds. Terms replace the named velocities in them, and then the
+    /// variables that constraints determine.
     pub fn speeds(
         &mut self,
         texts: Vec<(Located, Located)>,
@@ -69,7 +70,7 @@ impl<'a> Loading<'a> {
         let mut fixed = Substitution::new(replacements);
         let mut speeds = Vec::new();
         for (name, formula) in texts {
-            // Errors of a definition are already reported where it was declared.
+            // Errors of a definition were reported when the speed was declared.
             let mut scratch = Reader::new(self.reader.source);
             let Some(e) = self.names.formula(&mut scratch, &mut self.arena, &formula, VELOCITY, "a speed") else {
                 continue;
@@ -84,10 +85,10 @@ impl<'a> Loading<'a> {
         speeds
     }
 
-    /// Splits speeds into those that constraints leave independent, and those that they make dependent. A speed of a
-    /// joint is dependent if it follows from the constraints and the speeds before it. Speeds along coordinates that
-    /// constraints fix, with values `fixed`, come after all others: such a coordinate may stand still where the
-    /// mechanism moves. Speeds that the model file states all stay.
+    /// Splits speeds into independent and dependent ones. A speed of a joint is dependent if it follows
+    /// from the constraints and earlier speeds. Speeds along coordinates that constraints determine,
+    /// with values `fixed`, come last, since such a coordinate may stand still while the mechanism
+    /// moves. All speeds that the model file states stay.
     pub fn independent_speeds(
         &mut self,
         coordinates: &[Coordinate],
@@ -116,7 +117,7 @@ impl<'a> Loading<'a> {
         let equations = ties.motion.iter().map(|(c, _)| c.equation).chain(stay.iter().map(|(s, _)| s.definition));
         let rows: Option<Vec<_>> = equations.map(|e| row(&mut self.arena, e)).collect();
         let of_brought: Option<Vec<_>> = brought.iter().map(|(s, _)| row(&mut self.arena, s.definition)).collect();
-        // A definition that is not linear is reported where the rates are solved for.
+        // A definition that is not linear is reported later, when the equations are solved for the rates.
         if let (Some(mut rows), Some(of_brought)) = (rows, of_brought) {
             let first = rows.len();
             rows.extend(of_brought);
@@ -147,8 +148,8 @@ impl<'a> Loading<'a> {
         (stay, left_out)
     }
 
-    /// Solves u = J q̇ + d and A q̇ + a = 0 for q̇. Reports speeds that are too few, too many, not linear or not
-    /// independent.
+    /// Solves u = J q̇ + d and A q̇ + a = 0 for q̇. `None` after reporting speeds that are too few, too
+    /// many, not linear in q̇ or not independent.
     pub fn kinematic_equations(
         &mut self,
         table: &DeTable<'_>,
@@ -200,7 +201,7 @@ impl<'a> Loading<'a> {
                 Some(KinematicEquations { rates, divisors })
             }
             Err(singular) => {
-                // The constraints, which come first, are independent.
+                // The constraints come first and are independent, so the singular row is that of a speed.
                 let (speed, span) = &speeds[singular.row.saturating_sub(constraints.len())];
                 let message = if constraints.is_empty() {
                     format!(
@@ -221,9 +222,9 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Solution q̇ = W u + w with names for terms in W and w that divide by sums. `ratio_q2_u1` is the factor of u1 in
-    /// q2', up to a number. Without names, the equations of loops would grow with every product that contains these
-    /// terms.
+    /// Gives names to the terms of W and w in q̇ = W u + w that divide by sums. `ratio_q2_u1` is the
+    /// factor of u1 in q2', up to a number. Without names, the equations of loops would grow with every
+    /// product of these terms.
     fn with_names(
         &mut self,
         coordinates: &[Coordinate],
@@ -254,8 +255,8 @@ impl<'a> Loading<'a> {
         result
     }
 
-    /// Factors of divisors that depend on coordinates, each once. Other factors, such as a length, do not vanish during
-    /// a motion.
+    /// Factors of divisors that contain coordinates, each once. Other factors, such as a length, do not
+    /// vanish during a motion.
     fn moving_factors(&self, divisors: &[Expr], coordinates: &[Coordinate]) -> Vec<Expr> {
         let mut factors = Vec::new();
         for divisor in divisors {
@@ -276,6 +277,7 @@ impl<'a> Loading<'a> {
         factors
     }
 
+    /// Reports that the numbers of speeds, constraints and coordinates do not fit together.
     fn report_count(
         &mut self,
         table: &DeTable<'_>,
@@ -333,7 +335,7 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// True if a term has a divisor that is a sum.
+/// True if a divisor of the term is a sum.
 fn divides_by_sum(arena: &Arena, e: Expr) -> bool {
     let is_sum =
         |e: &Expr| matches!(arena.node(*e), Node::Sum(constant, terms) if !constant.is_zero() || terms.len() > 1);

@@ -1,9 +1,9 @@
-//! Explicit time: a coordinate `t` whose rate a constraint holds at 1.
+//! Explicit time: a coordinate `t` whose rate is 1 by a constraint.
 //!
-//! Only the reading of files knows that this coordinate is time. Terms that depend on t have a rate along t', and
-//! prescribed motions are coordinates that are solved for. The multiplier of the constraint is the power of the drive:
-//! energy proves constant only where that power is 0. C. Lanczos, *The Variational Principles of Mechanics*, 4th
-//! edition (1970), chapter V, §6.
+//! Only the reading of files knows that this coordinate is time. Terms that depend on t have a rate
+//! proportional to t'. The multiplier of the constraint is the power of the drive, so energy proves
+//! constant only if that power is 0. Source: C. Lanczos, *The Variational Principles of Mechanics*,
+//! 4th edition (1970), chapter V, §6.
 
 use crate::algebra::Expr;
 use crate::model::bodies::inputs::formulas;
@@ -13,7 +13,7 @@ use crate::model::{Coordinate, Model, MotionConstraintKind, Unit};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Sections of a model file whose formulas may name time.
+/// Sections of a model file whose formulas may contain time.
 const TIMED: [&str; 13] = [
     "speeds",
     "joints",
@@ -30,11 +30,12 @@ const TIMED: [&str; 13] = [
     "domain",
 ];
 
-/// Key of an entry under which there is prose, not a formula.
+/// Key of an entry whose text is prose, not a formula.
 const PROSE: &str = "about";
 
 impl<'a> Loading<'a> {
-    /// Adds time as the last coordinate, if a formula of the model file or of a scene's inputs names it.
+    /// Adds time as the last coordinate, if a formula of the model file or of a scene's inputs contains
+    /// it.
     pub fn time(&mut self, table: &'a DeTable<'a>, coordinates: &mut Vec<Coordinate>) {
         let sections = TIMED.iter().filter_map(|key| table.get(*key));
         let in_inputs = formulas(table, &self.bindings).into_iter().any(is_of_time);
@@ -56,13 +57,13 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// True if the word `t`, the name of time, stands in a formula.
+/// True if a formula contains the word `t`, the name of time.
 fn is_of_time(formula: &str) -> bool {
     let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
     formula.split(|c| !is_part(c)).any(|word| word == TIME)
 }
 
-/// True if a formula in an entry names time, at any depth.
+/// True if any formula of an entry, at any depth, contains time.
 fn names_time(value: &Spanned<DeValue<'_>>) -> bool {
     let mut open = vec![value];
     while let Some(value) = open.pop() {
@@ -79,21 +80,21 @@ fn names_time(value: &Spanned<DeValue<'_>>) -> bool {
 }
 
 impl Model {
-    /// Index of time among the coordinates; `None` if no formula of the model names time.
+    /// Index of time in the coordinates; `None` if no formula of the model contains time.
     #[must_use]
     pub fn time(&self) -> Option<usize> {
         self.coordinates.iter().position(|c| c.name == TIME)
     }
 
-    /// True if constraints tie the rates of coordinates; the constraint on time alone does not count.
+    /// True if constraints restrict the rates of coordinates; the constraint t' = 1 does not count.
     #[must_use]
     pub fn ties_rates(&self) -> bool {
         self.motion_constraints.iter().any(|constraint| constraint.kind != MotionConstraintKind::Clock)
     }
 
-    /// True if constraints move the mechanism even where all speeds are zero. A constraint then states a velocity, or
-    /// frames, points or constraints depend on time. The forces of these constraints do work, so that T + V changes by
-    /// more than the work of loads.
+    /// True if constraints move the mechanism even if all generalized speeds are zero: a constraint
+    /// states a velocity, or frames, points or constraints depend on time. The forces of these
+    /// constraints do work, so T + V changes by more than the work of loads.
     #[must_use]
     pub fn is_driven(&self) -> bool {
         let states_velocity =

@@ -1,4 +1,4 @@
-//! Turns of frames, as model files state them.
+//! Turns of frames: rotations as model files state them, by axes and angles or by Euler parameters.
 
 use super::configuration::StatedConstraint;
 use crate::algebra::form::simplify::Simplifier;
@@ -16,7 +16,8 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 impl<'a> Loading<'a> {
-    /// Reads successive turns, such as `{ sequence = "13", angles = ["pi/2", "a"] }`.
+    /// Reads successive rotations, such as `{ sequence = "13", angles = ["pi/2", "a"] }`. `None` after
+    /// an error is reported.
     pub fn turns(&mut self, entry: &'a DeTable<'a>, what: &str, span: &Range<usize>) -> Option<Vec<Turn>> {
         let sequence = self.reader.need(entry, "sequence", what, span)?;
         let axes = self.sequence(sequence, None)?;
@@ -38,7 +39,8 @@ impl<'a> Loading<'a> {
         Some(turns)
     }
 
-    /// Turns that lead to a frame, in their order. Turns about space-fixed axes are reversed.
+    /// Reads the rotations that lead to a frame, in their order; those about space-fixed axes are
+    /// reversed. `None` after an error is reported.
     pub fn frame_turns(&mut self, entry: &'a DeTable<'a>, what: &str, span: &Range<usize>) -> Option<Vec<Turn>> {
         let mut turns = self.turns(entry, what, span)?;
         match self.reader.get(entry, "fixed") {
@@ -59,7 +61,7 @@ impl<'a> Loading<'a> {
         Some(turns)
     }
 
-    /// Reads the turns under a key of a joint, such as `turned`.
+    /// Reads the rotations under a key of a joint, such as `turned`; `None` after an error is reported.
     pub fn turned(&mut self, joint: &Joint<'a>, key: &str, value: &'a toml::Spanned<DeValue<'a>>) -> Option<Vec<Turn>> {
         let what = format!("`{key}` of {}", joint.what);
         let table = self.reader.table(value, &what, "{ sequence = \"13\", angles = [\"pi/2\", \"a\"] }")?;
@@ -67,7 +69,8 @@ impl<'a> Loading<'a> {
         self.turns(table, &what, &value.span())
     }
 
-    /// Reads a vector. Returns the turn that takes axis 3 along the vector, and the turn back.
+    /// Reads a vector. Returns the rotation that takes axis 3 to its direction, and the inverse
+    /// rotation. `None` after an error is reported.
     pub fn towards(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<[Turn; 2]> {
         let components = self.plain(value, what, PARAMETERS)?;
         let squares = components.map(|e| self.arena.square(e));
@@ -82,7 +85,8 @@ impl<'a> Loading<'a> {
         Some(Turn::of_axis(&mut self.arena, 2, &unit))
     }
 
-    /// Turns that lead to a frame that is turned by an angle about a vector.
+    /// Reads the rotations that lead to a frame which is rotated by an angle about a vector; `None`
+    /// after an error is reported.
     pub fn turns_about(
         &mut self,
         axis: &'a Spanned<DeValue<'a>>,
@@ -96,14 +100,14 @@ impl<'a> Loading<'a> {
         Some(vec![there, Turn::About(2, angle), back])
     }
 
-    /// Reads the angle of a frame under the key `angle`, rad.
+    /// Reads the angle of a frame under the key `angle`, rad; `None` after an error is reported.
     pub fn angle(&mut self, entry: &'a DeTable<'a>, what: &str, span: &Range<usize>) -> Option<Expr> {
         let angle = self.reader.need(entry, "angle", what, span)?;
         let angle = self.reader.formula(angle, "an angle")?;
         self.quantity(&angle, CONFIGURATION, &Unit::default(), "an angle")
     }
 
-    /// Reads an array of N formulas, each without a unit.
+    /// Reads an array of N formulas without units; `None` after an error is reported.
     fn plain<const N: usize>(
         &mut self,
         value: &'a Spanned<DeValue<'a>>,
@@ -123,7 +127,7 @@ impl<'a> Loading<'a> {
         values.try_into().ok()
     }
 
-    /// Reads four Euler parameters under a key. Returns their turn.
+    /// Reads four Euler parameters and returns their rotation; `None` after an error is reported.
     pub fn euler_parameters(&mut self, value: &'a Spanned<DeValue<'a>>) -> Option<Turn> {
         let what = "`euler_parameters`";
         let parameters: [Expr; 4] = self.plain(value, what, CONFIGURATION)?;
@@ -136,8 +140,8 @@ impl<'a> Loading<'a> {
         Some(Turn::by_euler_parameters(&mut self.arena, parameters))
     }
 
-    /// Constraints `FRAME_norm`: the Euler parameters of a frame have length 1. One for each frame that is turned by
-    /// Euler parameters.
+    /// Constraints `FRAME_norm`, one for each frame that is rotated by Euler parameters: the sum of the
+    /// four squares is 1.
     pub fn norms(&mut self, frames: &[Frame]) -> Vec<StatedConstraint> {
         let mut list = Vec::new();
         for frame in frames {

@@ -1,7 +1,9 @@
-//! Actions of forces and torques in the Newton–Euler balances of bodies, in a random pose and motion.
+//! Actions of forces and torques in the Newton–Euler equations of bodies, in a random pose and
+//! motion, as residues modulo a prime.
 //!
-//! Each body has six balances: m a − ΣF, then dH/dt − ΣM about the mass centre, in the frame of its inertia. The
-//! balances of a particle are in the inertial frame; its last three are 0.
+//! Each body has six equations (balances): m a − ΣF, then dH/dt − ΣM about the mass centre, with
+//! components in the frame of its inertia. The equations of a particle are in the inertial frame,
+//! and its last three are 0.
 
 use super::random_pose::{DrawnModel, Triple};
 use crate::algebra::term::calculus::Substitution;
@@ -9,8 +11,8 @@ use crate::algebra::{Arena, Expr, Function, Node};
 use crate::model::{Model, ReactionKind};
 
 impl DrawnModel {
-    /// Residues of m a − ΣF and dH/dt − ΣM of each body without reactions, six for each body, in the frame of its
-    /// inertia. `None` if a term has no value.
+    /// Residues of m a − ΣF and dH/dt − ΣM of each body without reactions: six for each body, with
+    /// components in the frame of its inertia. `None` if a term has no value.
     pub fn balances(&self, model: &Model, arena: &mut Arena) -> Option<Vec<u64>> {
         let mut terms: Vec<Expr> = model.gravity.as_ref().map_or([Expr::ZERO; 3], |g| g.acceleration).to_vec();
         for body in &model.bodies {
@@ -41,7 +43,7 @@ impl DrawnModel {
             let (frame, turned) = (&frames[inertia.frame], &frames[*own]);
             let into = |v: Triple| [0, 1, 2].map(|i: usize| space.dot(frame.axes[i], v));
             let times = |v: Triple| space.along(&frame.axes, [0, 1, 2].map(|i: usize| space.dot(tensor[i], into(v))));
-            // dH/dt = I (α − ω_F × ω) + ω_F × I ω, in a frame F in which I is constant.
+            // dH/dt = I (α − ω_F × ω) + ω_F × I ω, for a frame F in which I is constant.
             let seen = space.sub(turned.acceleration, space.cross(frame.velocity, turned.velocity));
             let moment = space.add(times(seen), space.cross(frame.velocity, times(turned.velocity)));
             loads.push((at, body.centre, [0; 3], moment));
@@ -77,8 +79,8 @@ impl DrawnModel {
         Some(all)
     }
 
-    /// Rates dp/dt and dh/dt + v × p of the impulse (p, h) = M_A (v, ω) of the fluid that moves with a body. `blocks`
-    /// are the halves of the rows of M_A.
+    /// Rates dp/dt and dh/dt + v × p of the impulse (p, h) = M_A (v, ω) of the fluid that moves with a
+    /// body. `blocks` are the twelve half rows of M_A.
     fn impulse_rates(&self, model: &Model, body: usize, blocks: &[Triple; 12]) -> (Triple, Triple) {
         let DrawnModel { space, frames, points, .. } = self;
         let stated = &model.bodies[body];
@@ -91,7 +93,7 @@ impl DrawnModel {
             };
             space.along(&frame.axes, [0, 1, 2].map(row))
         };
-        // In the frame of the body, M_A is constant, and the components of v change with a − ω × v.
+        // M_A is constant in the frame of the body, and the components of v change there with a − ω × v.
         let (v, omega) = (centre.velocity, frame.velocity);
         let within = space.sub(centre.acceleration, space.cross(omega, v));
         let rate = |first: usize| {
@@ -101,7 +103,8 @@ impl DrawnModel {
         (rate(0), space.add(rate(3), space.cross(v, times(0, v, omega))))
     }
 
-    /// Contribution to all balances of a force through a point of one body, and of a moment on that body.
+    /// Contribution to the Newton–Euler equations of all bodies, six each, of a force through a point
+    /// of one body and of a moment on that body.
     fn on_body(&self, model: &Model, body: usize, point: usize, force: Triple, moment: Triple) -> Vec<u64> {
         let DrawnModel { space, frames, points, .. } = self;
         let mut all = vec![0; 6 * model.bodies.len()];
@@ -118,7 +121,8 @@ impl DrawnModel {
         all
     }
 
-    /// Contribution of a reaction of size 1 to all balances.
+    /// Contribution of a reaction of size 1 along `direction` to the Newton–Euler equations of all
+    /// bodies, six each.
     pub fn action(&self, model: &Model, kind: ReactionKind, direction: Triple) -> Vec<u64> {
         let back = self.space.sub([0; 3], direction);
         let centre = |body: usize| model.bodies[body].centre;
@@ -137,8 +141,8 @@ impl DrawnModel {
     }
 }
 
-/// Replaces each square root in the terms by a new symbol, since a root need not exist in the drawn pose. The roots are
-/// independent of all other parts of a balance.
+/// Replaces each square root in the terms by a new symbol, since a root need not exist in the
+/// random pose. The roots are independent of all other parts of the equations.
 fn without_roots(arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
     let is_root = |part: &Expr| matches!(arena.node(*part), Node::Apply(Function::Sqrt, _));
     let roots: Vec<Expr> = arena.reachable(terms).into_iter().filter(is_root).collect();

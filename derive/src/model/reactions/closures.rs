@@ -1,26 +1,33 @@
-//! Forces and torques that may act where equations of the model file keep two points of bodies together, in addition to
-//! those that the equations state.
+//! Closures of loops by equations: further forces and torques that may act where equations of the
+//! model file keep points of two bodies together.
 //!
-//! A pin that is stated as two equations in the plane of a linkage holds in the plane. It may also hold across the
-//! plane: equations between coordinates do not tell. So a force or a torque may act along each direction in which no
-//! permitted motion moves the points, in equilibrium with other reactions. Closings are sought where two forces or more
-//! were found between two bodies at a pair of points. The bodies must neither rest on one another nor be connected by a
-//! joint of the model file. A single force, as that of a tooth or a slot, holds nothing else.
+//! A pin that is stated as two equations in the plane of a linkage holds in that plane. It may also
+//! hold across the plane, about which equations between coordinates tell nothing. So a force or
+//! torque may act along each direction in which no permitted motion moves the points, in
+//! equilibrium with other reactions.
+//!
+//! Closures are searched where at least two forces were found between two bodies at a pair of
+//! points. The bodies must neither rest on one another nor be connected by a joint of the model
+//! file. A single force, as that of a tooth or a slot, holds nothing else.
 
 use super::relative_motion::{BodyPair, Relative};
 use crate::algebra::Expr;
 use crate::model::{MotionConstraintKind, Place, Reaction, ReactionKind};
 
-/// A pair of bodies, or a body and the ground, that equations keep together at a point of each.
+/// Pair of bodies, or a body and the ground, that equations keep together at a point of each.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Closing {
+    /// First body, with its point that equations keep together with the second.
     on: Place,
+    /// Second body, with its point; `None` for the ground.
     against: Option<Place>,
+    /// Index of the frame along whose axes the bodies are kept together.
     frame: usize,
 }
 
 impl Relative<'_> {
-    /// Forces and torques that may act where equations keep points together.
+    /// Forces and torques of size 1 that may act where equations keep points together. `resting` are
+    /// the bodies with the bodies on which they rest.
     pub fn closings(&self, resting: &[BodyPair]) -> Vec<Reaction> {
         let found: Vec<Closing> = self.model.reactions.iter().filter_map(|r| self.closing(r, resting)).collect();
         let mut list = Vec::new();
@@ -33,8 +40,8 @@ impl Relative<'_> {
         list
     }
 
-    /// Pair of points that a reaction keeps together; `None` unless the reaction was found and closes a loop of
-    /// equations.
+    /// Pair of points that a reaction keeps together. `None` unless the reaction was found
+    /// automatically and belongs to a loop closed by equations.
     fn closing(&self, reaction: &Reaction, resting: &[BodyPair]) -> Option<Closing> {
         let ReactionKind::Force { on, against } = reaction.kind else { return None };
         let by = against.map(|place| place.body);
@@ -54,7 +61,7 @@ impl Relative<'_> {
         })
     }
 
-    /// Reactions at a closing that do no work in any permitted motion.
+    /// Reactions of size 1 at the pair of points `closing` that do no work in any permitted motion.
     fn held_at(&self, closing: &Closing) -> Vec<Reaction> {
         let &Closing { on, against, frame } = closing;
         let (body, holder, space) = (on.body, against.map(|place| place.body), self.drawn.space);

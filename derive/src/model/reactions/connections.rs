@@ -1,24 +1,29 @@
-//! Reactions that nobody named: forces and torques that hold bodies to each other and to the ground, for the
+//! Connections of bodies: finds the reactions that the model file does not state, for the
 //! Newton–Euler equations.
 //!
-//! The connections of the model file are visited in order, those first that the file states most plainly
-//! ([`stated_connections`]): reactions that it names, contacts without slip, joints and placement on other bodies,
-//! contacts, and the ground last. Each connection carries forces along axes of frames and torques about them, if these
-//! do no work in the motions that the connection itself permits. It carries only directions that the connections before
-//! it leave open, whether bodies feel them or not. If that is not enough, as when equations tie coordinates, forces and
-//! torques are sought wherever they do no work ([`elsewhere`]). In closed loops, the joints of the tree hold the
-//! directions that they would hold in open loops. A pin takes no torque about its axis, even if a loop prevents it from
-//! turning.
+//! The connections of the model file are visited in the order in which the file states them most
+//! plainly ([`stated_connections`]). First come stated reactions, contacts without slip, joints and
+//! placement on other bodies. Then come other contacts, and last the ground. Each connection
+//! transmits forces along axes of frames and torques about them, if these do no work in the motions
+//! that the connection itself permits. It gets only directions that earlier connections leave open,
+//! whether or not these reactions are needed.
 //!
-//! A contact, or the ground, that carries none of these reactions is left out ([`crate::model::Contacts::idle`]): no
-//! load is handed on to it.
+//! If reactions are still missing, as when equations relate coordinates, forces and torques are
+//! searched wherever they do no work ([`elsewhere`]). In closed loops, the joints of the tree hold
+//! the directions that they would hold in open loops. A pin transmits no torque about its axis,
+//! even if a loop prevents it from rotating.
 //!
-//! Some directions are held along no axis of a frame, as by gears or along a direction that a formula states. They are
-//! held by all axes together: by forces and torques where bodies rest. Each of these does work, but their powers along
-//! each speed add up to zero ([`Reaction::is_shared`]). Force and torque of a screw obey the law of that screw alone
-//! ([`Reaction::law`]): in a loop there are fewer speeds than screws.
-//! All of this is decided in one random pose ([`super::random_pose`]). The derivation of the equations proves that
-//! reactions do no work.
+//! A contact, or the ground, that transmits none of these reactions is left out
+//! ([`crate::model::Contacts::idle`]): no load goes through it.
+//!
+//! Some directions are along no axis of a frame, as with gears, or with a direction that a formula
+//! states. All axes hold these together, by forces and torques at the body's support. Each of them
+//! does work, but for each speed their powers sum to zero ([`Reaction::is_shared`]). The force and
+//! torque of a screw obey the law of that screw alone ([`Reaction::law`]), since a loop has fewer
+//! speeds than screws.
+//!
+//! All of this is decided in one random pose ([`super::random_pose`]). The derivation of the
+//! equations proves that reactions do no work.
 
 mod elsewhere;
 mod search;
@@ -30,33 +35,35 @@ use crate::geometry::Frames;
 use crate::model::{Model, Reaction, ReactionKind};
 use search::{FoundReaction, ReactionDirection, Search};
 
-/// Largest number of Newton–Euler equations for which reactions are found. In larger systems the model file must name
-/// them.
+/// Largest number of Newton–Euler equations for which reactions are found. In larger systems the
+/// model file must state them.
 pub(in crate::model) const MOST_EQUATIONS: usize = 72;
-/// Most characters of the name of a found reaction, without its number.
+/// Largest number of characters of the name of a found reaction, without the number that makes it
+/// unique.
 const MAX_LENGTH: usize = 56;
 
-/// Beginning of the name of every reaction on a body that is found; `what` is `force` or `torque`.
+/// Prefix of the names of found reactions on a body; `what` is `force` or `torque`.
 pub fn found_prefix(body: &str, what: &str) -> String {
     format!("{body}_{what}_")
 }
 
 impl Model {
-    /// Reactions that the model file names. They come first in [`Self::reactions`].
+    /// Reactions that the model file states. They come first in [`Self::reactions`].
     #[must_use]
     pub fn stated_reactions(&self) -> &[Reaction] {
         let found = self.reactions.iter().position(|r| !r.is_stated);
         &self.reactions[..found.unwrap_or(self.reactions.len())]
     }
 
-    /// Number of Newton–Euler equations of all bodies, if it is too large to find reactions; otherwise `None`.
+    /// Number of Newton–Euler equations of all bodies if it is too large for finding reactions;
+    /// otherwise `None`.
     pub(in crate::model) fn too_many_equations(&self) -> Option<usize> {
         let equations = |body: &crate::model::Body| if body.rigid.is_some() { 6 } else { 3 };
         Some(self.bodies.iter().map(equations).sum()).filter(|all| *all > MOST_EQUATIONS)
     }
 
-    /// Adds reactions until there are as many as the Newton–Euler equations of all bodies need. Adds none if that
-    /// cannot be done.
+    /// Adds reactions until there are as many as the Newton–Euler equations of all bodies need. Adds
+    /// none if that is impossible.
     pub(in crate::model) fn complete_reactions(&mut self) {
         let on_nothing =
             |t: &crate::model::Torque| t.on.1.is_none() || t.against.is_some_and(|(_, body)| body.is_none());
@@ -66,7 +73,8 @@ impl Model {
         let Some(mut search) = Search::new(self) else { return };
         search.held();
         search.elsewhere();
-        // An incomplete set would make the equations unsolvable, and the file would not state these reactions.
+        // An incomplete set would make the equations unsolvable, and the model file did not ask for these
+        // reactions.
         if search.missing > 0 {
             return;
         }
@@ -77,7 +85,7 @@ impl Model {
         self.contacts.idle = idle;
     }
 
-    /// Adds a reaction that was found, under a name that no other quantity has.
+    /// Adds a found reaction to the model, under a name that no other quantity has.
     fn name_reaction(&mut self, FoundReaction { kind, along, is_shared, law }: FoundReaction) {
         let (what, body) = match kind {
             ReactionKind::Force { on, .. } => ("force", on.body),
@@ -105,7 +113,7 @@ impl Model {
         self.reactions.push(Reaction { name, symbol, kind, frame, direction, is_stated: false, is_shared, law });
     }
 
-    /// Unit vector from one point to another: components in the inertial frame.
+    /// Unit vector from one point to another, as terms, with components in the inertial frame.
     fn unit_along(&mut self, from: usize, to: usize) -> [Expr; 3] {
         let mut arena = std::mem::take(&mut self.arena);
         let mut frames = Frames::new(&self.frames);

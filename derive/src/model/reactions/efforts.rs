@@ -1,12 +1,16 @@
-//! Potentials as forces and torques between bodies, for the Newton–Euler equations.
+//! Efforts of potentials: forces and torques between bodies that do the work of potentials, for the
+//! Newton–Euler equations.
 //!
-//! A potential in coordinates states the work that it does, but not the bodies on which it acts, which the Newton–Euler
-//! equations need. It is exerted as motors and springs in joints would exert it: along and about axes of frames,
-//! between each body and its holder ([`super::relative_motion`]). The velocities along these axes, r = R q̇, determine
-//! q̇; axes whose velocities depend on the fewest coordinates come first. The efforts w do the work of the potential in
-//! every motion: Rᵀ w = −∂V/∂q. If the motions of the bodies do not determine q̇, as with Euler parameters, they
-//! determine u. The efforts then do that work in every permitted motion. Accelerations do not depend on the choice of
-//! axes; reactions do.
+//! A potential in coordinates states its work, but not the bodies on which it acts, which the
+//! Newton–Euler equations need. It is exerted as motors and springs in joints would exert it: along
+//! and about axes of frames, between each body and its support ([`super::relative_motion`]). The
+//! relative velocities along these axes, r = R q̇, determine q̇. Axes whose velocities depend on
+//! the fewest coordinates come first.
+//!
+//! The forces and torques w do the work of the potential in every motion: Rᵀ w = −∂V/∂q. If the
+//! motions of the bodies do not determine q̇, as with Euler parameters, they determine u, and the
+//! work is equal in every permitted motion. Accelerations do not depend on the choice of axes;
+//! reactions do.
 
 use super::random_pose::{DrawnModel, Triple};
 use super::relative_motion::{BodyPair, Holder, Relative};
@@ -19,20 +23,21 @@ use crate::algebra::{Arena, Expr};
 use crate::geometry::{Frames, Motion, Vector};
 use crate::model::{Effort, Model, Place, ReactionKind};
 
-/// Largest number of bodies for which efforts of potentials are sought.
+/// Largest number of bodies for which forces and torques of potentials are searched.
 const MOST_BODIES: usize = 24;
 
-/// Axis of a frame along or about which an effort acts: kind, frame, axis.
+/// Axis along or about which a force or torque of a potential acts: (kind, frame, axis 0, 1 or 2).
 type Axis = (ReactionKind, usize, usize);
 
 impl Model {
-    /// Finds the loads that the model file leaves open: potentials as forces and torques, then reactions.
+    /// Finds the loads that the model file leaves open: potentials as forces and torques, then
+    /// reactions.
     pub(in crate::model) fn complete_loads(&mut self) {
         self.place_potentials();
         self.complete_reactions();
     }
 
-    /// Finds forces and torques with the work of the potentials; leaves none if none do this work.
+    /// Finds forces and torques that do the work of the potentials. Sets none if none do.
     fn place_potentials(&mut self) {
         if self.potentials.is_empty() || self.bodies.len() > MOST_BODIES {
             return;
@@ -40,7 +45,7 @@ impl Model {
         let mut arena = self.arena.clone();
         let Some(drawn) = DrawnModel::new(self, &mut arena) else { return };
         let relative = Relative { model: self, drawn, ways_if_open: None };
-        // Coordinates that closed joints fix are not in V any more.
+        // V no longer contains coordinates that closing joints determine.
         let own: Vec<usize> = relative.own_motions().filter(|at| *at < self.coordinates.len()).collect();
         let along_rates = relative.axes(own.len(), |velocity| own.iter().map(|at| velocity(*at)).collect());
         let found = match along_rates {
@@ -61,8 +66,8 @@ impl Model {
         }
     }
 
-    /// Solves Rᵀ w = −∂V/∂q for the efforts w along these axes. `put` replaces q̇ by terms in u, if the `variables` are
-    /// speeds.
+    /// Solves Rᵀ w = −∂V/∂q for the forces and torques w along these axes. `put` replaces q̇ by terms
+    /// in u if the `variables` are speeds. `None` if there is no solution.
     fn efforts_along(&self, axes: &[Axis], variables: &[Expr], put: &mut Substitution) -> Option<(Arena, Vec<Effort>)> {
         let mut arena = self.arena.clone();
         let mut simplifier = Simplifier::default();
@@ -101,7 +106,8 @@ impl Model {
         Some((arena, efforts))
     }
 
-    /// Power −∂V/∂q · q̇ of all potentials; potentials do not push time.
+    /// Power −∂V/∂q · q̇ of all potentials, W, as a term. A potential exerts no force on the time
+    /// coordinate.
     fn potential_power(&self, arena: &mut Arena) -> Expr {
         let energies: Vec<Expr> = self.potentials.iter().map(|potential| potential.energy).collect();
         let energy = arena.sum(&energies);
@@ -112,8 +118,8 @@ impl Model {
         arena.neg(growth)
     }
 
-    /// Velocity, or angular velocity for a torque, of the body on which a reaction acts, relative to the body on which
-    /// its opposite acts.
+    /// Velocity at which a reaction does work: of the body on which it acts, relative to the body on
+    /// which its opposite acts. It is an angular velocity for a torque.
     pub(in crate::model) fn relative_velocity(
         &self,
         arena: &mut Arena,
@@ -142,9 +148,9 @@ impl Model {
 }
 
 impl Relative<'_> {
-    /// Finds `count` axes along which relative velocities are independent, preferring those that depend on the fewest
-    /// variables. `listed` maps velocities along q̇ to velocities along the variables. `None` if there are not enough
-    /// axes.
+    /// Finds `count` axes along which relative velocities are independent, preferring those that depend
+    /// on the fewest variables. `listed` maps velocities per q̇ to velocities per variable. `None` if
+    /// there are not enough axes.
     fn axes(&self, count: usize, listed: impl Fn(&dyn Fn(usize) -> Triple) -> Vec<Triple>) -> Option<Vec<Axis>> {
         let mut candidates: Vec<(usize, Vec<u64>, Axis)> = Vec::new();
         for BodyPair { body, against: holder } in self.resting() {
@@ -165,7 +171,8 @@ impl Relative<'_> {
         (basis.len() == count).then(|| candidates.into_iter().map(|(.., axis)| axis).collect())
     }
 
-    /// Force and torque that may act between a body and its holder, each with the velocities at which it does work.
+    /// Force and torque that may act between a body and its support, each with the relative velocities
+    /// at which it does work.
     fn pushes(
         &self,
         body: usize,
@@ -175,7 +182,7 @@ impl Relative<'_> {
         let space = self.drawn.space;
         let mut list = Vec::new();
         if self.is_rigid(Some(body)) {
-            // A particle takes no torque: the opposite acts on the ground.
+            // A particle takes no torque, so the opposite torque acts on the ground.
             let against = holder.filter(|_| self.is_rigid(holder));
             let turns = |along: usize| space.sub(self.turning(Some(body), along), self.turning(against, along));
             list.push((ReactionKind::Torque { on: body, against }, listed(&turns)));

@@ -1,8 +1,9 @@
-//! Force or torque that one body exerts on another through their connections: the sum of all reactions between the two.
+//! Interactions: the force or torque that one body exerts on another through their connections, the
+//! sum of all reactions between them.
 //!
-//! A formula names a component of the force or torque, `force(base on arm) @ N [1]`. While the model file is read a
-//! symbol stands for the component, since reactions that nobody named are found last. Then the sum replaces the symbol,
-//! so that only the reading of files knows of the name.
+//! A formula states a component of the force or torque as `force(base on arm) @ N [1]`. While the
+//! model file is read, a symbol stands for the component, since reactions are found last. Then the
+//! sum replaces the symbol, so that only the reading of files knows of this name.
 
 use super::connections::{MOST_EQUATIONS, found_prefix};
 use super::relative_motion::{BodyPair, Holder, sides};
@@ -17,38 +18,52 @@ use crate::model::{CarriedBody, Model, Place, Placement, Reaction, ReactionKind}
 use crate::read::Located;
 use std::ops::Range;
 
-/// Name of the ground where bodies are named. If a body has this name, it means the body.
+/// Name of the ground in place of a body's name. A body with this name takes precedence.
 pub const GROUND: &str = "ground";
 
-/// Component of the force or torque that a body exerts on another, by names with their places in the model file.
+/// Component of the force or torque that a body exerts on another, by names with their places in
+/// the file.
 #[derive(Clone, Debug)]
 pub struct StatedInteraction {
-    /// Symbol of the component until reactions are known.
+    /// Symbol that stands for the component until reactions are known.
     pub symbol: Expr,
-    /// Name of the component in canonical form, `force(base on arm) @ N [1]`.
+    /// Name of the component in canonical form, such as `force(base on arm) @ N [1]`.
     pub text: String,
+    /// True for a torque, false for a force.
     pub is_torque: bool,
+    /// Name of the body that exerts the force or torque.
     pub by: Located,
+    /// Name of the body on which the force or torque acts.
     pub on: Located,
+    /// Name of the point about which a torque is taken; `None` if the formula names none.
     pub about: Option<Located>,
+    /// Name of the frame along whose axis the component is taken.
     pub frame: Located,
+    /// Axis of the component: 0, 1 or 2.
     pub axis: usize,
-    /// Byte range of the component's whole name in the model file.
+    /// Byte range of the component's whole name in the file.
     pub span: Range<usize>,
 }
 
-/// Component of the force or torque that a body exerts on another, by indices into the lists of a model.
+/// Component of the force or torque that a body exerts on another, by indices.
 #[derive(Clone, Copy, Debug)]
 pub struct Interaction {
+    /// True for a torque, false for a force.
     pub is_torque: bool,
+    /// Body that exerts the force or torque; `None` is the ground.
     pub by: Holder,
+    /// Body on which the force or torque acts; `None` is the ground.
     pub on: Holder,
+    /// Index of the point about which a torque is taken; `None` if it is not known or not needed.
     pub about: Option<usize>,
+    /// Index of the frame along whose axis the component is taken.
     pub frame: usize,
+    /// Axis of the component: 0, 1 or 2.
     pub axis: usize,
 }
 
 impl StatedInteraction {
+    /// Creates the force or torque component that the parsed `name` in the text `formula` denotes.
     pub fn new(arena: &mut Arena, formula: &Located, name: &InteractionName<'_>) -> Self {
         let located = |(text, place): &(&str, Range<usize>)| Located {
             text: (*text).to_owned(),
@@ -76,24 +91,27 @@ impl StatedInteraction {
     }
 }
 
-/// Direction of a reaction, seen from the wanted force or torque between two bodies.
+/// Sense of a reaction relative to the wanted force or torque between two bodies.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Sense {
     /// The reaction acts on the same body as the wanted force or torque.
     Along,
-    /// The opposite of the reaction acts on that body.
+    /// The opposite of the reaction acts on the same body as the wanted force or torque.
     Against,
 }
 
-/// Reaction between the two bodies of a wanted force or torque.
+/// A reaction between the two bodies of a wanted force or torque, with its sense.
 #[derive(Clone)]
 struct Acting {
+    /// Reaction that acts between the two bodies.
     reaction: Reaction,
+    /// Sense of the reaction relative to the wanted force or torque.
     sense: Sense,
 }
 
 impl Interaction {
-    /// A reaction as a part of this force or torque; `None` if it is no part.
+    /// A reaction with its sense, if it acts between the two bodies of the wanted force or torque;
+    /// otherwise `None`.
     fn part(&self, reaction: &Reaction) -> Option<Acting> {
         let BodyPair { body, against } = sides(reaction.kind);
         let sense = match (Some(body), against) {
@@ -106,15 +124,17 @@ impl Interaction {
 }
 
 impl Model {
-    /// Term in the reactions of this model and in q for a component of a force or torque that a formula names.
+    /// Force or torque component that a formula names, as a term in the reactions of the model and in
+    /// q.
     ///
     /// # Errors
-    /// A [`Diagnostic`] at the name's place in these cases: a name is unknown, nothing acts between the two bodies, the
-    /// point of a torque is open, or equilibrium does not determine the component.
+    /// Returns a [`Diagnostic`] at the name's place in these cases: a name is unknown, nothing acts
+    /// between the bodies, the point of a torque is ambiguous, or equilibrium does not determine the
+    /// component.
     pub fn interaction(&mut self, stated: &StatedInteraction) -> Result<Expr, Diagnostic> {
         let mut sought = self.found_interaction(stated)?;
         let acting: Vec<Acting> = self.reactions.iter().filter_map(|r| sought.part(r)).collect();
-        // A joint that holds only what is held otherwise connects the bodies too.
+        // A redundant joint connects the bodies as well.
         let again = self.redundant.iter().filter_map(|r| sought.part(&r.reaction));
         let joined: Vec<Acting> = acting.iter().cloned().chain(again).collect();
         if joined.is_empty() {
@@ -132,7 +152,8 @@ impl Model {
         Ok(value)
     }
 
-    /// Component of the sum of reactions, with the moments of forces about the point `sought.about`.
+    /// Component of the sum of the reactions `acting`, with the moments of forces about the point
+    /// `sought.about`, as a term.
     fn sum_of(&self, arena: &mut Arena, sought: Interaction, acting: &[Acting]) -> Expr {
         let mut frames = Frames::new(&self.frames);
         let mut sum = Vector::default();
@@ -158,7 +179,7 @@ impl Model {
         Simplifier::default().simplify(arena, component)
     }
 
-    /// Position of a point relative to the origin.
+    /// Position of a point relative to the origin, m.
     pub(in crate::model) fn position(&self, arena: &mut Arena, point: usize) -> Vector {
         let (mut at, mut sum) = (point, Vector::default());
         while let Some(Placement { parent, frame, components }) = self.points[at].position {
@@ -168,8 +189,9 @@ impl Model {
         sum
     }
 
-    /// Index of the point about which a torque is taken: the named point, the point of the joint, or the single point
-    /// where forces act. Reports several such points.
+    /// Index of the point about which a torque is taken: the stated point, the point of the joint, or
+    /// the only point at which forces act. `Ok(None)` if no force acts; an error if there are several
+    /// points.
     fn point_of(
         &self,
         stated: &StatedInteraction,
@@ -211,7 +233,8 @@ impl Model {
         Err(Diagnostic::new(stated.span.clone(), message, help))
     }
 
-    /// Finds the bodies, the point and the frame that a formula names.
+    /// Resolves the bodies, the point and the frame that a formula names to indices; an error for an
+    /// unknown name.
     fn found_interaction(&self, stated: &StatedInteraction) -> Result<Interaction, Diagnostic> {
         let (by, on) = (self.holder(&stated.by)?, self.holder(&stated.on)?);
         if by == on {
@@ -230,7 +253,8 @@ impl Model {
         Ok(Interaction { is_torque: stated.is_torque, by, on, about, frame, axis: stated.axis })
     }
 
-    /// Index of a body, or `None` for the ground under its own name or that of the inertial frame.
+    /// Index of a body by name; `None` for the ground, named as `ground` or by the inertial frame. An
+    /// error for an unknown name.
     fn holder(&self, name: &Located) -> Result<Holder, Diagnostic> {
         if let Some(at) = self.bodies.iter().position(|b| b.name == name.text) {
             return Ok(Some(at));
@@ -243,11 +267,12 @@ impl Model {
         Err(Diagnostic::new(name.span.clone(), message, nearest(&name.text, names)))
     }
 
-    /// Name of a body, or of the ground.
+    /// Name of a body, or `ground` for `None`.
     pub(in crate::model) fn holder_name(&self, holder: Holder) -> &str {
         holder.map_or(GROUND, |at| &self.bodies[at].name)
     }
 
+    /// Diagnostic that no reaction acts between the two bodies that a formula names.
     fn nothing_acts(&self, stated: &StatedInteraction) -> Diagnostic {
         let mut pairs: Vec<String> = Vec::new();
         for BodyPair { body, against } in self.reactions.iter().map(|r| sides(r.kind)) {
@@ -272,22 +297,23 @@ impl Model {
     }
 }
 
-/// Index of the point at which a force acts, or, against it, at which its opposite acts.
+/// Index of the point at which a force acts on the body of interest; with the opposite sense, at
+/// which its opposite acts.
 fn felt_at(on: Place, against: Option<Place>, sense: Sense) -> usize {
     against.filter(|_| sense == Sense::Against).unwrap_or(on).point
 }
 
-/// A reaction that a condition of the domain names, by the reaction's own name or by two bodies.
+/// A reaction that a condition of the domain contains, by the reaction's own name or by two bodies.
 #[derive(Clone, Debug)]
 pub enum AskedReaction {
-    /// A reaction that may be found later: the symbol that stands for it, its name, and its unit.
+    /// Reaction that may be found later: (symbol that stands for it, its name, its unit).
     Found(Expr, Located, Unit),
-    /// A component of the force or torque that a body exerts on another.
+    /// Component of the force or torque that a body exerts on another.
     Between(StatedInteraction),
 }
 
 impl AskedReaction {
-    /// Symbol that stands for the reaction until reactions are known, and its unit.
+    /// Symbol that stands for the reaction until reactions are known, with its unit.
     pub fn symbol(&self) -> (Expr, Unit) {
         match self {
             Self::Between(stated) => (stated.symbol, stated.unit()),
@@ -297,8 +323,8 @@ impl AskedReaction {
 }
 
 impl Model {
-    /// Replaces the names of reactions in conditions of the domain, now that all reactions are known. Returns a
-    /// diagnostic, at its place, for each reaction that cannot be determined.
+    /// Replaces the names of reactions in conditions of the domain, after all reactions are known.
+    /// Returns a diagnostic for each reaction that cannot be determined.
     pub(in crate::model) fn name_reactions(&mut self, asked: Vec<AskedReaction>) -> Vec<Diagnostic> {
         let (mut pairs, mut errors) = (Vec::new(), Vec::new());
         for reaction in asked {
@@ -336,7 +362,8 @@ impl Model {
         errors
     }
 
-    /// Symbol of a reaction by the name under which it was found; an error if none has this name.
+    /// Symbol of a reaction by the name under which it was found; an error if no reaction has this
+    /// name.
     fn found_reaction(&self, name: &Located) -> Result<Expr, Diagnostic> {
         self.reactions.iter().find(|r| r.name == name.text).map(|r| r.symbol).ok_or_else(|| {
             let names = self.reactions.iter().map(|r| r.name.as_str());
@@ -346,7 +373,8 @@ impl Model {
     }
 }
 
-/// Message and advice for a reaction without a value, since joints hold its direction more than once.
+/// Message and advice for a redundant reaction, which has no value because another connection holds
+/// the same direction.
 pub fn is_redundant(name: &str) -> (String, &'static str) {
     let message = format!("equilibrium does not determine `{name}`: another connection holds the same motion");
     (
@@ -355,7 +383,8 @@ pub fn is_redundant(name: &str) -> (String, &'static str) {
     )
 }
 
-/// Unit of a reaction that may be found under a name such as `BODY_force_…` or `BODY_torque_…`; `None` for other names.
+/// Unit of a reaction that may be found under a name such as `BODY_force_…` or `BODY_torque_…`, for
+/// one of the `bodies`. `None` for other names.
 pub fn may_be_found<'n>(name: &str, mut bodies: impl Iterator<Item = &'n str>) -> Option<Unit> {
     let is_of = |body: &str| {
         let kinds = [("force", Unit::new(1, 1, -2)), ("torque", Unit::new(2, 1, -2))];

@@ -1,4 +1,5 @@
-//! Forces and torques that bodies exert on each other through connections, stated in the model file or found.
+//! Reactions: forces and torques that bodies exert on each other through connections, stated in the
+//! model file or found.
 
 pub(super) mod actions;
 pub(super) mod closures;

@@ -1,8 +1,8 @@
-//! A mechanism in one random pose and motion, in residues modulo a prime. A term whose residue is zero is identically
-//! zero, except with a chance below 2⁻⁵⁰.
+//! Random pose and motion of a mechanism, in residues modulo a prime. A term whose residue is zero
+//! is identically zero, except with a probability below 2⁻⁵⁰.
 //!
-//! Frames and points are visited once, parents first. Each frame costs few multiplications, where a symbolic derivation
-//! would multiply out all turns.
+//! Frames and points are visited once, parents first. Each frame costs few multiplications, whereas
+//! a symbolic derivation would expand the products of all rotations.
 
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::text::parse::VelocityOf;
@@ -13,7 +13,8 @@ use crate::geometry::Turn;
 use crate::model::{AddedVelocity, Model, Placement};
 use std::collections::BTreeMap;
 
-/// Residues of three components of a vector, along inertial axes if nothing else is said.
+/// Vector as three residues modulo a prime, with components along inertial axes unless stated
+/// otherwise.
 pub type Triple = [u64; 3];
 
 /// Arithmetic of vectors whose components are residues modulo a prime.
@@ -45,16 +46,17 @@ impl Space {
         })
     }
 
-    /// Vector with these components along these axes: Σ components[i] · axes[i].
+    /// Vector Σ components_i axes_i with these components along these axes.
     pub fn along(self, axes: &[Triple; 3], components: Triple) -> Triple {
         (0..3).fold([0; 3], |sum, i| self.add(sum, self.scale(components[i], axes[i])))
     }
 }
 
-/// Residues of terms, read one after another in the order of the terms.
+/// Residues of a list of terms, which are read in the order of the terms.
 pub struct Residues(std::vec::IntoIter<u64>);
 
 impl Residues {
+    /// Creates the reader of a list of residues.
     pub fn new(list: Vec<u64>) -> Self {
         Self(list.into_iter())
     }
@@ -70,59 +72,81 @@ impl Residues {
     }
 }
 
-/// A frame in a random pose: axes, angular velocity along each q̇ and then along each of [`Model::openings`], in total,
-/// and angular acceleration.
+/// A frame in a random pose and motion, in residues along inertial axes.
 #[derive(Clone)]
 pub struct DrawnFrame {
+    /// Unit vectors of the three axes of the frame.
     pub axes: [Triple; 3],
+    /// Angular velocity per unit rate of each coordinate, then of each motion of an opened joint
+    /// (`Model::openings`).
     pub along: Vec<Triple>,
+    /// Angular velocity ω of the frame in the random motion.
     pub velocity: Triple,
+    /// Angular acceleration of the frame in the random motion.
     pub acceleration: Triple,
 }
 
-/// A point in a random pose: position, velocity along each q̇ and then along each of [`Model::openings`], in total, and
-/// acceleration.
+/// A point in a random pose and motion, in residues along inertial axes.
 #[derive(Clone)]
 pub struct DrawnPoint {
+    /// Position relative to the origin.
     pub place: Triple,
+    /// Velocity per unit rate of each coordinate, then of each motion of an opened joint
+    /// (`Model::openings`).
     pub along: Vec<Triple>,
+    /// Velocity in the random motion.
     pub velocity: Triple,
+    /// Acceleration in the random motion.
     pub acceleration: Triple,
 }
 
 /// A model in a random pose and motion, in residues modulo a prime.
 pub struct DrawnModel {
+    /// Vector arithmetic modulo the prime.
     pub space: Space,
+    /// Frames by index.
     pub frames: Vec<DrawnFrame>,
+    /// Points by index.
     pub points: Vec<DrawnPoint>,
-    /// Slopes ∂q̇/∂u: a row for each coordinate, a column for each speed.
+    /// Partial derivatives ∂q̇/∂u: a row for each coordinate, a column for each speed.
     pub partial_rates: Vec<Vec<u64>>,
+    /// Random values of the symbols.
     drawn: Drawn,
 }
 
-/// Terms of a quantity that depends on coordinates: its value, its slopes along coordinates, and its first two time
-/// derivatives.
+/// Terms of a quantity that depends on coordinates: its value, partial derivatives, and first two
+/// time derivatives.
 struct Followed {
+    /// Value of the quantity.
     value: Expr,
+    /// Partial derivatives, as (index of the coordinate or opening, derivative).
     slopes: Vec<(usize, Expr)>,
+    /// First time derivative.
     rate: Expr,
+    /// Second time derivative.
     second: Expr,
 }
 
 /// Residues of the terms of a `Followed` quantity.
 #[derive(Clone, Default)]
 struct FollowedResidues {
+    /// Residue of the quantity's value.
     value: u64,
+    /// Residues of the partial derivatives, as (index of the coordinate or opening, residue).
     slopes: Vec<(usize, u64)>,
+    /// Residue of the first time derivative.
     rate: u64,
+    /// Residue of the second time derivative.
     second: u64,
 }
 
 impl Followed {
+    /// All terms of the quantity, in the order in which `read` takes their residues.
     fn terms(&self) -> impl Iterator<Item = Expr> {
         [self.value, self.rate, self.second].into_iter().chain(self.slopes.iter().map(|(_, slope)| *slope))
     }
 
+    /// Reads the residues of the quantity's value, derivatives and rates.
     fn read(&self, residues: &mut Residues) -> FollowedResidues {
         let [value, rate, second] = residues.triple();
         FollowedResidues {
@@ -134,20 +158,23 @@ impl Followed {
     }
 }
 
-/// Velocity that a motion adds at a frame or a point; `None` if it adds none.
+/// Velocity that a motion adds to the frame or point `at`; `None` if it adds none.
 fn added(list: &[AddedVelocity], at: usize) -> Option<[Expr; 3]> {
     list.iter().find(|(moved, _)| *moved == at).map(|(_, velocity)| *velocity)
 }
 
-/// Differentiates quantities along the coordinates, and along the motion of a model.
+/// Differentiates quantities with respect to the coordinates, and in time along the motion of a
+/// model.
 struct Follower {
+    /// Partial derivatives with respect to the coordinates.
     slopes: Gradient,
+    /// Time derivative along the motion of the model.
     d_dt: Differential,
 }
 
 impl Follower {
-    /// Adds motions along coordinates that closed joints fix to the slopes of each component, at indices from `first`
-    /// on. `openings` has the velocity that each motion adds.
+    /// Adds derivatives along openings, motions of opened joints, to each component, at indices from
+    /// `first` on. `openings` has the velocity that each motion adds.
     fn open(components: &mut [(usize, Followed)], first: usize, openings: &[Option<[Expr; 3]>]) {
         for (axis, followed) in components {
             let along =
@@ -156,6 +183,7 @@ impl Follower {
         }
     }
 
+    /// Creates the differentiation along the motion q̇ = W u + w of a model.
     fn new(model: &Model) -> Self {
         let rates = model.kinematic_equations.rates.iter();
         let flow = model.coordinates.iter().zip(rates).map(|(c, rate)| (c.symbol, *rate));
@@ -163,13 +191,14 @@ impl Follower {
         Self { slopes: Gradient::new(&model.q()), d_dt: Differential::along(&flow) }
     }
 
+    /// Partial derivatives and the first two time derivatives of a term.
     fn follow(&mut self, arena: &mut Arena, value: Expr) -> Followed {
         let rate = self.d_dt.apply(arena, value);
         let second = self.d_dt.apply(arena, rate);
         Followed { value, slopes: self.slopes.apply(arena, value).iter().copied().collect(), rate, second }
     }
 
-    /// Angular velocity that a turn adds: an axis, 0, 1 or 2, and the component along it.
+    /// Angular velocity that a rotation adds, as (axis 0, 1 or 2, component along it).
     fn spins(&mut self, arena: &mut Arena, turn: &Turn) -> Vec<(usize, Followed)> {
         let oriented = match turn {
             Turn::About(axis, angle) => return vec![(*axis, self.follow(arena, *angle))],
@@ -194,16 +223,18 @@ impl Follower {
     }
 }
 
-/// Terms of a turned frame: its cosines (cosine and sine for a turn about one axis), and the angular velocity that its
-/// turn adds.
+/// Terms of a rotated frame: its direction cosines (cosine and sine for a rotation about one axis),
+/// and the angular velocity that its rotation adds.
 struct Turning {
+    /// Direction cosines; cosine and sine of the angle for a rotation about one axis.
     cosines: Vec<Expr>,
+    /// Angular velocity that the rotation adds, as (axis 0, 1 or 2, component).
     spins: Vec<(usize, Followed)>,
 }
 
 impl DrawnModel {
-    /// Draws a pose and motion. New terms go to `arena`, a copy of the model's store. `None` if no pose was found in
-    /// which every term has a value.
+    /// Draws a random pose and motion. New terms go to `arena`, a copy of the model's arena. `None` if
+    /// no pose was found in which every term has a value.
     pub fn new(model: &Model, arena: &mut Arena) -> Option<Self> {
         let mut follower = Follower::new(model);
         let mut terms = Vec::new();
@@ -285,8 +316,8 @@ impl DrawnModel {
         Some(Self { space, frames, points, partial_rates, drawn })
     }
 
-    /// Residues of further terms in the same pose; residues replace the velocities that the terms name. `None` if a
-    /// term has no value.
+    /// Residues of further terms in the same pose, with residues for the velocities that occur in the
+    /// terms. `None` if a term has no value.
     pub fn values(&self, model: &Model, arena: &mut Arena, terms: &[Expr]) -> Option<Residues> {
         let symbols = model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied());
         let mut known: Vec<(Expr, Expr)> = symbols.collect();
@@ -306,7 +337,8 @@ impl DrawnModel {
         self.drawn.values(arena, &terms).map(Residues::new)
     }
 
-    /// Velocity of the material of a body at a point, along q̇ of one coordinate or, with `None`, in total.
+    /// Velocity of the material of a body at a point: per unit rate of the motion `along`, or the total
+    /// velocity for `None`.
     pub fn material(&self, model: &Model, body: usize, point: usize, along: Option<usize>) -> Triple {
         let body = &model.bodies[body];
         let centre = &self.points[body.centre];
@@ -319,12 +351,14 @@ impl DrawnModel {
 }
 
 impl DrawnFrame {
+    /// Inertial frame, with n motions along which it does not move.
     fn still(n: usize) -> Self {
         let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
         Self { axes, along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
     }
 
-    /// Axes of a frame that is turned from this frame about one of its axes, given cosine and sine of the angle.
+    /// Axes of a frame that is rotated from this frame about one of its axes, from the cosine and sine
+    /// of the angle.
     fn about(&self, space: Space, axis: usize, [cos, sin]: [u64; 2]) -> [Triple; 3] {
         let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
         let mut axes = self.axes;
@@ -333,7 +367,8 @@ impl DrawnFrame {
         axes
     }
 
-    /// A frame turned from this frame to these axes, given the components of the angular velocity that the turn adds.
+    /// Frame that is rotated from this frame to these axes, from the components of the angular velocity
+    /// that the rotation adds.
     fn turned(&self, space: Space, axes: [Triple; 3], spins: &[(usize, FollowedResidues)]) -> Self {
         let mut along = self.along.clone();
         let (mut spin, mut second) = ([0; 3], [0; 3]);
@@ -352,11 +387,12 @@ impl DrawnFrame {
 }
 
 impl DrawnPoint {
+    /// Origin, with n motions along which it does not move.
     fn still(n: usize) -> Self {
         Self { place: [0; 3], along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
     }
 
-    /// A point placed from this point in a frame, given the components of its position.
+    /// Point placed from this point in a frame, from the components of its position.
     fn moved(&self, space: Space, frame: &DrawnFrame, place: &[FollowedResidues; 3]) -> Self {
         let of =
             |part: fn(&FollowedResidues) -> u64| space.along(&frame.axes, [0, 1, 2].map(|i: usize| part(&place[i])));

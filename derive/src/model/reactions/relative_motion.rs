@@ -1,4 +1,5 @@
-//! Motion of bodies relative to one another and to the ground, in one random pose ([`super::random_pose`]).
+//! Relative motion of bodies, to one another and to the ground, in one random pose
+//! ([`super::random_pose`]).
 
 use super::random_pose::{DrawnModel, Triple};
 use crate::algebra::term::calculus::Gradient;
@@ -6,30 +7,32 @@ use crate::algebra::value::rank::Basis;
 use crate::algebra::{Arena, Expr};
 use crate::model::{Model, MotionConstraint, MotionConstraintKind, ReactionKind};
 
-/// Index of a body on which another body rests; `None` is the ground.
+/// Index of the body on which another body rests; `None` is the ground.
 pub type Holder = Option<usize>;
 
-/// A body, and the body or ground on which it rests, against which it moves, or from which a reaction acts on it.
+/// A body with the body or ground to which it is related, for example by resting on it or by a
+/// reaction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BodyPair {
-    /// Index of the body.
+    /// Index of the first body.
     pub body: usize,
+    /// Index of the second body; `None` is the ground.
     pub against: Holder,
 }
 
 impl BodyPair {
-    /// True if these are the two of the pair, in any order.
+    /// True if the pair consists of the bodies `one` and `other`, in any order.
     pub fn joins(self, one: Holder, other: Holder) -> bool {
         [(one, other), (other, one)].contains(&(Some(self.body), self.against))
     }
 
-    /// Same pair with the other body first; `None` for a pair with the ground.
+    /// The pair with its two bodies exchanged; `None` for a pair with the ground.
     pub fn reversed(self) -> Option<Self> {
         self.against.map(|body| Self { body, against: Some(self.body) })
     }
 }
 
-/// Body on which a reaction acts, and body or ground on which the opposite acts.
+/// Body on which a reaction acts, paired with the body or ground on which its opposite acts.
 pub fn sides(kind: ReactionKind) -> BodyPair {
     match kind {
         ReactionKind::Force { on, against } => BodyPair { body: on.body, against: against.map(|place| place.body) },
@@ -37,17 +40,20 @@ pub fn sides(kind: ReactionKind) -> BodyPair {
     }
 }
 
-/// A model in a random pose, and the motion of its bodies relative to one another in that pose.
+/// A model in a random pose, with the relative motion of its bodies in that pose.
 pub struct Relative<'m> {
+    /// Model whose bodies move.
     pub model: &'m Model,
+    /// Model in the random pose, as residues.
     pub drawn: DrawnModel,
-    /// Motions, each a value for every q̇ and then for each of [`Model::openings`], that replace those along the speeds
-    /// if they are `Some`.
+    /// Motions that replace those along the generalized speeds, or `None`. Each has a rate for every
+    /// coordinate, then for each motion of an opened joint (`Model::openings`).
     pub ways_if_open: Option<Vec<Vec<u64>>>,
 }
 
 impl Model {
-    /// Indices of the coordinates whose rates are zero neither by time nor by a prescribed motion, if all else is open.
+    /// Indices of the coordinates that are neither time nor prescribed, so that their rates are free if
+    /// all loops are open.
     pub(crate) fn undriven(&self) -> Vec<usize> {
         let drives = |constraint: &&MotionConstraint| match constraint.kind {
             MotionConstraintKind::Loop(at) => self.loops[at].prescribes,
@@ -61,35 +67,38 @@ impl Model {
 }
 
 impl Relative<'_> {
-    /// Velocity of the material of a body, or of the ground, at a point, if only the motion `along` has the rate 1.
+    /// Velocity of the material of a body, or of the ground, at a point, per unit rate of the motion
+    /// `along`.
     pub fn material(&self, body: Holder, point: usize, along: usize) -> Triple {
         body.map_or([0; 3], |body| self.drawn.material(self.model, body, point, Some(along)))
     }
 
-    /// Angular velocity of a rigid body, or of the ground, if only the motion `along` has the rate 1. A particle does
-    /// not turn.
+    /// Angular velocity of a rigid body, or of the ground, per unit rate of the motion `along`. It is
+    /// zero for a particle.
     pub fn turning(&self, body: Holder, along: usize) -> Triple {
         let frame = body.and_then(|body| Some(self.model.bodies[body].rigid.as_ref()?.0));
         frame.map_or([0; 3], |frame| self.drawn.frames[frame].along[along])
     }
 
+    /// True for a rigid body and for the ground; false for a particle.
     pub fn is_rigid(&self, body: Holder) -> bool {
         body.is_none_or(|body| self.model.bodies[body].rigid.is_some())
     }
 
-    /// Number of motions if all joints of loops are open: along each coordinate, then each of [`Model::openings`].
+    /// Number of motions if all closing joints are open: one along each coordinate, then one for each
+    /// opened joint (`Model::openings`).
     fn motions(&self) -> usize {
         self.model.coordinates.len() + self.model.openings.len()
     }
 
-    /// Indices of the motions other than time, if all joints of loops are open.
+    /// Indices of the motions without time, if all closing joints are open.
     pub fn own_motions(&self) -> impl Iterator<Item = usize> + use<'_> {
         let time = self.model.time();
         (0..self.motions()).filter(move |at| Some(*at) != time)
     }
 
-    /// Number of independent ways in which vectors `of` a motion change along all motions and time. Time counts: a body
-    /// that hangs on a driven crank does not hang on the ground.
+    /// Rank of vectors `of` a motion over all motions and time. Time counts, since a body that hangs on
+    /// a driven crank does not hang on the ground.
     pub fn ways(&self, of: impl Fn(usize) -> Vec<Triple>) -> usize {
         let mut basis = Basis::new(self.drawn.space.0);
         for along in 0..self.motions() {
@@ -98,12 +107,12 @@ impl Relative<'_> {
         basis.len()
     }
 
-    /// Number of independent ways in which a body moves relative to another, or to the ground.
+    /// Number of degrees of freedom of a body relative to another, or to the ground.
     pub fn freedom(&self, body: usize, against: Holder) -> usize {
         let space = self.drawn.space;
-        // Nothing turns against a particle.
+        // A particle does not rotate relative to anything.
         let turns = self.is_rigid(Some(body));
-        // The material of a particle is at its own point alone.
+        // The material of a particle is at its own point only.
         let particle = against.filter(|_| !self.is_rigid(against));
         let point = self.model.bodies[particle.unwrap_or(body)].centre;
         self.ways(|along| {
@@ -113,8 +122,8 @@ impl Relative<'_> {
         })
     }
 
-    /// Index of the point at which the material of two bodies moves least relative to one another. If the mass centre
-    /// is among several such points, it is taken.
+    /// Index of the point at which the material of two bodies moves least relative to one another. The
+    /// mass centre of `body` is preferred.
     pub fn least_moving_point(&self, body: usize, holder: Holder) -> usize {
         let centre = self.model.bodies[body].centre;
         let own: Vec<usize> = [Some(body), holder]
@@ -136,7 +145,8 @@ impl Relative<'_> {
         points.into_iter().min_by_key(|point| slip(*point)).unwrap_or(centre)
     }
 
-    /// Frames along whose axes reactions are sought: that of the holder, that of the body, then all others.
+    /// Frames along whose axes reactions are searched: that of the supporting body, that of the body,
+    /// then all others.
     pub fn frames(&self, body: usize, holder: Holder) -> Vec<usize> {
         let of = |body: usize| self.model.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
         let mut list = vec![holder.and_then(of).unwrap_or(0)];
@@ -149,8 +159,8 @@ impl Relative<'_> {
         list
     }
 
-    /// Basis of the motions of the mechanism if only the motion constraints that `holds` accepts held. `None` if a term
-    /// has no value.
+    /// Basis of the motions of the mechanism if only the motion constraints that `holds` accepts held.
+    /// `None` if a term has no value.
     pub fn open_ways(&self, arena: &mut Arena, holds: &dyn Fn(&MotionConstraint) -> bool) -> Option<Vec<Vec<u64>>> {
         let model = self.model;
         let held: Vec<&MotionConstraint> = model.motion_constraints.iter().filter(|c| holds(c)).collect();
@@ -174,7 +184,8 @@ impl Relative<'_> {
         Some(basis.null_space(n))
     }
 
-    /// Velocities along each speed, or along each motion of [`Self::ways_if_open`], from those `along` q̇.
+    /// Converts velocities `along` each q̇ to velocities for each speed, or for each motion of
+    /// [`Self::ways_if_open`].
     pub fn permitted(&self, along: impl Fn(usize) -> Triple) -> Vec<Triple> {
         let space = self.drawn.space;
         if let Some(ways) = &self.ways_if_open {
@@ -194,8 +205,8 @@ impl Relative<'_> {
         list
     }
 
-    /// Velocities of a body's material at a point relative to its holder's material at another point, one for each
-    /// speed.
+    /// Velocities of a body's material at `point` relative to the supporting body's material at
+    /// `opposite`, one for each speed.
     pub fn slips(&self, body: usize, holder: Holder, point: usize, opposite: usize) -> Vec<Triple> {
         let space = self.drawn.space;
         self.permitted(|along| {
@@ -203,7 +214,8 @@ impl Relative<'_> {
         })
     }
 
-    /// Pairs of each body with the ground, then with each later body, between which reactions are sought.
+    /// Pairs of each body with the ground, then of each body with each later body, between which
+    /// reactions are searched.
     pub fn pairs(&self) -> Vec<BodyPair> {
         let count = self.model.bodies.len();
         let on_ground = (0..count).map(|body| BodyPair { body, against: None });
@@ -220,12 +232,12 @@ impl Relative<'_> {
         !self.own_motions().any(moves)
     }
 
-    /// True if a point is fixed to the ground.
+    /// True if a point is fixed to the ground, that is, if no motion except time moves it.
     pub fn stays(&self, point: usize) -> bool {
         self.own_motions().all(|along| self.drawn.points[point].along[along] == [0; 3])
     }
 
-    /// Angular velocities of a body relative to its holder, one for each speed.
+    /// Angular velocities of a body relative to the supporting body, one for each speed.
     pub fn turns(&self, body: usize, holder: Holder) -> Vec<Triple> {
         let space = self.drawn.space;
         self.permitted(|along| space.sub(self.turning(Some(body), along), self.turning(holder, along)))

@@ -1,13 +1,15 @@
-//! Reactions that equilibrium does not determine. They occur in a loop that joints or rolling contacts hold more often
-//! than necessary. They may also occur where equations keep two points together and do not state which further
-//! directions are held there.
+//! Self-stress: reactions that equilibrium does not determine. They occur in a loop that joints or
+//! rolling contacts hold more often than necessary. They also occur where equations keep two points
+//! together and do not state which further directions are held.
 //!
-//! For each equation of a joint or contact that follows from others, there are forces and torques in equilibrium with
-//! one another. They do no work along any q', and may have any size. They satisfy A λ = 0, where A has a column for the
-//! work of each of them along q'. They are computed in one closed pose, in doubles, at the default values. Forces and
-//! torques of loops go down the tree of bodies to the ground.
-//! S. Pellegrino & C. R. Calladine, Matrix analysis of statically and kinematically indeterminate frameworks,
-//! *International Journal of Solids and Structures* 22 (1986) 409–428.
+//! For each redundant equation of a joint or contact, there are forces and torques in equilibrium
+//! with one another. They do no work along any q', and may have any size. They satisfy A λ = 0,
+//! where A has a column for the work of each of them along q'. They are computed in one closed
+//! pose, in doubles, at the default values. Forces and torques of loops go down the tree of bodies
+//! to the ground.
+//!
+//! Source: S. Pellegrino & C. R. Calladine, Matrix analysis of statically and kinematically
+//! indeterminate frameworks, *International Journal of Solids and Structures* 22 (1986) 409–428.
 
 use super::interactions::Interaction;
 use super::random_pose::DrawnModel;
@@ -19,15 +21,16 @@ use crate::model::physics::{defaults, values_at};
 use crate::model::{JointReaction, Model, Place, Reaction, ReactionKind, Rolled};
 use nalgebra::{DMatrix, DVector, Vector3};
 
-/// Residual, over its length, up to which a column depends on other columns; these are projected out of it.
+/// Norm up to which a column depends on other columns after these are projected out, relative to
+/// the column's norm.
 const DEPENDENT: f64 = 1e-6;
 /// Fraction of the largest component below which another component counts as zero.
 const NOTHING: f64 = 1e-7;
 
-/// Largest number of poses that are drawn until all required values exist.
+/// Largest number of poses that are tried until all required values exist.
 const MOST_POSES: usize = 20;
 
-/// Forces and torques on a body, summed.
+/// Wrench: sum of forces and torques on a body, with components in the inertial frame.
 #[derive(Clone, Copy)]
 struct Wrench {
     /// Force, N.
@@ -37,48 +40,54 @@ struct Wrench {
 }
 
 impl Wrench {
+    /// Wrench without force and moment.
     const ZERO: Self = Self { force: Vector3::new(0.0, 0.0, 0.0), moment: Vector3::new(0.0, 0.0, 0.0) };
 }
 
-/// Frames, points and reactions in one pose.
+/// Frames, points and reactions of a model in one pose, in doubles.
 struct Pose {
-    /// Axes of each frame in the inertial frame.
+    /// Axes of each frame, with components in the inertial frame.
     axes: Vec<[Vector3<f64>; 3]>,
+    /// Positions of the points in the inertial frame, m.
     points: Vec<Vector3<f64>>,
-    /// Directions of reactions, and their work along q': reactions of the model first, then repeated ones.
+    /// Reactions as (direction in the inertial frame, work along each q'): those of the model first,
+    /// then redundant ones.
     acting: Vec<(Vector3<f64>, DVector<f64>)>,
 }
 
-/// Forces and torques between pairs of bodies that are in equilibrium without loads.
+/// Self-stress: forces and torques between pairs of bodies that are in equilibrium without loads.
 struct SelfStress {
-    /// Wrench on the body of each pair; the opposite acts on the other.
+    /// Wrench on the first body of each pair; the opposite acts on the second.
     between: Vec<(BodyPair, Wrench)>,
-    /// Largest force, and largest moment, of the self-stress.
+    /// Largest force, N, and largest moment, N m, of the self-stress.
     size: (f64, f64),
+    /// Largest distance of a point from the origin, m; 1 if it is zero.
     reach: f64,
 }
 
-/// Connection that holds a direction.
+/// Connection that holds a redundant direction.
 enum HeldBy {
-    /// Joint with this name.
+    /// Joint of the model file, by name.
     Joint(String),
-    /// Contact with this name, where a body rolls.
+    /// Rolling contact of the model file, by name.
     Contact(String),
-    /// Reaction that the model file names.
+    /// Reaction that the model file states.
     Connection,
 }
 
-/// Reaction along a direction that is held otherwise as well.
+/// Redundant reaction, along a direction that another connection holds as well.
 struct HeldAgain {
-    /// Name of the equation of the joint or contact, or of the reaction that the model file names.
+    /// Name of the equation of the joint or contact, or of the stated reaction.
     name: String,
+    /// Connection that holds the direction.
     by: HeldBy,
-    /// Reaction of size 1.
+    /// Reaction of size 1 along the direction.
     reaction: Reaction,
 }
 
 impl Model {
     /// Message and advice if equilibrium does not determine the wanted component; `None` if it does.
+    /// `text` names the component.
     pub(in crate::model) fn undetermined(&self, sought: &Interaction, text: &str) -> Option<(String, String)> {
         let is_simple =
             self.redundant.is_empty() && self.loops.is_empty() && self.repeated.iter().all(|r| r.rolled.is_none());
@@ -118,8 +127,8 @@ impl Model {
         twice.or_else(|| self.undetermined_by_equations(&relative?, &resting, sought, text))
     }
 
-    /// Message and advice if equations that keep two points together leave the wanted component undetermined; `None` if
-    /// they do not.
+    /// Message and advice if equations that keep two points together leave the wanted component
+    /// undetermined; otherwise `None`.
     fn undetermined_by_equations(
         &self,
         relative: &Relative<'_>,
@@ -131,7 +140,8 @@ impl Model {
         if closings.is_empty() {
             return None;
         }
-        // If no closed pose is known, any pose shows the components that a plane mechanism leaves undetermined.
+        // Without a known closed pose, any pose shows the components that a plane mechanism leaves
+        // undetermined.
         let pose = self.closed_pose(&closings).or_else(|| self.any_pose(&closings))?;
         let first = self.reactions.len();
         closings.iter().enumerate().find_map(|(at, reaction)| {
@@ -154,10 +164,10 @@ impl Model {
         })
     }
 
-    /// Reactions of size 1 along directions that are held otherwise as well: those of joints, forces where bodies roll,
-    /// and reactions that the file names. Examples are the ground that presses on one of two wheels, and a gear that
-    /// presses on another along the line of their pinned centres. If a body's own holder holds a direction twice, both
-    /// count as one force of the holder.
+    /// Redundant reactions of size 1: those of joints, forces at rolling contacts, and stated
+    /// reactions. Examples are the ground that presses on one of two wheels, and a gear that presses on
+    /// another along the line of their pinned centres. A direction that a body's own support holds
+    /// twice counts once.
     fn held_again(&self, resting: &[BodyPair]) -> Vec<HeldAgain> {
         let contacts = self.repeated.iter().filter_map(|r| Some((r.name.clone(), r.rolled?)));
         let contacts =
@@ -171,7 +181,8 @@ impl Model {
                 Reaction { name: label, symbol, kind, frame, direction, is_stated: false, is_shared: false, law: None };
             HeldAgain { name, by: HeldBy::Contact(self.contacts.rolling[contact].clone()), reaction }
         });
-        // A reaction that the file names between bodies that do not rest on one another may be held by their holders.
+        // Supports may hold the direction of a stated reaction between bodies that do not rest on one
+        // another.
         let named = self.stated_reactions().iter().filter(|reaction| {
             let BodyPair { body, against } = sides(reaction.kind);
             !resting.iter().any(|pair| pair.joins(Some(body), against))
@@ -188,7 +199,8 @@ impl Model {
         joints.chain(contacts).chain(named).collect()
     }
 
-    /// Message and advice for the wanted component, to which each unit of a reaction adds `share`.
+    /// Message and advice for the wanted component, to which each unit of a redundant reaction adds
+    /// `share`.
     fn words(
         &self,
         text: &str,
@@ -230,18 +242,18 @@ impl Model {
         (message, format!("{free}, or ask for a component that is determined"))
     }
 
-    /// Pose in which independence of constraints was decided, with the reactions that act there; `None` if no closed
-    /// pose is known.
+    /// Pose in which independence of constraints was decided, with the reactions that act in it. `None`
+    /// if no closed pose is known.
     fn closed_pose(&self, repeated: &[Reaction]) -> Option<Pose> {
         match &self.branch {
             Some(branch) => self.pose(repeated, branch.pose.clone(), 0),
-            // If nothing has to be closed, any pose and any values will do.
+            // Without loops, any pose and any parameter values will do.
             None if self.loops.is_empty() => self.any_pose(repeated),
             None => None,
         }
     }
 
-    /// A pose in which all required terms have values; `None` if none is found.
+    /// Pose in which all required terms have values; `None` if none is found.
     fn any_pose(&self, repeated: &[Reaction]) -> Option<Pose> {
         (0..MOST_POSES).find_map(|at| {
             let first = at * (self.coordinates.len() + self.parameters.len());
@@ -249,8 +261,8 @@ impl Model {
         })
     }
 
-    /// Evaluates frames, points and reactions in a pose. Parameters without a default value are drawn, from index
-    /// `first` on. `None` if a value does not exist.
+    /// Evaluates frames, points and reactions in a pose. Parameters without a default value get
+    /// quasi-random values, from index `first` on. `None` if a value does not exist.
     fn pose(&self, repeated: &[Reaction], pose: Vec<f64>, first: usize) -> Option<Pose> {
         let mut known = defaults(&self.parameters);
         if self.branch.is_none() {
@@ -305,7 +317,7 @@ impl Model {
         Some(Pose { axes, points, acting })
     }
 
-    /// Slopes of a power along each q̇; 0 along the rate of time.
+    /// Partial derivatives of a power with respect to each q̇; 0 for the rate of time.
     fn slopes(&self, arena: &mut Arena, along: &mut Gradient, power: Expr) -> Vec<Expr> {
         let mut list = vec![Expr::ZERO; self.coordinates.len()];
         for (at, slope) in along.apply(arena, power).iter().filter(|(at, _)| Some(*at) != self.time()) {
@@ -314,8 +326,8 @@ impl Model {
         list
     }
 
-    /// Work of a reaction of size 1 along q̇, then the forces and moments that it hands on to idle contacts, which must
-    /// be zero.
+    /// Work of a reaction of size 1 along each q̇. Then follow the forces and moments that it transmits
+    /// to contacts without own reactions (`Contacts::idle`), which must be zero.
     fn effect(&self, pose: &Pose, at: usize, reaction: &Reaction, resting: &[BodyPair]) -> DVector<f64> {
         let (direction, work) = &pose.acting[at];
         let mut on_bodies = vec![Wrench::ZERO; self.bodies.len()];
@@ -329,7 +341,8 @@ impl Model {
         DVector::from_vec(all)
     }
 
-    /// Self-stress that contains one redundant reaction, with size 1. `None` if other reactions cannot balance it.
+    /// Self-stress that contains one redundant reaction, with size 1. `None` if other reactions cannot
+    /// balance it.
     fn self_stress(
         &self,
         pose: &Pose,
@@ -378,6 +391,7 @@ impl Model {
 }
 
 impl SelfStress {
+    /// True if a wrench is zero within rounding, relative to the self-stress.
     fn is_nothing(&self, wrench: &Wrench) -> bool {
         wrench.force.norm() <= NOTHING * (self.size.0 + self.size.1 / self.reach)
             && wrench.moment.norm() <= NOTHING * (self.size.0 * self.reach + self.size.1)
@@ -406,7 +420,7 @@ impl SelfStress {
     }
 }
 
-/// Adds the wrench of a reaction to the bodies between which it acts.
+/// Adds the wrench of a reaction to one body and its opposite to the other.
 fn put_on(on_bodies: &mut [Wrench], reaction: &Reaction, wrench: Wrench) {
     let BodyPair { body, against } = sides(reaction.kind);
     add(&mut on_bodies[body], wrench, 1.0);
@@ -415,7 +429,8 @@ fn put_on(on_bodies: &mut [Wrench], reaction: &Reaction, wrench: Wrench) {
     }
 }
 
-/// Force and moment that each body hands on to its holder, outermost bodies first, given those that act on the bodies.
+/// Wrench that each body transmits to its support, outermost bodies first, given the wrenches that
+/// act on the bodies.
 fn handed_on(on_bodies: &mut [Wrench], resting: &[BodyPair]) -> Vec<(BodyPair, Wrench)> {
     let mut list = Vec::with_capacity(resting.len());
     for pair in resting {
@@ -436,12 +451,13 @@ fn add_between(list: &mut Vec<(BodyPair, Wrench)>, pair: BodyPair, wrench: Wrenc
     }
 }
 
+/// Adds `sign` times a wrench to a sum.
 fn add(sum: &mut Wrench, wrench: Wrench, sign: f64) {
     sum.force += wrench.force * sign;
     sum.moment += wrench.moment * sign;
 }
 
-/// Wrench of a reaction with this vector: a force at its place, or a torque.
+/// Wrench of a reaction with this vector: a force at its point, or a torque.
 fn wrench_of(pose: &Pose, reaction: &Reaction, vector: Vector3<f64>) -> Wrench {
     match reaction.kind {
         ReactionKind::Force { on, .. } => Wrench { force: vector, moment: pose.points[on.point].cross(&vector) },
@@ -449,18 +465,19 @@ fn wrench_of(pose: &Pose, reaction: &Reaction, vector: Vector3<f64>) -> Wrench {
     }
 }
 
+/// Unit vector of the axis 0, 1 or 2, as terms.
 fn unit(axis: usize) -> [Expr; 3] {
     let mut unit = [Expr::ZERO; 3];
     unit[axis] = Expr::ONE;
     unit
 }
 
-/// Numbers between 0 and 1 without order: multiples of the golden ratio.
+/// Quasi-random number between 0 and 1: the fractional part of a multiple of the golden ratio.
 fn scattered(at: usize) -> f64 {
     (0.618_033_988_749_895 * (at + 1) as f64).fract()
 }
 
-/// Text of a value in three digits.
+/// Text of a value with three significant digits.
 fn rounded(value: f64) -> String {
     let text = format!("{value:.2e}");
     text.parse::<f64>().map_or(text, |value| value.to_string())

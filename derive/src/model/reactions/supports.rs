@@ -1,23 +1,26 @@
-//! The body, or the ground, on which each body rests, as the model file states it.
+//! Supports: the body, or the ground, on which each body rests, as the model file states it.
 //!
-//! A joint states its holder. Otherwise a body rests where it moves least. If it moves equally little against several,
-//! it rests first on a body that the file says it touches. Two bodies touch if one rolls on the other, a reaction or
-//! friction acts between them, or one constraint compares their motions. Next comes a body from whose points or in
-//! whose frames it is placed, then the ground: the ground holds nothing that a body holds.
-//! A statement has a direction: a body that rolls, or that a reaction or friction acts *on*, rests on the body that the
-//! file names under *against*. An equation has no direction. Of two bodies that it compares, the body further from the
-//! ground rests on the other; the distance is counted in such equations.
-//! An equation that ties two bodies and compares none, such as a rope over a pulley, does not make them touch.
+//! A joint states its support. Otherwise a body rests where it moves least. If it moves equally
+//! little against several, it rests first on a body that the file says it touches. Two bodies touch
+//! if one rolls on the other, a reaction or friction acts between them, or one constraint compares
+//! their motions. Next comes a body from whose points or in whose frames it is placed, then the
+//! ground.
+//!
+//! A statement has a direction: a body that rolls, or on which (key `on`) a reaction or friction
+//! acts, rests on the body under the key `against`. An equation has no direction. Of two bodies
+//! that it compares, the body further from the ground rests on the other; the distance is counted
+//! in such equations. An equation that relates two bodies and compares none, such as a rope over a
+//! pulley, does not make them touch.
 
 use super::relative_motion::{BodyPair, Holder, Relative, sides};
 use crate::algebra::text::parse::VelocityOf;
 use crate::model::{Compared, MotionConstraintKind, Placement, Rolled};
 use std::cmp::{Ordering, Reverse};
 
-/// Reason why a body may rest on another, the strongest reason first.
+/// Reason why a body may rest on another, from the strongest to the weakest.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Reason {
-    /// A joint of the model file carries the body.
+    /// A joint of the model file places the body on the other.
     Joint,
     /// The model file states a contact of the two bodies.
     Touch,
@@ -29,22 +32,27 @@ pub enum Reason {
     Least,
 }
 
-/// A body, its holder, and the reason why it rests there.
+/// A body with the body or ground on which it rests, and the reason.
 #[derive(Clone, Copy, Debug)]
 pub struct Support {
+    /// Index of the supported body.
     pub body: usize,
+    /// Index of the body on which the supported body rests; `None` for the ground.
     pub holder: Holder,
+    /// Reason why the body rests on this support.
     pub reason: Reason,
 }
 
 impl Support {
+    /// The body and its support as a pair.
     pub fn pair(&self) -> BodyPair {
         BodyPair { body: self.body, against: self.holder }
     }
 }
 
 impl Relative<'_> {
-    /// Each body with its holder, outermost bodies first: bodies that rest on a body come before that body.
+    /// Finds the support of each body, outermost bodies first: a body comes after all bodies that rest
+    /// on it.
     pub fn supports(&self) -> Vec<Support> {
         let count = self.model.bodies.len();
         let free = self.freedoms();
@@ -58,7 +66,7 @@ impl Relative<'_> {
         found.sort_by_key(|support| Reverse((free[support.body], support.body)));
         let mut list = Vec::with_capacity(count);
         while !found.is_empty() {
-            // The next body on which nothing rests any more.
+            // The next body on which no remaining body rests.
             let is_free = |support: &Support| found.iter().all(|other| other.holder != Some(support.body));
             let next = found.iter().position(is_free).unwrap_or(0);
             list.push(found.remove(next));
@@ -66,12 +74,13 @@ impl Relative<'_> {
         list
     }
 
-    /// Each body with its holder, in the order of [`Self::supports`].
+    /// Each body with the body or ground on which it rests, in the order of [`Self::supports`].
     pub fn resting(&self) -> Vec<BodyPair> {
         self.supports().iter().map(Support::pair).collect()
     }
 
-    /// Finds the body, or the ground, on which a body rests. `found` are the bodies whose holder is known.
+    /// Finds the body, or the ground, on which a body rests. `free` are the degrees of freedom of all
+    /// bodies; `found` are the supports found so far.
     fn support(&self, body: usize, free: &[usize], touches: &[BodyPair], found: &[Support]) -> Support {
         if let Some(carried) = self.model.carried.iter().find(|carried| carried.body == body) {
             return Support { body, holder: carried.on, reason: Reason::Joint };
@@ -90,8 +99,8 @@ impl Relative<'_> {
         };
         let candidates = (0..free.len()).filter(|other| *other != body && !rests_on(found, *other, body));
         let supports = std::iter::once(None).chain(candidates.map(Some)).map(|holder| (holder, reason(holder)));
-        // A body that moves more rests on this one, if at all. One that moves as much holds it only if the file says
-        // so.
+        // A body with more freedom may rest on this body, not vice versa. A body with equal freedom
+        // supports it only if the file says so.
         let supports = supports.filter(|(holder, reason)| {
             holder.is_none_or(|other| {
                 let is_before = (free[other], other) < (free[body], body);
@@ -105,13 +114,13 @@ impl Relative<'_> {
         Support { body, holder, reason }
     }
 
-    /// Number of independent ways in which each body moves against the ground.
+    /// Number of degrees of freedom of each body relative to the ground.
     pub fn freedoms(&self) -> Vec<usize> {
         (0..self.model.bodies.len()).map(|body| self.freedom(body, None)).collect()
     }
 
-    /// Pairs that the model file states to touch: a body, and the body or ground that it rests on or is held against.
-    /// `free` are [`Self::freedoms`].
+    /// Pairs of bodies that the model file states to touch: a body, and the body or ground on which it
+    /// rests. `free` are the degrees of freedom of all bodies.
     pub fn touches(&self, free: &[usize]) -> Vec<BodyPair> {
         let model = self.model;
         let rolled = model.motion_constraints.iter().filter_map(|constraint| match constraint.kind {
@@ -128,15 +137,16 @@ impl Relative<'_> {
         list
     }
 
-    /// Pairs of bodies that one constraint compares, the resting body first. `stated` are the pairs that touch
-    /// otherwise.
+    /// Pairs of bodies that a constraint compares, the resting body first. `stated` are the pairs that
+    /// touch otherwise.
     fn compared(&self, free: &[usize], stated: &[BodyPair]) -> Vec<BodyPair> {
         let constraints = &self.model.contacts.compared;
         let tied: Vec<(Vec<usize>, bool)> =
             constraints.iter().map(|compared| (self.bodies_of(compared), compared.is_difference)).collect();
         let compared = tied.iter().filter(|(_, is_difference)| *is_difference);
         let pairs: Vec<[usize; 2]> = compared.filter_map(|(bodies, _)| bodies.as_slice().try_into().ok()).collect();
-        // Bodies that another constraint or contact holds, except against the body with which they are compared.
+        // Bodies that another constraint or contact holds, except against the body with which they are
+        // compared.
         let is_pair = |one: usize, other: usize| pairs.iter().any(|pair| pair.contains(&one) && pair.contains(&other));
         let is_apart =
             |body: usize| (0..free.len()).all(|other| !is_pair(body, other) || !self.is_placed_on(body, other));
@@ -153,9 +163,9 @@ impl Relative<'_> {
         pairs.into_iter().filter_map(supports).collect()
     }
 
-    /// Number of these pairs between each body and the nearest body that is `held`, or that no constraint moves; `None`
-    /// for a body in no pair. In a group without such a body, the body that moves least counts as held; of equals, the
-    /// first.
+    /// Number of `pairs` between each body and the nearest body that is `held`, or that no constraint
+    /// moves; `None` for a body in no pair. In a group without such a body, the body with the least
+    /// freedom counts as held; the first among equals.
     fn steps(&self, free: &[usize], pairs: &[[usize; 2]], held: &[usize]) -> Vec<Option<usize>> {
         let is_moved = |body: usize| self.model.contacts.compared.iter().any(|compared| compared.moved.contains(&body));
         let mut steps = vec![None; free.len()];
@@ -175,8 +185,8 @@ impl Relative<'_> {
         steps
     }
 
-    /// Bodies whose velocities or places a constraint names. Bodies whose own coordinates it contains are added if it
-    /// names none or compares bodies.
+    /// Bodies whose velocities or positions a constraint names. Bodies whose own coordinates it
+    /// contains are added if it names none, or if it compares bodies.
     fn bodies_of(&self, compared: &Compared) -> Vec<usize> {
         let named = compared.named.iter().filter_map(|of| match of {
             VelocityOf::Material(body, _) => Some(*body),
@@ -193,7 +203,8 @@ impl Relative<'_> {
         bodies
     }
 
-    /// The one body to which a point belongs: as its mass centre, or else in its material. `None` if several have it.
+    /// Only body to which a point belongs: as its mass centre, otherwise in its material. `None` if
+    /// there is no such body or more than one.
     pub fn owner(&self, point: usize) -> Option<usize> {
         let bodies = &self.model.bodies;
         if let Some(body) = bodies.iter().position(|body| body.centre == point) {
@@ -216,14 +227,14 @@ impl Relative<'_> {
                 if self.has(other, parent) {
                     return true;
                 }
-                // A third body in between is placed on the other body, not this body.
+                // If a third body is in between, that body is placed on the other body.
                 if (0..model.bodies.len()).any(|third| self.has(third, parent)) {
                     break;
                 }
             }
             at = parent;
         }
-        // The inertial frame belongs to no body, even if a body that does not turn uses it.
+        // The inertial frame belongs to no body, even if a body that does not rotate uses it.
         let Some(wanted) = frame_of(other).filter(|frame| *frame != 0 && Some(*frame) != own) else { return false };
         frames.into_iter().any(|mut frame| {
             while frame != wanted {

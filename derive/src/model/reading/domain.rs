@@ -1,4 +1,4 @@
-//! Domain in which a model holds, as the model file states it.
+//! Domain in which a model holds, as the section `[domain]` of a model file states it.
 
 use super::names::{ANYTHING, Kind};
 use super::reader::Loading;
@@ -8,7 +8,7 @@ use crate::plain::one_line;
 use toml::de::DeTable;
 
 impl<'a> Loading<'a> {
-    /// Reads the section `[domain]` of a model file.
+    /// Reads the section `[domain]` of a model file: strict inequalities by name. Errors are recorded in the reader.
     pub fn domain(&mut self, table: &'a DeTable<'a>) -> Vec<Condition> {
         let mut domain = Vec::new();
         for (name, value) in self.section(table, "domain", &[]) {

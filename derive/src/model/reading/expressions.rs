@@ -1,4 +1,5 @@
-//! Named expressions: a formula with a name, which may be used wherever its parts may be used.
+//! Named expressions of a model file: formulas with a name, which may occur wherever the quantities
+//! in them may occur.
 
 use super::names::{Allowed, Kind};
 use super::reader::Loading;
@@ -6,12 +7,12 @@ use crate::algebra::Expr;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
-/// Quantities that a named expression may contain.
+/// Kinds of quantities that a named expression may contain.
 const PARTS: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed]);
 
 impl<'a> Loading<'a> {
-    /// Reads `[expressions]`, in the order of the file: each expression may name earlier ones. Returns the terms with
-    /// their byte ranges.
+    /// Reads `[expressions]` in the order of the file; each expression may contain earlier ones by
+    /// name. Returns the terms with the byte ranges of their formulas. Errors are recorded in the reader.
     pub fn expressions(&mut self, table: &'a DeTable<'a>) -> Vec<(Expr, Range<usize>)> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "expressions", &[Kind::Expression]) {

@@ -1,4 +1,5 @@
-//! Numbers with units in formulas: each becomes a parameter, so that every unit is checked and equations keep letters.
+//! Literals, numbers with units in formulas. Each becomes a parameter, so that all units are
+//! checked and equations keep symbols.
 
 use super::names::{Allowed, Kind};
 use super::reader::Loading;
@@ -7,7 +8,8 @@ use crate::model::Parameter;
 use crate::model::units::{StatedUnit, Unit};
 use crate::read::Located;
 
-/// Letters that authors use for quantities, by the exponents of metre, kilogram and second in their units.
+/// Letters that books use for quantities, by the exponents of metre, kilogram and second in their
+/// units.
 const LETTERS: [([i64; 3], &str); 12] = [
     ([1, 0, 0], "l"),
     ([0, 1, 0], "m"),
@@ -24,7 +26,8 @@ const LETTERS: [([i64; 3], &str); 12] = [
 ];
 
 impl Loading<'_> {
-    /// Reads a formula, or a number with a unit.
+    /// Reads a formula, or a number with a unit, as a term; `what` names it in messages. `None` after
+    /// an error is reported.
     pub fn formula(&mut self, formula: &Located, allowed: Allowed, what: &str) -> Option<Expr> {
         let Some(stated) = StatedUnit::of(&formula.text) else {
             return self.names.formula(&mut self.reader, &mut self.arena, formula, allowed, what);
@@ -37,7 +40,8 @@ impl Loading<'_> {
         self.literal(formula, stated.unit, what)
     }
 
-    /// Symbol of the parameter for a number with a unit. A number that is read twice has one parameter.
+    /// Symbol of the parameter that stands for a number with a unit. A number that is read twice has a
+    /// single parameter. `None` after an error is reported.
     fn literal(&mut self, formula: &Located, unit: Unit, what: &str) -> Option<Expr> {
         if let Some((_, symbol)) = self.literals.iter().find(|(place, _)| *place == formula.span) {
             return Some(*symbol);
@@ -53,8 +57,8 @@ impl Loading<'_> {
         Some(symbol)
     }
 
-    /// Free name for a number: the letter that its unit has in books, then the owner that `what` names, such as
-    /// `m_cart` for the mass of body `cart`.
+    /// Unused name for the parameter of a number with a unit. It is the usual letter for the unit, then
+    /// the owner that `what` names, such as `m_cart` for the mass of body `cart`.
     fn name_of_literal(&self, unit: &Unit, what: &str) -> String {
         let known = |exponents: [i64; 3]| LETTERS.iter().find(|(of, _)| *of == exponents).map(|(_, letter)| *letter);
         let letter = unit.whole_exponents().and_then(known).unwrap_or("p");

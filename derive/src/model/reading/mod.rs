@@ -1,4 +1,5 @@
-//! Basic parts of the reading of model files: names, notation, parameters, expressions, repetition and domain.
+//! Basic parts of the reading of model files: names, notation, parameters, expressions, repetition
+//! and domain.
 
 pub(super) mod domain;
 pub(super) mod expressions;

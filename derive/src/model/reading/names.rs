@@ -1,4 +1,5 @@
-//! Names of a model file: the kind of each, and where it may be used.
+//! Names of a model file: the kind of quantity that each denotes, and the formulas in which it may
+//! occur.
 
 use crate::algebra::text::parse::{InteractionName, VelocityName, VelocityOf, is_reserved, parse_with_quantities};
 use crate::algebra::value::modular::zero_divisor;
@@ -12,31 +13,49 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use std::cell::RefCell;
 use std::ops::Range;
 
-/// Kind of thing that a name of a model file stands for.
+/// Kind of quantity or object that a name of a model file denotes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, PartialOrd, Ord)]
 pub enum Kind {
+    /// Constant quantity with a unit.
     Parameter,
+    /// Configuration variable q.
     Coordinate,
+    /// Time derivative q' of a coordinate.
     Rate,
+    /// Generalized speed u.
     Speed,
+    /// Component of a named velocity, such as `v(P) @ N [1]`.
     Velocity,
+    /// Component of a named position, such as `p(P) @ N [1]`.
     Position,
+    /// Named formula of the section `[expressions]`.
     Expression,
+    /// Signal that drives loads.
     Input,
+    /// Unknown force or torque of a constraint or joint.
     Reaction,
+    /// Reference frame.
     Frame,
+    /// Point that is placed from another point.
     Point,
+    /// Rigid body or particle.
     Body,
+    /// Applied force, spring or friction.
     Force,
+    /// Applied torque.
     Torque,
+    /// Stated potential energy.
     Potential,
+    /// Constraint, rolling contact or norm of Euler parameters.
     Constraint,
+    /// Lagrange multiplier of a motion constraint.
     Multiplier,
+    /// Condition of the domain in which the model holds.
     Condition,
 }
 
 impl Kind {
-    /// Noun for the kind in messages.
+    /// Noun for the kind in messages, such as "parameter".
     pub fn noun(self) -> &'static str {
         match self {
             Self::Parameter => "parameter",
@@ -60,72 +79,76 @@ impl Kind {
         }
     }
 
-    /// Plural noun for the kind in messages.
+    /// Plural noun for the kind in messages, such as "parameters".
     fn plural(self) -> String {
         if self == Self::Velocity { "velocities".to_owned() } else { format!("{}s", self.noun()) }
     }
 }
 
-/// Kinds of quantities that a formula may contain, besides numbers.
+/// Kinds of quantities that a formula may contain, in addition to numbers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Allowed(pub &'static [Kind]);
 
-/// Allows numbers only.
+/// Allows numbers only in a formula.
 pub const CONSTANT: Allowed = Allowed(&[]);
-/// Allows numbers and parameters.
+/// Allows numbers and parameters in a formula.
 pub const PARAMETERS: Allowed = Allowed(&[Kind::Parameter]);
-/// Allows parameters and coordinates, for positions and angles.
+/// Allows parameters and coordinates, in formulas of positions and angles.
 pub const CONFIGURATION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate]);
-/// Allows quantities that potentials may contain: parameters, coordinates and positions.
+/// Allows parameters, coordinates and positions, in formulas of potentials.
 pub const PLACES: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Position]);
-/// Allows quantities that definitions of speeds may contain: parameters, coordinates, their rates, and velocities.
+/// Allows parameters, coordinates, their rates and velocities, in definitions of generalized
+/// speeds.
 pub const VELOCITY: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Velocity]);
-/// Allows quantities that constraints may contain: parameters, coordinates, their rates, speeds, and velocities of
-/// points.
+/// Allows parameters, coordinates, their rates, speeds and velocities of points, in constraints.
 pub const MOTION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Velocity]);
-/// Allows quantities that loads may contain: those of constraints, and inputs.
+/// Allows the quantities of constraints and inputs, in formulas of loads.
 pub const DRIVEN: Allowed =
     Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Velocity, Kind::Input]);
-/// Allows every quantity that has a value during a run, for conditions of the domain.
+/// Allows every quantity that has a value during a run, in conditions of the domain.
 pub const ANYTHING: Allowed =
     Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Reaction, Kind::Input]);
 
-/// Name of time in formulas. Nothing else may have this name.
+/// Name of time in formulas. Nothing else in a model may have this name.
 pub const TIME: &str = "t";
 
-/// Most characters of a name: it becomes an identifier in generated code.
+/// Largest number of characters of a name, since it becomes an identifier in generated code.
 const MAX_LENGTH: usize = 60;
 
-/// All names of a model file.
+/// All names of a model file, with their kinds and places.
 ///
-/// Invariant: an error in a declaration is reported once, there. The name is then marked as spoiled, and everything
-/// that uses it fails in silence.
+/// Invariant: an error in a declaration is reported once, at the declaration. The name is then
+/// marked as wrong, and everything that uses it fails silently.
 #[derive(Default)]
 pub struct Names {
+    /// Declared names: kind, byte range of the declaration, and symbol or term if the kind has one.
     known: FxHashMap<String, (Kind, Range<usize>, Option<Expr>)>,
+    /// Declared names in the order of declaration.
     order: Vec<String>,
+    /// Names whose declaration is wrong and already reported.
     spoiled: FxHashSet<String>,
     /// Kinds whose section could not be read. An unknown name may be of one of these kinds.
     unread: Vec<Kind>,
-    /// Name of the inertial frame, once it is read.
+    /// Name of the inertial frame; empty until it is read.
     pub root: String,
     /// Names that each named expression contains, with their kinds.
     made_of: FxHashMap<String, Vec<(String, Kind)>>,
     /// Names to which a formula or an entry of the file refers.
     used: RefCell<FxHashSet<String>>,
-    /// Velocities and positions that formulas name, each once.
+    /// Velocities and positions that occur by name in formulas, each once.
     pub velocities: Vec<StatedVelocity>,
-    /// Velocities that speeds name before frames and points are declared.
+    /// Velocities that definitions of speeds name before frames and points are declared.
     awaiting: Vec<StatedVelocity>,
-    /// True once frames, points and bodies are declared.
+    /// True once frames, points and bodies are declared, so that velocities can be checked.
     has_places: bool,
-    /// True if the definition of a speed names a velocity.
+    /// True if the definition of a generalized speed contains a velocity by name.
     pub speeds_name_velocities: bool,
-    /// Reactions that formulas name before reactions are found.
+    /// Reactions that occur by name in formulas, before reactions are found.
     pub reactions: Vec<AskedReaction>,
 }
 
-/// Error for a text that cannot be a name: it is no identifier, or it is reserved. `None` if it can be a name.
+/// Error for a text that cannot be a name: it is no identifier, or it is reserved. `None` if the
+/// text can be a name.
 pub fn not_a_name(name: &Located) -> Option<Diagnostic> {
     let text = &name.text;
     let is_valid = text.starts_with(|c: char| c.is_ascii_alphabetic())
@@ -142,7 +165,8 @@ pub fn not_a_name(name: &Located) -> Option<Diagnostic> {
 }
 
 impl Names {
-    /// Declares a name; reports a name that is no identifier, is reserved or is declared already.
+    /// Declares a name of the given kind. Reports a name that is no identifier, is reserved, or is
+    /// already declared.
     pub fn declare(&mut self, reader: &mut Reader<'_>, name: &Located, kind: Kind, symbol: Option<Expr>) {
         let text = &name.text;
         let twice = || {
@@ -160,7 +184,7 @@ impl Names {
         }
     }
 
-    /// Declares a name without checks: for derived names such as `q1'`.
+    /// Declares a name without checks, for derived names such as `q1'`.
     pub fn insert(&mut self, text: &str, kind: Kind, span: Range<usize>, symbol: Option<Expr>) {
         self.known.insert(text.to_owned(), (kind, span, symbol));
         self.order.push(text.to_owned());
@@ -172,7 +196,7 @@ impl Names {
         self.used.borrow_mut().insert(text.to_owned());
     }
 
-    /// Declares the name of an expression `e` whose terms are `parts`.
+    /// Declares the name of an expression `e`; `parts` are all terms in it.
     pub fn declare_expression(&mut self, reader: &mut Reader<'_>, name: &Located, e: Expr, parts: &[Expr]) {
         let is_part = |symbol: &Option<Expr>| symbol.is_some_and(|symbol| parts.contains(&symbol));
         let known = self.known.iter().filter(|(_, (kind, _, symbol))| *kind != Kind::Expression && is_part(symbol));
@@ -182,40 +206,41 @@ impl Names {
         self.declare(reader, name, Kind::Expression, Some(e));
     }
 
-    /// Declares a frame or point of a joint, which is not reported as unused.
+    /// Declares a frame or point that a joint adds; it is not reported as unused.
     pub fn declare_brought(&mut self, reader: &mut Reader<'_>, name: &Located, kind: Kind) {
         self.declare(reader, name, kind, None);
         self.used.borrow_mut().insert(name.text.clone());
     }
 
-    /// Records that the declaration of a name is wrong and that this error is reported.
+    /// Marks a name, and its rate, as wrongly declared; the error is already reported.
     pub fn spoil(&mut self, name: &str) {
         self.spoiled.insert(name.to_owned());
         self.spoiled.insert(format!("{name}'"));
     }
 
-    /// Records that the names of these kinds could not be read and that this error is reported.
+    /// Records that the names of the given kinds could not be read; the error is already reported.
     pub fn unread(&mut self, kinds: &[Kind]) {
         self.unread.extend(kinds);
     }
 
-    /// True if an error already explains why `name` is not one of `kinds`.
+    /// True if an error that is already reported explains why `name` is not one of `kinds`.
     fn excused(&self, name: &str, kinds: &[Kind]) -> bool {
         self.spoiled.contains(name)
             || (!self.known.contains_key(name) && self.unread.iter().any(|kind| kinds.contains(kind)))
     }
 
-    /// Names of these kinds, in order of declaration.
+    /// Declared names of the given kinds, in the order of declaration.
     pub fn of_kind(&self, kinds: &[Kind]) -> Vec<&str> {
         self.order.iter().filter(|n| kinds.contains(&self.known[*n].0)).map(String::as_str).collect()
     }
 
-    /// Symbols of all names of these kinds.
+    /// Symbols of all declared names of the given kinds, in no particular order.
     pub fn symbols_of(&self, kinds: &[Kind]) -> Vec<Expr> {
         self.known.values().filter(|(kind, ..)| kinds.contains(kind)).filter_map(|(.., symbol)| *symbol).collect()
     }
 
-    /// True if a name is of this kind; reports a name that is not. If false, the name cannot be used.
+    /// True if `name` is declared with the kind `kind`. False after reporting that it is not, or
+    /// silently if a reported error explains it.
     pub fn expect(&self, reader: &mut Reader<'_>, name: &Located, kind: Kind) -> bool {
         if self.excused(&name.text, &[kind]) {
             return false;
@@ -232,8 +257,8 @@ impl Names {
         false
     }
 
-    /// Parameters, expressions, inputs, frames and points that nothing refers to, in order of declaration, each after
-    /// the noun of its kind.
+    /// Parameters, expressions, inputs, frames and points to which nothing refers, as (noun of the
+    /// kind, name), in the order of declaration.
     pub fn unused(&self) -> Vec<(&'static str, String)> {
         let used = self.used.borrow();
         let kinds = [Kind::Parameter, Kind::Expression, Kind::Input, Kind::Frame, Kind::Point];
@@ -241,28 +266,29 @@ impl Names {
         names.map(|name| (self.known[name].0.noun(), name.to_owned())).collect()
     }
 
-    /// Names of all expressions, in order of declaration, and their terms.
+    /// Named expressions in the order of declaration, as (name, term).
     pub fn expressions(&self) -> Vec<(String, Expr)> {
         let names = self.order.iter().filter(|name| self.known[*name].0 == Kind::Expression);
         names.filter_map(|name| Some((name.clone(), self.known[name].2?))).collect()
     }
 
-    /// Kind of a name; `None` if it is not declared.
+    /// Kind of a declared name; `None` if the name is not declared.
     pub fn kind(&self, name: &str) -> Option<Kind> {
         self.known.get(name).map(|(kind, _, _)| *kind)
     }
 
-    /// Byte range in the model file of a name's declaration; `None` if the name is not declared.
+    /// Byte range in the model file at which a name is declared; `None` if it is not declared.
     pub fn span(&self, name: &str) -> Option<Range<usize>> {
         self.known.get(name).map(|(_, span, _)| span.clone())
     }
 
-    /// Byte range in the model file of every name's declaration.
+    /// Byte ranges in the model file at which the names are declared, by name.
     pub fn places(&self) -> FxHashMap<String, Range<usize>> {
         self.known.iter().map(|(name, (_, span, _))| (name.clone(), span.clone())).collect()
     }
 
-    /// Reads a formula that may contain `allowed` quantities; reports its errors. `what` names the formula in messages.
+    /// Reads a formula that may contain only `allowed` quantities; `what` names the formula in
+    /// messages. `None` after an error is reported.
     pub fn formula(
         &mut self,
         reader: &mut Reader<'_>,
@@ -331,19 +357,19 @@ impl Names {
         }
     }
 
-    /// Symbol and unit of a reaction that may be found later under this name; `None` if the name is declared or cannot
-    /// be that of a reaction.
+    /// Symbol and unit of a reaction that may be found later under the name `name`. `None` if the name
+    /// is declared, or if no reaction can have it.
     fn yet_to_be_found(&self, arena: &mut Arena, name: &str, allowed: Allowed) -> Option<(Expr, Unit)> {
         if !allowed.0.contains(&Kind::Reaction) || self.known.contains_key(name) {
             return None;
         }
         let unit = may_be_found(name, self.of_kind(&[Kind::Body]).into_iter())?;
-        // Such a reaction is found later under a name that no symbol may have now.
+        // The symbol has a name with a space, which no declared symbol can have.
         Some((arena.symbol(&format!("reaction {name}")), unit))
     }
 
-    /// Keeps the forces and torques between bodies that a formula names; `None`, with an error, if one of them refers
-    /// to an undeclared name.
+    /// Records the forces and torques between bodies that occur in a formula. `None` after reporting a
+    /// reference to an undeclared name.
     fn name_interactions(&mut self, reader: &mut Reader<'_>, stated: Vec<StatedInteraction>) -> Option<()> {
         let knows_body = |name: &Located, reader: &mut Reader<'_>| {
             let is_ground =
@@ -360,7 +386,8 @@ impl Names {
         are_known.then_some(())
     }
 
-    /// Keeps the velocities that a formula names; `None`, with an error, if one of them refers to an undeclared name.
+    /// Records the velocities that occur in a formula. `None` after reporting a reference to an
+    /// undeclared name.
     fn name_velocities(&mut self, reader: &mut Reader<'_>, stated: Vec<StatedVelocity>) -> Option<()> {
         if !self.has_places {
             self.awaiting.extend(stated);
@@ -375,13 +402,13 @@ impl Names {
         (unknown == 0).then_some(())
     }
 
-    /// Velocities that speeds name before frames and points are declared.
+    /// Velocities that definitions of speeds name, while frames and points are not yet declared.
     pub fn awaiting(&self) -> &[StatedVelocity] {
         &self.awaiting
     }
 
-    /// Keeps the velocities that speeds name, now that frames, points and bodies are declared. Reports those that refer
-    /// to undeclared names.
+    /// Checks and records the velocities that definitions of speeds name, after frames, points and
+    /// bodies are declared. Reports references to undeclared names.
     pub fn find_places(&mut self, reader: &mut Reader<'_>) {
         self.has_places = true;
         self.speeds_name_velocities = !self.awaiting.is_empty();
@@ -389,7 +416,8 @@ impl Names {
         self.name_velocities(reader, awaiting);
     }
 
-    /// True if each name in a velocity is declared as the kind for which it is used; reports the names that are not.
+    /// True if each name in a velocity is declared as the kind for which it is used. Reports the names
+    /// that are not.
     fn knows(&self, reader: &mut Reader<'_>, velocity: &StatedVelocity) -> bool {
         let of: &[(&Located, Kind)] = match &velocity.of {
             VelocityOf::Point(point) | VelocityOf::Place(point) => &[(point, Kind::Point)],
@@ -401,6 +429,8 @@ impl Names {
         all.filter(|(name, kind)| !self.expect(reader, name, *kind)).count() == 0
     }
 
+    /// Term of a name in a formula; otherwise a message and advice, because the name is unknown or not
+    /// allowed.
     fn resolve(&self, name: &str, allowed: Allowed, what: &str) -> Result<Expr, (String, Option<String>)> {
         let plain = name.trim_end_matches('\'');
         match self.known.get(name) {
@@ -441,12 +471,12 @@ impl Names {
     }
 }
 
-/// Message and advice for a name of a kind that a formula may not contain.
+/// Message and advice for a name whose kind may not occur in the formula `what`.
 fn cannot_stand(kind: Kind, name: &str, allowed: Allowed, what: &str) -> (String, Option<String>) {
     let may: Vec<String> = allowed.0.iter().map(|kind| kind.plural()).collect();
     let may = if may.is_empty() { "numbers only".to_owned() } else { may.join(", ") };
     let message = format!("the {} `{name}` cannot stand in {what}", kind.noun());
-    // A quantity that the motion depends on may not depend on a result of the motion.
+    // A load may not depend on a reaction, which is a result of the motion.
     if kind == Kind::Reaction && allowed.0.contains(&Kind::Speed) {
         let why = "a reaction follows from the accelerations, which a load that depends on it would change";
         let help = "state the normal force as a formula of parameters and of the motion, such as `m*g`";
@@ -455,7 +485,8 @@ fn cannot_stand(kind: Kind, name: &str, allowed: Allowed, what: &str) -> (String
     (message, Some(format!("allowed: {may}")))
 }
 
-/// Refuses a divisor that is identically zero, such as cos(q)^2 + sin(q)^2 - 1.
+/// Returns the term unless it divides by an identically zero term, such as `cos(q)^2 + sin(q)^2 -
+/// 1`. In that case reports an error and returns `None`.
 fn no_hidden_zero(reader: &mut Reader<'_>, arena: &Arena, formula: &Located, e: Expr) -> Option<Expr> {
     let zero = zero_divisor(arena, e);
     let Some(zero) = zero else { return Some(e) };

@@ -1,4 +1,4 @@
-//! Symbols by which documents show the names of a model file.
+//! Notation of a model file: the symbols by which documents show names.
 
 use super::names::Kind;
 use super::reader::Loading;
@@ -12,19 +12,21 @@ use toml::de::DeTable;
 const SHOWN: [Kind; 8] =
     [Kind::Parameter, Kind::Coordinate, Kind::Speed, Kind::Input, Kind::Reaction, Kind::Frame, Kind::Point, Kind::Body];
 
-/// Kinds of names that have no rate, and so no dots.
+/// Kinds of names that have no time derivative, and so no dots.
 const PLACES: [Kind; 3] = [Kind::Frame, Kind::Point, Kind::Body];
 
-/// Letters that documents give a meaning of their own: energies alone; M, f, F, Q and C with numbers.
+/// Letters that documents use for energies.
 const ENERGIES: [&str; 2] = ["T", "V"];
+/// Letters that documents use, with a number, for entries of equations: `M11`, `f1`.
 const NUMBERED: [&str; 5] = ["M", "f", "F", "Q", "C"];
 
-/// Most dots over a symbol.
+/// Largest number of dots over a symbol.
 const MOST_DOTS: usize = 2;
 
 impl<'a> Loading<'a> {
-    /// Reads the section `[notation]` of a model file: the symbol by which documents show each listed name. Two names
-    /// of a model never have one symbol, except a speed and the rate that it equals.
+    /// Reads the section `[notation]` of a model file: the symbol by which documents show each listed
+    /// name. Reports a symbol that two names would share, except a generalized speed and the
+    /// coordinate's rate that it equals.
     pub fn notation(&mut self, table: &'a DeTable<'a>, model: &mut Model) {
         let mut list: Vec<(String, Located)> = Vec::new();
         for (name, value) in self.section(table, "notation", &[]) {
@@ -45,7 +47,7 @@ impl<'a> Loading<'a> {
         }
         for (name, symbol) in &list {
             model.arena.print_as(name, &symbol.text);
-            // No named term gets a name that looks like the symbol.
+            // Declaring the symbol keeps named terms from getting a name that looks like it.
             model.arena.symbol(&symbol.text);
         }
         for (name, symbol) in &list {
@@ -71,14 +73,15 @@ fn is_symbol(text: &str) -> bool {
         && text.len() - stem.len() <= MOST_DOTS
 }
 
-/// True if documents write a symbol for energies or for entries of equations.
+/// True if documents use a symbol for energies or for entries of equations.
 fn has_meaning(symbol: &str) -> bool {
     let (letters, subscript, _) = name_parts(symbol);
     let is_number = !subscript.is_empty() && subscript.bytes().all(|b| b.is_ascii_digit());
     ENERGIES.contains(&letters.as_str()) && subscript.is_empty() || NUMBERED.contains(&letters.as_str()) && is_number
 }
 
-/// Another quantity of the model that looks like the symbol of a name, or like a rate of it; `None` if there is none.
+/// Name of another quantity of the model that would look like `symbol` of the quantity `name`, also
+/// with dots. `None` if all look different.
 fn other_with(model: &Model, name: &str, symbol: &str, list: &[(String, Located)]) -> Option<String> {
     let printed = |name: &str| {
         let stated = list.iter().find(|(stated, _)| stated == name);
@@ -92,7 +95,7 @@ fn other_with(model: &Model, name: &str, symbol: &str, list: &[(String, Located)
     let Some(dots) = quantities.iter().find(|(other, _)| *other == name).map(|(_, dots)| *dots) else {
         return other_place(model, name, symbol, &printed);
     };
-    // A speed that is a rate may look like it.
+    // A generalized speed that equals a coordinate's rate may look like it.
     let is_rate = |speed: &str, of: &str| {
         let speed = model.speeds.iter().find(|one| one.name == speed);
         speed.is_some_and(|speed| model.coordinates.iter().any(|c| c.name == of && c.rate == speed.definition))
@@ -110,8 +113,8 @@ fn other_with(model: &Model, name: &str, symbol: &str, list: &[(String, Located)
     })
 }
 
-/// Another frame, point or body that looks like the symbol of one; `None` if there is none. Basis vectors have small
-/// letters.
+/// Name of another frame, point or body that would look like `symbol` of the frame, point or body
+/// `name`. Case is ignored, since basis vectors have small letters. `None` if all look different.
 fn other_place(model: &Model, name: &str, symbol: &str, printed: &dyn Fn(&str) -> String) -> Option<String> {
     let frames: Vec<&String> = model.frames.iter().map(|frame| &frame.name).collect();
     let points: Vec<&String> = model.points.iter().map(|point| &point.name).collect();

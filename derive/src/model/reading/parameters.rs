@@ -10,7 +10,7 @@ use crate::read::Located;
 use toml::de::{DeTable, DeValue};
 
 impl<'a> Loading<'a> {
-    /// Reads the section `[parameters]` of a model file.
+    /// Reads the section `[parameters]` of a model file. Errors are recorded in the reader.
     pub fn parameters(&mut self, table: &'a DeTable<'a>) -> Vec<Parameter> {
         let mut parameters = Vec::new();
         for (name, value) in self.section(table, "parameters", &[Kind::Parameter]) {
@@ -75,7 +75,8 @@ impl<'a> Loading<'a> {
         parameters
     }
 
-    /// Value of a formula that must be a plain number, in SI; reports any other formula.
+    /// Value in SI of a formula that must be a plain number, with an optional unit. `None` after
+    /// reporting any other formula.
     pub(super) fn constant(&mut self, formula: &Located) -> Option<Rational> {
         let what = "a parameter's value";
         let stated = StatedUnit::of(&formula.text);

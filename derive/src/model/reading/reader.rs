@@ -1,4 +1,4 @@
-//! State of the reading of one model file, and functions that read entries of any section.
+//! Reader of one model file: its state, and functions that read entries of any section.
 
 use super::names::Kind;
 use super::names::{Allowed, Names};
@@ -13,33 +13,38 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Largest number of entries in one section. Mechanisms derived by symbols are far smaller.
+/// Largest number of entries in one section of a model file.
 const MAX_ENTRIES: usize = 5000;
 
-/// State of the reading of one model file.
+/// State of the reading of one model file: the TOML reader, the arena, names and units.
 pub struct Loading<'a> {
+    /// TOML reader, which collects the errors.
     pub reader: Reader<'a>,
+    /// Arena of the model's terms.
     pub arena: Arena,
+    /// Names declared so far.
     pub names: Names,
-    /// Unit of each symbol. A symbol whose declaration is wrong has none.
+    /// Unit of each symbol. A symbol whose declaration is wrong has no unit.
     pub units: FxHashMap<Expr, Unit>,
-    /// Formulas that a scene gives to inputs.
+    /// Formulas that a scene gives to inputs of the model.
     pub bindings: Vec<Binding>,
     /// Names of inputs to whose formula a parameter of the same name is added.
     pub varied: Vec<String>,
-    /// Byte range of each number with a unit that stands in a formula, and the symbol of its parameter.
+    /// Numbers with units in formulas, as (byte range, symbol of the parameter that stands for the
+    /// number).
     pub literals: Vec<(Range<usize>, Expr)>,
-    /// Parameters for numbers with units that stand in formulas.
+    /// Parameters that stand for numbers with units in formulas.
     pub stated_numbers: Vec<Parameter>,
 }
 
 impl<'a> Loading<'a> {
+    /// Text of an optional key on one line; `None` if absent, or after an error is reported.
     pub fn text(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
         self.reader.prose(table, key)
     }
 
-    /// Named entries of a section, in the order of the file; empty if the section is absent. If the section cannot be
-    /// read, later references to names of `kinds` are not reported.
+    /// Named entries of a section, in the order of the file; empty if the section is absent. If the
+    /// section cannot be read, later references to names of `kinds` are not reported.
     pub fn section(&mut self, table: &'a DeTable<'a>, key: &str, kinds: &[Kind]) -> Vec<Entry<'a>> {
         let Some(value) = self.reader.get(table, key) else { return Vec::new() };
         let Some(section) = self.reader.table(value, &format!("`{key}`"), &format!("[{key}]")) else {
@@ -56,7 +61,8 @@ impl<'a> Loading<'a> {
         entries
     }
 
-    /// Declares a named entry and opens its table. Returns the table and the entry's name in messages.
+    /// Declares a named entry and opens its table. Returns the table, and the entry's name for
+    /// messages. `None` after an error is reported.
     pub fn entry(
         &mut self,
         name: &Located,
@@ -75,6 +81,7 @@ impl<'a> Loading<'a> {
         Some((entry, what))
     }
 
+    /// Reads the required key `unit` of an entry; `None` after an error is reported.
     pub fn unit(&mut self, table: &'a DeTable<'a>, owner: &Located) -> Option<Unit> {
         let value = self.reader.need(table, "unit", &format!("`{}`", shown(&owner.text)), &owner.span)?;
         let text = self.reader.string(value, "`unit`")?;
@@ -87,11 +94,12 @@ impl<'a> Loading<'a> {
         }
     }
 
+    /// Reads the optional key `about` of an entry; empty if it is absent.
     pub fn about(&mut self, table: &'a DeTable<'a>) -> String {
         self.text(table, "about").unwrap_or_default()
     }
 
-    /// True if both sides of a relation have one unit; reports an error if not.
+    /// True if both sides of a relation have the same unit. Otherwise reports an error.
     pub fn comparable(&mut self, left: Expr, right: Expr, span: &Range<usize>) -> bool {
         let before = self.reader.errors.len();
         if let (Some(a), Some(b)) = (self.unit_of(left, span), self.unit_of(right, span))
@@ -103,7 +111,8 @@ impl<'a> Loading<'a> {
         self.reader.errors.len() == before
     }
 
-    /// Splits a relation at its single sign: left side, sign and right side. Reports any other number of signs.
+    /// Splits a relation at its only sign into (left side, (sign, right side)). `None` after reporting
+    /// any other number of signs.
     pub fn split<'s>(
         &mut self,
         text: &Located,
@@ -132,7 +141,8 @@ impl<'a> Loading<'a> {
         Some((side(0..*at), (*sign, side(at + 1..text.text.len()))))
     }
 
-    /// Unit of a formula, if it is known; reports a sum of unlike quantities.
+    /// Unit of a term, if it is definite. `None` otherwise, or after reporting a sum of terms with
+    /// different units.
     pub fn unit_of(&mut self, e: Expr, span: &Range<usize>) -> Option<Unit> {
         match unit_of(&self.arena, e, &self.units) {
             Ok(unit) => unit,
@@ -143,7 +153,8 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Reads a formula, or a number with a unit, that must have this unit; reports another unit.
+    /// Reads a formula, or a number with a unit, as a term that must have the unit `unit`. A wrong unit
+    /// is reported. `None` if nothing could be read.
     pub fn quantity(&mut self, formula: &Located, allowed: Allowed, unit: &Unit, what: &str) -> Option<Expr> {
         if let Some(stated) = StatedUnit::of(&formula.text).filter(|stated| stated.unit != *unit) {
             let (needed, found) = (unit.words(), stated.unit.words());
@@ -170,7 +181,7 @@ impl<'a> Loading<'a> {
         Some(e)
     }
 
-    /// Records the units of the velocities that formulas have named so far.
+    /// Records the units of the velocities that have occurred in formulas so far.
     pub fn know_units_of_velocities(&mut self) {
         let stated = self.names.velocities.iter().chain(self.names.awaiting());
         self.units.extend(stated.map(|velocity| (velocity.symbol, velocity.unit())));

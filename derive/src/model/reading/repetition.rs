@@ -1,4 +1,4 @@
-//! Repetition: an entry whose key has a range stands for one entry for each number in it.
+//! Repetition: an entry whose key contains a range is read once for each number of the range.
 //!
 //! ```toml
 //! [counts]
@@ -9,7 +9,7 @@
 //! to = "rod{i-1}"
 //! ```
 //!
-//! Repetition is written out before anything else is read; the written-out tables have no ranges.
+//! Repetition is expanded before anything else is read. The expanded tables contain no ranges.
 
 use crate::algebra::text::parse::parse;
 use crate::algebra::{Arena, Rational};
@@ -20,17 +20,17 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Largest number of entries to which one model file may be repeated. Mechanisms derived by symbols are far smaller.
+/// Largest number of entries into which the ranges of one model file may be expanded.
 const MAX_REPEATED: usize = 20_000;
 
-/// Keys under which braces are prose, not ranges.
+/// Keys whose texts are prose, in which braces need not be ranges.
 const PROSE: [&str; 3] = ["name", "source", "about"];
 
-/// Named whole numbers. A later entry hides an earlier entry of the same name.
+/// Whole numbers by name. A later entry hides an earlier entry of the same name.
 type Numbers = Vec<(String, i64)>;
 
-/// Tables of a model file with every repetition written out; `None` if the file repeats nothing. Errors are added to
-/// those of the reader.
+/// Tables of a model file with every repetition expanded; `None` if the file repeats nothing.
+/// Errors are recorded in the reader.
 pub fn written_out<'a>(reader: &mut Reader<'_>, table: &DeTable<'a>) -> Option<DeTable<'a>> {
     if !table.contains_key("counts") && !has_ranges(table) {
         return None;
@@ -55,29 +55,34 @@ fn has_ranges(table: &DeTable<'_>) -> bool {
     table.iter().any(|(key, value)| key.get_ref().contains('{') || value.get_ref().as_table().is_some_and(has_ranges))
 }
 
+/// State of the expansion of repeated entries.
 struct Repeating<'r, 'a> {
+    /// Reader of the file, which collects the errors.
     reader: &'r mut Reader<'a>,
+    /// Arena for the formulas of indices.
     arena: Arena,
+    /// Number of entries expanded so far.
     entries: usize,
 }
 
-/// Kind of the texts under a key.
+/// Kind of the texts under a key: formulas and names, or prose.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum TextKind {
     /// Formulas and names, in which all braces are replaced.
     Formula,
-    /// Words for people, in which braces without a number stay.
+    /// Prose, in which braces without a number stay.
     Prose,
 }
 
 impl TextKind {
+    /// Kind of the texts under the key `key`.
     fn of(key: &str) -> Self {
         if PROSE.contains(&key) { Self::Prose } else { Self::Formula }
     }
 }
 
 impl Repeating<'_, '_> {
-    /// Reads `[counts]`: names of whole numbers.
+    /// Reads `[counts]`: whole numbers by name. Wrong values are reported.
     fn counts(&mut self, stated: &Spanned<DeValue<'_>>, counts: &mut Numbers) {
         let DeValue::Table(table) = stated.get_ref() else {
             return self.reader.error(stated.span(), "`counts` must be a table", "write it as [counts], with n = 10");
@@ -97,7 +102,8 @@ impl Repeating<'_, '_> {
         }
     }
 
-    /// Copy of a value in which numbers replace the formulas in braces. In prose, braces without a number stay.
+    /// Copy of a value in which numbers replace the formulas in braces. In prose, braces without a
+    /// number stay.
     fn value<'a>(&mut self, value: &Spanned<DeValue<'a>>, numbers: &Numbers, kind: TextKind) -> Spanned<DeValue<'a>> {
         let span = value.span();
         let new = match value.get_ref() {
@@ -118,6 +124,7 @@ impl Repeating<'_, '_> {
         Spanned::new(span, new)
     }
 
+    /// Copy of a table with its repeated entries expanded, and with numbers for the formulas in braces.
     fn table<'a>(&mut self, table: &DeTable<'a>, numbers: &Numbers) -> DeTable<'a> {
         let mut result = DeTable::new();
         for (key, value) in table {
@@ -145,7 +152,8 @@ impl Repeating<'_, '_> {
         result
     }
 
-    /// Names that a key with ranges stands for, each with the numbers that include its indices.
+    /// Names into which a key with ranges expands, each with the numbers that include its indices.
+    /// Empty after an error is reported.
     fn keys(&mut self, key: &str, numbers: &Numbers, span: &Range<usize>) -> Vec<(String, Numbers)> {
         let mut open = vec![(String::new(), numbers.clone())];
         let mut rest = key;
@@ -191,7 +199,8 @@ impl Repeating<'_, '_> {
         open.into_iter().map(|(text, numbers)| (text + rest, numbers)).collect()
     }
 
-    /// A text in which numbers replace the formulas in braces; reports formulas that are no whole number.
+    /// Replaces the formulas in braces in a text by numbers. Reports formulas that give no whole
+    /// number.
     fn put(&mut self, text: &str, numbers: &Numbers, span: &Range<usize>) -> String {
         let mut result = String::new();
         let mut rest = text;
@@ -210,7 +219,8 @@ impl Repeating<'_, '_> {
         result + rest
     }
 
-    /// Prose in which numbers replace the formulas in braces; braces without a whole number stay as they are.
+    /// Replaces the formulas in braces in prose by numbers. Braces without a whole number stay
+    /// unchanged.
     fn prose(&mut self, text: &str, numbers: &Numbers) -> String {
         let mut result = String::new();
         let mut rest = text;
@@ -232,7 +242,8 @@ impl Repeating<'_, '_> {
         result + rest
     }
 
-    /// Whole number that a formula of named numbers gives; reports a value that is not whole.
+    /// Whole number that a formula of named numbers gives. `None` after reporting a value that is not
+    /// whole.
     fn number(&mut self, formula: &str, numbers: &Numbers, span: &Range<usize>) -> Option<i64> {
         match self.known(formula, numbers) {
             Ok(number) => Some(number),
@@ -244,6 +255,7 @@ impl Repeating<'_, '_> {
         }
     }
 
+    /// Whole number that a formula of named numbers gives, or a message.
     fn known(&mut self, formula: &str, numbers: &Numbers) -> Result<i64, String> {
         let value = parse(&mut self.arena, formula, &mut |arena, name| {
             let known = numbers.iter().rev().find(|(known, _)| known == name);
@@ -256,7 +268,8 @@ impl Repeating<'_, '_> {
     }
 }
 
-/// Index and ends of a range such as `i in 1..n`: `i`, `1` and `n`; `None` if the text is no range.
+/// Splits a range such as `i in 1..n` into index and ends: `i`, `1` and `n`. `None` if the text is
+/// no range.
 fn range(inside: &str) -> Option<(&str, &str, &str)> {
     let (index, ends) = inside.split_once(" in ")?;
     let (from, to) = ends.split_once("..")?;

@@ -1,22 +1,23 @@
-//! Frames and points, each placed from a parent, sorted so that parents come first.
+//! Tree order of frames and points: parents come before their children.
 
 use super::names::Kind;
 use super::reader::Loading;
 use crate::read::Located;
 use rustc_hash::FxHashMap;
 
-/// A named child that is placed from a named parent, before the order of nodes is known.
+/// Frame or point with its parent, by name, before the tree order is known.
 pub struct Node<T> {
     /// Name of the child.
     pub name: Located,
     /// Name of the parent.
     pub parent: Located,
-    /// Data that belongs to the child, such as its turn or position.
+    /// Data of the child, such as its rotation or position.
     pub payload: T,
 }
 
-/// Sorts nodes so that parents come first. Returns each node with its parent's position in the sorted list, where the
-/// root is 0. Reports unknown parents and cycles. Children of a node with an error are left out in silence.
+/// Sorts frames or points so that parents come first. Returns each with its parent's index in the
+/// sorted list, in which the root has index 0. Reports unknown parents and cycles, and silently
+/// leaves out descendants of these.
 pub fn in_order<T>(
     loading: &mut Loading<'_>,
     nodes: Vec<Node<T>>,
@@ -46,11 +47,12 @@ pub fn in_order<T>(
     ordered
 }
 
-/// Reports each cycle among nodes that the root does not reach, once.
+/// Reports each cycle among nodes that are not connected to the root, once.
 fn report_cycles<T>(loading: &mut Loading<'_>, waiting: &[Node<T>]) {
     let position: FxHashMap<&str, usize> =
         waiting.iter().enumerate().map(|(at, node)| (node.name.text.as_str(), at)).collect();
-    // Walk up from each node left over: a name met again on the same walk closes a cycle.
+    // Walk from each remaining node to its parents: a node that occurs twice on one walk closes a
+    // cycle.
     let mut walk_of = vec![usize::MAX; waiting.len()];
     for start in 0..waiting.len() {
         let mut path = Vec::new();
@@ -70,6 +72,7 @@ fn report_cycles<T>(loading: &mut Loading<'_>, waiting: &[Node<T>]) {
     }
 }
 
+/// Reports a cycle; at most 12 of its names are shown.
 fn report_cycle<T>(loading: &mut Loading<'_>, waiting: &[Node<T>], cycle: &[usize]) {
     const SHOWN: usize = 12;
     let first = &waiting[cycle[0]];

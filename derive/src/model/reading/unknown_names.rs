@@ -1,4 +1,4 @@
-//! Messages for names that are neither a coordinate nor a speed.
+//! Messages for unknown names where a coordinate or a speed is expected.
 
 use crate::diagnostic::nearest;
 use crate::model::Model;
@@ -7,13 +7,13 @@ use crate::model::Model;
 const MOST_LISTED: usize = 12;
 
 impl Model {
-    /// Message and advice for a name that is neither a coordinate nor a speed, where one is expected. `known` are the
-    /// names that are permitted there.
+    /// Message and advice for a name that is neither a coordinate nor a generalized speed. `known` are
+    /// the names that are permitted at that place.
     #[must_use]
     pub fn no_state<'n>(&self, name: &str, known: impl Iterator<Item = &'n str>) -> (String, String) {
         if !self.dependent_speeds.iter().any(|speed| speed.name == name) {
             let message = format!("the model has no coordinate or speed `{name}`");
-            // Speeds of turns about several axes have the number of an axis in their name, not the name of a
+            // Speeds of rotations about several axes are numbered by axis, and do not contain the name of a
             // coordinate.
             let of = self.coordinates.iter().find(|coordinate| format!("u_{}", coordinate.name) == name);
             let help = match of {
@@ -36,6 +36,7 @@ impl Model {
         (message, format!("leave `{name}` out here; it can be an output of a scene"))
     }
 
+    /// Names of the generalized speeds for a message, at most 12.
     fn listed_speeds(&self) -> String {
         let speeds = self.speeds.iter().take(MOST_LISTED).map(|speed| format!("`{}`", speed.name));
         let more = if self.speeds.len() > MOST_LISTED { " and more" } else { "" };

@@ -1,59 +1,70 @@
-//! Equations of a LaTeX file by their labels.
+//! Displayed equations of a LaTeX file, found by their labels.
 
 use super::macros::{Macros, group_end, near, without_comments};
 use super::traced_text::{Problem, Traced};
 use crate::diagnostic::nearest;
 use std::ops::Range;
 
-/// Environments of which every line is an equation of its own.
+/// LaTeX environments in which every line is an equation.
 const LINES: [&str; 6] = ["align", "gather", "eqnarray", "flalign", "alignat", "xalignat"];
-/// Environments of one equation.
+/// LaTeX environments that contain a single equation.
 const SINGLE: [&str; 4] = ["equation", "displaymath", "multline", "math"];
-/// Environments inside those, with lines.
+/// LaTeX environments that split a single equation into lines.
 const INNER: [&str; 6] = ["split", "aligned", "gathered", "alignedat", "multlined", "cases"];
-/// Commands of which a macro may be made that begins or ends an environment.
+/// Commands that begin or end environments or set labels; macros that contain them are expanded
+/// first.
 const STRUCTURE: [&str; 6] = ["begin", "end", "[", "]", "label", "tag"];
-/// Most lines of one environment.
+/// Largest number of lines of one LaTeX environment that are read.
 const MAX_LINES: usize = 1000;
-/// Most bytes of a label, and most labels, that advice for an unknown label names.
+/// Largest length, in bytes, of a label that advice for an unknown label mentions.
 const MAX_LABEL: usize = 100;
+/// Largest number of labels among which advice for an unknown label searches.
 const MAX_LABELS: usize = 1000;
-/// Most bytes of one printed formula.
+/// Largest length of one printed formula, in bytes.
 const MAX_FORMULA: usize = 100_000;
 
-/// A LaTeX file without comments and definitions, and its macros.
+/// LaTeX file prepared for the search of equations: its text without comments and definitions, and
+/// its macros.
 pub struct Paper {
+    /// Text without comments and definitions, with places in the file.
     text: Traced,
+    /// LaTeX macros that the file defines.
     pub macros: Macros,
+    /// Displayed formulas of the file, in its order.
     displays: Vec<Display>,
 }
 
-/// A displayed formula: its lines, and the labels of each.
+/// Displayed formula of a LaTeX file, as a list of equations.
 struct Display {
     equations: Vec<Lines>,
 }
 
-/// Lines of one equation.
+/// Lines of one equation of a displayed formula, as byte ranges.
 struct Lines {
-    /// Left side that stands in earlier lines, for a line that begins with `=`.
+    /// Left side taken from earlier lines, for a line that begins with `=`.
     left: Vec<Range<usize>>,
+    /// Byte ranges of the equation's own lines in the text of the file.
     pieces: Vec<Range<usize>>,
+    /// Labels and tags that the lines of the equation have.
     labels: Vec<String>,
+    /// True if the lines contain an `=` outside of groups.
     has_relation: bool,
-    /// Place of a line that may belong to this equation or to the next one.
+    /// Byte at which a line begins that may belong to this equation or to the next; `None` if all
+    /// lines are clear.
     unclear: Option<usize>,
 }
 
-/// Choice of equations of a file.
+/// Choice of equations that a label means.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Choice {
-    /// Only those that have the label.
+    /// Only the equations that have the label themselves.
     Labelled,
-    /// All of the environment in which the label stands.
+    /// All equations of the environment that contains the label.
     Display,
 }
 
 impl Paper {
+    /// Prepares the text of a LaTeX file. The error is a macro that cannot be expanded.
     pub fn read(text: &str) -> Result<Self, Problem> {
         let mut macros = Macros::default();
         let rest = macros.take(&without_comments(text));
@@ -63,7 +74,9 @@ impl Paper {
         Ok(Self { text, macros, displays })
     }
 
-    /// Equations with a label, as formulas without macros. The error is advice for a label that is not found.
+    /// Equations with a label, as formulas without macros.
+    /// The outer error is advice for a label that is not found or not unique. The inner error is a
+    /// formula that cannot be read.
     pub fn equations(&self, label: &str, choice: Choice) -> Result<Result<Vec<Traced>, Problem>, String> {
         let has = |lines: &Lines| lines.labels.iter().any(|l| l == label);
         let found: Vec<&Display> = self.displays.iter().filter(|d| d.equations.iter().any(has)).collect();
@@ -79,6 +92,8 @@ impl Paper {
         Ok(chosen.map(|lines| self.formula(lines)).collect())
     }
 
+    /// Formula of one equation, in one line and without macros. The error is an unclear line or a
+    /// formula that is too long.
     fn formula(&self, lines: &Lines) -> Result<Traced, Problem> {
         let mut formula = Traced::default();
         if let Some(at) = lines.unclear {
@@ -104,14 +119,16 @@ impl Paper {
     }
 }
 
-/// Name of the environment that a `\begin{` or `\end{` at `at` names, without its star, and the end of the mark.
+/// Name of the environment that a `\begin{` or `\end{` at byte `at` names, and the byte behind its
+/// closing brace.
+/// Returns `None` if `mark` is not at this byte.
 fn environment(text: &str, at: usize, mark: &str) -> Option<(String, usize)> {
     let rest = text[at..].strip_prefix(mark)?;
     let close = near(rest, 0, '}').filter(|close| *close < 40)?;
     Some((rest[..close].to_owned(), at + mark.len() + close + 1))
 }
 
-/// Displayed formulas of a text, in its order.
+/// Displayed formulas of a LaTeX text, in its order.
 fn displays(text: &str) -> Vec<Display> {
     let (mut list, mut at) = (Vec::new(), 0);
     while let Some(found) = text[at..].find(['\\', '$']) {
@@ -127,7 +144,7 @@ fn displays(text: &str) -> Vec<Display> {
                 at = end;
                 continue;
             }
-            // The number of columns of an alignat is no part of it.
+            // The number of columns of an alignat is not part of the formula.
             let columns = plain.ends_with("alignat") && text[end..].starts_with('{');
             let start = if columns { group_end(text, end).unwrap_or(end) } else { end };
             let layout = if LINES.contains(&plain) { Layout::Lines } else { Layout::Single };
@@ -148,13 +165,13 @@ fn displays(text: &str) -> Vec<Display> {
 /// Layout of a displayed formula in LaTeX.
 #[derive(Clone, Copy, PartialEq)]
 enum Layout {
-    /// Lines, each of which may have a number and labels of its own.
+    /// Lines, each of which may have its own number and labels.
     Lines,
-    /// One formula with one number. An environment inside may part it into lines.
+    /// Single formula with one number; an inner environment may split it into lines.
     Single,
 }
 
-/// Parts a displayed formula into its equations.
+/// Splits a displayed formula into its equations.
 fn display(text: &str, body: Range<usize>, layout: Layout) -> Display {
     let inner = match layout {
         Layout::Lines => None,
@@ -181,7 +198,7 @@ fn display(text: &str, body: Range<usize>, layout: Layout) -> Display {
         };
         if joins {
             let last = equations.last_mut().expect("an equation above");
-            // A number ends an equation, and a line without a number may begin the next one.
+            // A number ends an equation, and a line without a number may begin the next equation.
             let numbered = above.is_some_and(|above| !is_without_number(above));
             let followed = at + 1 < rows.len();
             let is_unclear = layout == Layout::Lines && last.has_relation && numbered && followed;
@@ -213,12 +230,12 @@ fn display(text: &str, body: Range<usize>, layout: Layout) -> Display {
     Display { equations }
 }
 
-/// True if a line prints no number.
+/// True if LaTeX prints no number for a line.
 fn is_without_number(row: &str) -> bool {
     row.contains("\\nonumber") || row.contains("\\notag")
 }
 
-/// Line without marks and the commands and groups that only make room.
+/// Line without labels, alignment marks, and commands that only make space.
 fn bare(row: &str) -> String {
     let mut text = without_marks(&Traced::at(row, 0)).text.replace('&', " ").replace("{}", " ");
     for space in ["\\qquad", "\\quad", "\\,", "\\;", "\\:", "\\!", "\\ ", "\\left.", "\\right.", "~"] {
@@ -232,19 +249,21 @@ fn is_blank(part: &str) -> bool {
     bare(part).is_empty()
 }
 
-/// True if a line begins with a sign that joins two operands.
+/// True if a line begins with an operator or `=`, so that it continues the line above.
 fn begins_with_sign(row: &str) -> bool {
     let row = bare(row);
     row.starts_with(['+', '-', '*', '/', '=']) || row.starts_with("\\cdot") || row.starts_with("\\times")
 }
 
-/// True if a line ends with a sign that joins two operands.
+/// True if a line ends with an operator, `=` or an open parenthesis, so that the next line
+/// continues it.
 fn ends_with_sign(row: &str) -> bool {
     let row = bare(row);
     row.ends_with(['+', '-', '*', '/', '=', '(']) || row.ends_with("\\cdot") || row.ends_with("\\times")
 }
 
-/// Content of the one environment with lines, such as split, that a formula consists of; `None` if there is none.
+/// Content of the inner environment, such as split, that makes up a whole formula; `None` if there
+/// is none.
 fn inside(text: &str, body: &Range<usize>) -> Option<Range<usize>> {
     let open = body.start + text[body.clone()].find("\\begin{")?;
     let (name, mut start) = environment(text, open, "\\begin{")?;
@@ -266,8 +285,9 @@ fn inside(text: &str, body: &Range<usize>) -> Option<Range<usize>> {
     around.into_iter().all(is_frame).then_some(start..end)
 }
 
-/// Steps through a text of LaTeX: calls `each` at every byte outside of groups and environments with the rest of the
-/// text; a number of bytes to skip ends the walk at that place.
+/// Walks through a range of LaTeX text. Calls `each(byte, rest of the range)` at every character
+/// outside of groups and environments.
+/// The walk ends when `each` returns false.
 fn outside(text: &str, range: &Range<usize>, mut each: impl FnMut(usize, &str) -> bool) {
     let (mut depth, mut at) = (0_usize, range.start);
     while at < range.end {
@@ -296,7 +316,8 @@ fn outside(text: &str, range: &Range<usize>, mut each: impl FnMut(usize, &str) -
     }
 }
 
-/// Lines of a text, parted by `\\`, which may have a distance behind it.
+/// Byte ranges of the non-empty lines of a text, separated by `\\`, which a row distance may
+/// follow.
 fn rows(text: &str, range: Range<usize>) -> Vec<Range<usize>> {
     let mut cuts = Vec::new();
     outside(text, &range, |at, rest| {
@@ -310,7 +331,7 @@ fn rows(text: &str, range: Range<usize>) -> Vec<Range<usize>> {
     let mut list = Vec::new();
     let mut from = range.start;
     for (at, next) in cuts {
-        // A mark inside of the distance of rows parts nothing.
+        // A separator inside of a row distance separates nothing.
         if at < from {
             continue;
         }
@@ -323,7 +344,7 @@ fn rows(text: &str, range: Range<usize>) -> Vec<Range<usize>> {
     list
 }
 
-/// Byte of the first `=` of a line outside of groups.
+/// Byte of the first `=` of a line outside of groups and environments; `None` if there is none.
 fn relation(text: &str, row: &Range<usize>) -> Option<usize> {
     let mut found = None;
     outside(text, row, |at, rest| {
@@ -335,7 +356,7 @@ fn relation(text: &str, row: &Range<usize>) -> Option<usize> {
     found
 }
 
-/// Labels and tags of a text.
+/// Labels and tags that a LaTeX text sets.
 fn labels(text: &str) -> Vec<String> {
     let mut list = Vec::new();
     for mark in ["\\label{", "\\tag{", "\\tag*{"] {
@@ -349,7 +370,7 @@ fn labels(text: &str) -> Vec<String> {
     list
 }
 
-/// Text without labels, tags, spaces of given length and the marks of lines.
+/// Text without labels, tags, fixed spaces and commands about line numbers.
 fn without_marks(text: &Traced) -> Traced {
     let with_group = ["label", "tag", "intertext", "shortintertext", "hspace", "vspace", "phantom", "hphantom"];
     let alone = ["nonumber", "notag", "displaybreak", "allowdisplaybreaks", "ensuremath", "xspace"];

@@ -1,49 +1,56 @@
-//! Macros of a paper: definitions in LaTeX, and texts with the macros replaced. All work is bounded.
+//! Macros of a LaTeX file: reading of their definitions, and replacement in texts. All work is
+//! limited.
 
 use super::traced_text::{Problem, Traced};
 use crate::diagnostic::shown;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 
-/// Most macros that are replaced in one text.
+/// Largest number of macro calls that are replaced in one text.
 const MAX_CALLS: usize = 10_000;
-/// Most bytes that macros may add to one text while they are replaced.
+/// Largest number of bytes that macros may add to one text.
 const MAX_ADDED: usize = 1_000_000;
-/// Most macros that may stand inside one another.
+/// Largest depth to which macros may call one another.
 const MAX_NESTING: usize = 100;
-/// Most macros between a macro and the environment that it begins.
+/// Largest number of macros in a chain from a macro to an environment that it begins.
 const MAX_ROUNDS: usize = 20;
-/// Most bytes of a group in braces.
+/// Largest length of a group in braces, in bytes.
 const LONGEST_GROUP: usize = 20_000;
-/// Most characters of a short text, such as the name of an environment or an argument in brackets.
+/// Largest length, in characters, of a short text, such as the name of an environment or an
+/// argument in brackets.
 const NEAR: usize = 200;
-/// Most bytes of a macro's own text.
+/// Largest length of a macro's definition, in bytes.
 const MAX_BODY: usize = 10_000;
 
-/// Text that a macro stands for.
+/// Definition of a LaTeX macro: its text, arguments and place.
 #[derive(Clone, Debug)]
 struct Macro {
-    /// Byte in the file from which the definition holds.
+    /// Byte of the file from which the definition is valid.
     from: usize,
-    /// Text with `#1`, `#2`, … for arguments; `None` for a name that LaTeX itself knows.
+    /// Text of the macro with `#1`, `#2`, … for arguments; `None` if the macro is another name for
+    /// a LaTeX command.
     body: Option<String>,
-    /// Number of arguments.
+    /// Number of arguments that the macro takes, at most nine.
     arguments: usize,
-    /// Value of the first argument if it is left out.
+    /// Default value of the optional first argument, or the LaTeX command for which the macro is
+    /// another name.
+    /// `None` if there is neither.
     usual: Option<String>,
-    /// True if the form of its arguments is not read here, as in `\def\a#1.{…}`.
+    /// True if the form of the definition is not supported, as in `\def\a#1.{…}`.
     is_odd: bool,
 }
 
-/// Macros of a paper, by name without the backslash. A later definition replaces an earlier one from its place on.
+/// Macros of a LaTeX file, by name without the backslash. From its place on, a later definition
+/// replaces an earlier one.
 #[derive(Clone, Debug, Default)]
 pub struct Macros {
+    /// Definitions of each macro, in the order of the file.
     known: FxHashMap<String, Vec<Macro>>,
-    /// True if every definition holds everywhere, not only behind its place.
+    /// True if the last definition of each macro holds everywhere, not only behind its place.
     everywhere: bool,
 }
 
-/// Name of the command whose backslash is at `at`: letters, or one character.
+/// Name of the command whose backslash is at byte `at`: a run of letters, or a single character.
 pub fn command_at(text: &str, at: usize) -> &str {
     let rest = &text[at + 1..];
     let letters = rest.find(|c: char| !(c.is_ascii_alphabetic() || c == '@')).unwrap_or(rest.len());
@@ -51,7 +58,8 @@ pub fn command_at(text: &str, at: usize) -> &str {
     &rest[..length]
 }
 
-/// Text without comments, and without what `\iffalse … \fi` and the environment comment hide.
+/// Text without comments, and without the parts hidden by `\iffalse … \fi` and by the environment
+/// comment.
 pub fn without_comments(text: &str) -> Traced {
     let mut out = Traced::default();
     let end = text.find("\\end{document}").unwrap_or(text.len());
@@ -88,14 +96,14 @@ pub fn without_comments(text: &str) -> Traced {
     out
 }
 
-/// End of the group whose brace is at `open`, behind its closing brace; `None` if it is not closed within some 20 000
-/// bytes.
+/// Byte behind the closing brace of the group that opens at byte `open`; `None` if it does not
+/// close within 20 000 bytes.
 pub fn group_end(text: &str, open: usize) -> Option<usize> {
     group_end_within(text, open, LONGEST_GROUP)
 }
 
-/// End of the group whose brace is at `open`, behind its closing brace; `None` if it is not closed within so many
-/// bytes.
+/// Byte behind the closing brace of the group that opens at byte `open`; `None` if it does not
+/// close within `limit` bytes.
 pub fn group_end_within(text: &str, open: usize, limit: usize) -> Option<usize> {
     let (mut depth, mut at) = (0_usize, open);
     let bytes = &text.as_bytes()[..text.len().min(open.saturating_add(limit))];
@@ -116,35 +124,40 @@ pub fn group_end_within(text: &str, open: usize, limit: usize) -> Option<usize> 
     None
 }
 
-/// Distance from `at` to the next mark of this kind; `None` if none is near.
+/// Distance in bytes from `at` to the next character `mark`; `None` if it is not among the next 200
+/// characters.
 pub fn near(text: &str, at: usize, mark: char) -> Option<usize> {
     text[at..].char_indices().take(NEAR).find(|(_, c)| *c == mark).map(|(distance, _)| distance)
 }
 
-/// First byte from `at` on that is no space.
+/// Position of the first character from byte `at` on that is not a space; the length of the text if
+/// there is none.
 fn behind_space(text: &str, at: usize) -> usize {
     text[at..].find(|c: char| !c.is_whitespace()).map_or(text.len(), |space| at + space)
 }
 
-/// A definition of a macro, read from its command on.
+/// Definition of a LaTeX macro as found in a text, with its end.
 struct Definition {
+    /// Name of the defined macro, without the backslash.
     name: String,
+    /// Definition to be stored for this name.
     made: Macro,
-    /// End of the definition in the text, in bytes.
+    /// Position in the text behind the definition, in bytes.
     end: usize,
 }
 
 impl Macros {
+    /// True if the file defines no macros.
     pub fn is_empty(&self) -> bool {
         self.known.is_empty()
     }
 
-    /// Macros as they hold at the end of their file, for formulas of another file.
+    /// Macros as they are valid at the end of their file, for use in another file.
     pub fn at_the_end(&self) -> Self {
         Self { everywhere: true, ..self.clone() }
     }
 
-    /// Takes the definitions out of a text, and returns the rest of the text.
+    /// Removes the definitions of macros from a text and stores them; returns the remaining text.
     pub fn take(&mut self, text: &Traced) -> Traced {
         let mut rest = Traced::default();
         let (mut at, mut from) = (0, 0);
@@ -166,7 +179,8 @@ impl Macros {
         rest
     }
 
-    /// Definition whose command, called `name`, is at `at`; `None` if none begins there.
+    /// Definition that begins at byte `at` with the command `name`; `None` if no definition begins
+    /// there.
     fn definition(&self, text: &Traced, at: usize, name: &str) -> Option<Definition> {
         let place = text.place(at..at + 1);
         let text = text.text.as_str();
@@ -191,7 +205,7 @@ impl Macros {
             let other = text[at..].starts_with('\\').then(|| command_at(text, at))?;
             let same = self.of(other, place.start).cloned();
             let definition = Macro { from: place.start, ..same.unwrap_or(Macro { body: None, ..made }) };
-            // A name that LaTeX itself knows stays that name.
+            // Another name for a LaTeX command keeps the command's own name as its value.
             let definition = match definition.body {
                 None => Macro { body: None, usual: Some(other.to_owned()), ..definition },
                 Some(_) => definition,
@@ -231,14 +245,16 @@ impl Macros {
         Some(Definition { name: called, made, end })
     }
 
-    /// Definition of a name that holds at byte `at` of the file: the last one before it.
+    /// Definition of a macro that is valid at byte `at` of the file, the last before it; `None` if
+    /// there is none.
     fn of(&self, name: &str, at: usize) -> Option<&Macro> {
         let list = self.known.get(name)?;
         let end = if self.everywhere { list.len() } else { list.partition_point(|made| made.from <= at) };
         list.get(end.checked_sub(1)?)
     }
 
-    /// Names of macros whose text has one of these commands, in it or in a macro that it calls.
+    /// Names of the macros whose text contains one of the given commands, directly or through other
+    /// macros.
     pub fn with_commands(&self, commands: &[&str]) -> FxHashSet<String> {
         let mut found: FxHashSet<String> = FxHashSet::default();
         for _ in 0..MAX_ROUNDS {
@@ -263,24 +279,31 @@ impl Macros {
         found
     }
 
-    /// Text with the macros replaced that `wanted` accepts by name.
+    /// Replaces, in a text, the macros whose names `wanted` accepts. The error is a call that
+    /// cannot be replaced.
     pub fn expand(&self, text: &Traced, wanted: &dyn Fn(&str) -> bool) -> Result<Traced, Problem> {
         let work = Expansion { macros: self, out: Traced::default(), stack: Vec::new(), calls: 0, added: 0 };
         work.whole(text, wanted)
     }
 }
 
-/// State of replacing macros: texts that are read, the last one first.
+/// State of the replacement of macros in a LaTeX text.
 struct Expansion<'a> {
+    /// Definitions of the macros that may be replaced.
     macros: &'a Macros,
+    /// Output: the text written so far, with macros replaced.
     out: Traced,
-    /// Texts that are being read, each with the byte that is next.
+    /// Texts being read, the innermost last, each with its next byte.
     stack: Vec<(Traced, usize)>,
+    /// Number of macro calls replaced so far, to limit the work.
     calls: usize,
+    /// Number of bytes that macros have added so far, to limit the work.
     added: usize,
 }
 
 impl Expansion<'_> {
+    /// Reads a text to its end and returns it with the wanted macros replaced. The error is a call
+    /// that cannot be replaced.
     fn whole(mut self, text: &Traced, wanted: &dyn Fn(&str) -> bool) -> Result<Traced, Problem> {
         self.stack.push((text.clone(), 0));
         while let Some((text, at)) = self.stack.last_mut() {
@@ -309,7 +332,8 @@ impl Expansion<'_> {
         Ok(self.out)
     }
 
-    /// Puts a space behind a command at the end of what was written, so that a letter from another text stays apart.
+    /// Adds a space if the written text ends with a command, so that a letter of another text does
+    /// not join its name.
     fn end_word(&mut self) {
         let letters = self.out.text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
         if letters.len() < self.out.text.len() && letters.ends_with('\\') {
@@ -318,6 +342,9 @@ impl Expansion<'_> {
         }
     }
 
+    /// Replaces one call of a macro: reads its arguments, and puts its text in front of what is
+    /// read next.
+    /// The error is a missing argument, an unsupported definition, or a text that gets too long.
     fn call(&mut self, name: &str, made: Macro, place: &Range<usize>) -> Result<(), Problem> {
         let shown_name = shown(name);
         let Some(body) = made.body else {
@@ -369,7 +396,8 @@ impl Expansion<'_> {
         Ok(())
     }
 
-    /// Reads the next argument: a group without its braces, a command, or one character. `None` if none follows.
+    /// Reads the next argument: a group without its braces, a command, or a single character.
+    /// `None` if none follows.
     fn argument(&mut self) -> Option<Traced> {
         loop {
             let (text, at) = self.stack.last_mut()?;
@@ -396,7 +424,7 @@ impl Expansion<'_> {
         }
     }
 
-    /// Reads an argument in brackets; `None` if none follows.
+    /// Reads an optional argument in brackets, without the brackets; `None` if none follows.
     fn optional(&mut self) -> Option<Traced> {
         let (text, at) = self.stack.last_mut()?;
         let open = behind_space(&text.text, *at);

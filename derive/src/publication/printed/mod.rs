@@ -1,6 +1,6 @@
-//! Files that authors have, read as they are: LaTeX with its macros, and programs with their assignments.
+//! Reading of authors' own files: LaTeX files with macros, and programs with assignments.
 //!
-//! Every formula keeps its place in the author's file. All work is bounded.
+//! Every formula keeps its place in the author's file. All work is limited.
 
 mod displays;
 mod macros;

@@ -1,16 +1,17 @@
-//! Assignments of a program: those of a function, of numbered lines, or between two marks.
+//! Reading of the assignments of a printed program: of a function, of numbered lines, or between
+//! two marks.
 
 use super::traced_text::Traced;
 use crate::algebra::text::notation::Notation;
 use std::ops::Range;
 
-/// Most assignments of one part of a program that are read.
+/// Largest number of assignments that are read from one part of a program.
 const MAX_STATEMENTS: usize = 5000;
-/// Most characters of the list of arguments of a function.
+/// Largest number of characters in the list of arguments of a function.
 const LONGEST: usize = 2000;
-/// Most variables that one assignment sets to one value.
+/// Largest number of variables that one chained assignment sets.
 const MAX_CHAIN: usize = 20;
-/// Words that begin a statement which is no assignment.
+/// Words that begin a statement other than an assignment.
 const KEYWORDS: [&str; 19] = [
     "if",
     "elif",
@@ -33,29 +34,29 @@ const KEYWORDS: [&str; 19] = [
     "goto",
 ];
 
-/// An assignment of a program.
+/// Assignment in a printed program.
 #[derive(Clone, Debug)]
 pub struct Statement {
-    /// Variables that are assigned, without spaces; several for an assignment of a tuple.
+    /// Assigned variables, without spaces; several if a tuple is assigned.
     pub targets: Vec<String>,
-    /// Sign of an assignment such as `+=`.
+    /// Operator of an assignment such as `+=`; `None` for a plain `=`.
     pub operator: Option<char>,
-    /// Assigned formula, with its place in the file.
+    /// Formula on the right side, with its place in the file.
     pub right: Traced,
-    /// True if a condition or a loop decides if the statement is run.
+    /// True if a condition or a loop decides whether the statement is run.
     pub is_nested: bool,
-    /// Place of the statement in the file, in bytes.
+    /// Byte range of the statement in the program's file.
     pub place: Range<usize>,
 }
 
-/// Numbers of the first and last line, counted from 1, that a text such as 12-40 names; `None` for a name.
+/// First and last line, counted from 1, of a text such as 12-40; `None` if the text is a name.
 fn numbered(part: &str) -> Option<(usize, usize)> {
     let (first, last) = part.split_once('-')?;
     Some((first.trim().parse().ok()?, last.trim().parse().ok()?))
 }
 
-/// Assignments of a part of a program, or of the whole program. `None` if the part is not found, or has too many
-/// statements.
+/// Assignments of a part of a program, or of the whole program if `part` is `None`.
+/// Returns `None` if the part is not found, or if it has too many statements.
 pub fn statements(text: &str, notation: Notation, part: Option<&str>) -> Option<Vec<Statement>> {
     let range = match part {
         None => 0..text.len(),
@@ -77,7 +78,8 @@ pub fn statements(text: &str, notation: Notation, part: Option<&str>) -> Option<
     Some(list)
 }
 
-/// True if a formula only takes a value from elsewhere: a name with members, indices, strings and numbers.
+/// True if a formula only copies a value: a name with members, indices, strings and numbers,
+/// without arithmetic.
 pub fn is_access(text: &str) -> bool {
     let mut depth = 0_usize;
     let mut quote = None;
@@ -98,18 +100,18 @@ pub fn is_access(text: &str) -> bool {
             _ => return false,
         }
     }
-    // A minus sign outside of indices is one of an arrow.
+    // A minus sign outside of indices belongs to an arrow `->`.
     let bare = text.replace("->", "");
     depth == 0 && !bare.split(['[', '(']).next().unwrap_or_default().contains(['-', '>'])
 }
 
-/// True if a text is a number.
+/// True if a text is a decimal number, possibly with the suffix `f`.
 pub fn is_number(text: &str) -> bool {
     let text = text.trim().trim_end_matches(['f', 'F']);
     !text.is_empty() && text.parse::<f64>().is_ok()
 }
 
-/// Byte range of numbered lines.
+/// Byte range of the lines `first` to `last`, counted from 1; `None` if there are no such lines.
 fn lines(text: &str, first: usize, last: usize) -> Option<Range<usize>> {
     let mut starts = vec![0];
     starts.extend(text.match_indices('\n').map(|(at, _)| at + 1));
@@ -117,7 +119,7 @@ fn lines(text: &str, first: usize, last: usize) -> Option<Range<usize>> {
     (last >= first).then(|| start..starts.get(last).copied().unwrap_or(text.len()))
 }
 
-/// Byte range between the comments `begin NAME` and `end NAME`.
+/// Byte range between the comments `begin NAME` and `end NAME`; `None` if they do not exist.
 fn marked(text: &str, name: &str) -> Option<Range<usize>> {
     let (mut start, mut at) = (None, 0);
     for line in text.split_inclusive('\n') {
@@ -133,7 +135,7 @@ fn marked(text: &str, name: &str) -> Option<Range<usize>> {
     None
 }
 
-/// Byte range of the statements of a function.
+/// Byte range of the statements of the function `name`; `None` if it is not found.
 fn function(text: &str, notation: Notation, name: &str) -> Option<Range<usize>> {
     if notation == Notation::C {
         for (at, _) in text.match_indices(name) {
@@ -172,7 +174,7 @@ fn function(text: &str, notation: Notation, name: &str) -> Option<Range<usize>> 
                 }
             }
             Some((start, outer)) if indent <= outer && !trimmed.trim().is_empty() => {
-                // The closing parenthesis of a long list of arguments is no end.
+                // The closing parenthesis of a long list of arguments does not end the function.
                 if !trimmed.starts_with(')') {
                     return Some(start..at);
                 }
@@ -184,7 +186,7 @@ fn function(text: &str, notation: Notation, name: &str) -> Option<Range<usize>> 
     start.map(|(start, _)| start..text.len())
 }
 
-/// Text of equal length in which comments, and documentation in three quotes, are spaces.
+/// Text of equal length in which spaces replace comments and triple-quoted strings.
 fn cleared(text: &str, notation: Notation) -> String {
     let mut out = String::with_capacity(text.len());
     let mut at = 0;
@@ -209,7 +211,7 @@ fn cleared(text: &str, notation: Notation) -> String {
             continue;
         }
         if notation == Notation::Matlab && rest.starts_with("...") {
-            // The statement goes on in the next line.
+            // The statement continues in the next line.
             out.extend(std::iter::repeat_n(' ', (line() + 1).min(rest.len())));
             at += (line() + 1).min(rest.len());
             continue;
@@ -230,7 +232,8 @@ fn cleared(text: &str, notation: Notation) -> String {
     out
 }
 
-/// Statements of a range, each with the mark that it is nested in a condition or a loop.
+/// Byte ranges of the statements in a range; the second value is true for a statement nested in a
+/// condition or a loop.
 fn parted(text: &str, range: Range<usize>, notation: Notation) -> Vec<(Range<usize>, bool)> {
     let mut list = Vec::new();
     let (mut depth, mut blocks, mut from, mut base) = (0_usize, 0_usize, range.start, None);
@@ -249,7 +252,7 @@ fn parted(text: &str, range: Range<usize>, notation: Notation) -> Vec<(Range<usi
         if notation == Notation::Python {
             nested |= match line {
                 Some(line) => start - line > *base.get_or_insert(start - line),
-                // Statements of one line are run together.
+                // Statements on one line are run together.
                 None => was_nested,
             };
         }
@@ -294,7 +297,7 @@ fn parted(text: &str, range: Range<usize>, notation: Notation) -> Vec<(Range<usi
     list
 }
 
-/// Places of a mark outside of parentheses and brackets.
+/// Byte positions of the character `mark` outside of parentheses, brackets and braces.
 fn marks(text: &str, mark: char) -> Vec<usize> {
     let (mut depth, mut list) = (0_usize, Vec::new());
     for (at, c) in text.char_indices() {
@@ -308,7 +311,7 @@ fn marks(text: &str, mark: char) -> Vec<usize> {
     list
 }
 
-/// Parts of a text between commas outside of parentheses.
+/// Byte ranges of the parts of a text between commas outside of parentheses, brackets and braces.
 fn parts(text: &str) -> Vec<Range<usize>> {
     let (mut list, mut from) = (Vec::new(), 0);
     for at in marks(text, ',') {
@@ -319,15 +322,15 @@ fn parts(text: &str) -> Vec<Range<usize>> {
     list
 }
 
-/// Reads the assignments of one statement, as if it were not nested.
+/// Adds the assignments of one statement to `list`, marked as not nested.
 fn read(text: &str, range: Range<usize>, notation: Notation, list: &mut Vec<Statement>) {
     let own = &text[range.clone()];
     let traced = |part: Range<usize>| {
         let part = Traced::at(&text[range.start + part.start..range.start + part.end], range.start + part.start);
         let line = match notation {
-            // A mark that the line goes on is no part of the formula.
+            // The mark that continues a line is not part of the formula.
             Notation::Python => part.text.replace("\\\n", " \n"),
-            // A line of a matrix is a row.
+            // In a MATLAB matrix, each line is a row.
             Notation::Matlab => part.text.replace('\n', ";"),
             _ => part.text,
         };
@@ -348,7 +351,7 @@ fn read(text: &str, range: Range<usize>, notation: Notation, list: &mut Vec<Stat
         return;
     }
     let (Some(first), Some(last)) = (signs.first().copied(), signs.last().copied()) else { return };
-    // Several variables of one declaration in C.
+    // A declaration in C may contain several variables.
     let declares = own[..first].trim().contains(' ') && notation == Notation::C;
     if declares && marks(own, ',').iter().any(|comma| *comma > first) {
         for part in parts(own) {
@@ -389,7 +392,7 @@ fn read(text: &str, range: Range<usize>, notation: Notation, list: &mut Vec<Stat
     for pair in signs.windows(2) {
         targets.push(shown(own[pair[0] + 1..pair[1]].trim()));
     }
-    // Each variable of a = b = c has a statement of its own.
+    // Each variable of a = b = c gets its own statement.
     for target in targets {
         let right = traced(right.clone());
         list.push(Statement { targets: vec![target], operator, right, is_nested: false, place: range.clone() });

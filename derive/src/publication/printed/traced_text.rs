@@ -1,20 +1,24 @@
-//! Text made from parts of an author's file: every byte keeps its place in that file.
+//! Text assembled from parts of an author's file, in which every byte keeps its place in the file.
 
 use std::ops::Range;
 
 /// Text with the place of each of its bytes in the author's file.
 #[derive(Clone, Debug, Default)]
 pub struct Traced {
+    /// Text assembled from parts of the author's file.
     pub text: String,
-    /// Place in the author's file of each byte of the text.
+    /// Place of each byte of the text in the author's file, as a byte range (start, end).
     pub places: Vec<(u32, u32)>,
 }
 
-/// Error in an author's file, with its place there in bytes.
+/// Error in an author's file, with its place, a message and advice.
 #[derive(Clone, Debug)]
 pub struct Problem {
+    /// Byte range of the error in the author's file.
     pub place: Range<usize>,
+    /// Message that says what is wrong.
     pub message: String,
+    /// Advice on how to correct the error.
     pub help: String,
 }
 
@@ -24,39 +28,41 @@ impl Problem {
     }
 }
 
-/// Byte of a file as a compact number. Files are far smaller than 4 GiB.
+/// Byte position as a 32-bit number; files are far smaller than 4 GiB.
 fn compact(at: usize) -> u32 {
     u32::try_from(at).unwrap_or(u32::MAX)
 }
 
 impl Traced {
-    /// Text that stands in the author's file from byte `start` on.
+    /// Text that begins at byte `start` of the author's file.
     pub fn at(text: &str, start: usize) -> Self {
         let places = (start..start + text.len()).map(|at| (compact(at), compact(at + 1))).collect();
         Self { text: text.to_owned(), places }
     }
 
-    /// Text that comes from one place of the author's file as a whole.
+    /// Text whose every byte comes from the same byte range of the author's file.
     pub fn from_place(text: &str, place: &Range<usize>) -> Self {
         Self { text: text.to_owned(), places: vec![(compact(place.start), compact(place.end)); text.len()] }
     }
 
+    /// Appends a text whose every byte comes from the byte range `place` of the author's file.
     pub fn push(&mut self, text: &str, place: &Range<usize>) {
         self.text.push_str(text);
         self.places.extend(std::iter::repeat_n((compact(place.start), compact(place.end)), text.len()));
     }
 
-    /// Appends a part of another text, with its places.
+    /// Appends the bytes `range` of another text, with their places.
     pub fn push_part(&mut self, other: &Self, range: Range<usize>) {
         self.text.push_str(&other.text[range.clone()]);
         self.places.extend_from_slice(&other.places[range]);
     }
 
+    /// Part of the text, given by a byte range, with its places in the author's file.
     pub fn part(&self, range: Range<usize>) -> Self {
         Self { text: self.text[range.clone()].to_owned(), places: self.places[range].to_vec() }
     }
 
-    /// Place in the author's file of a part of the text; the nearest byte for an empty part.
+    /// Byte range in the author's file of a part of the text; the nearest byte for an empty part.
     pub fn place(&self, range: Range<usize>) -> Range<usize> {
         let last = self.places.len();
         let inside = &self.places[range.start.min(last)..range.end.min(last).max(range.start.min(last))];
@@ -66,7 +72,8 @@ impl Traced {
         bounds.0 as usize..bounds.1 as usize
     }
 
-    /// Text without space at its ends, with every stretch of space and line breaks made one space.
+    /// Text in one line: every run of spaces and line breaks becomes one space, and both ends are
+    /// trimmed.
     pub fn in_one_line(&self) -> Self {
         let mut line = Self::default();
         for (at, c) in self.text.char_indices() {

@@ -1,7 +1,8 @@
-//! Replaces factors of parameters and numbers by constants.
+//! Constants in place of products of parameters and numbers.
 //!
-//! The start of a motion determines these constants, so they are computed once and not in every call of the equations.
-//! For example, with a constant u₃, 2 u₃ sin q₂ becomes c sin q₂ with c = 2 u₃.
+//! The start of a motion determines these constants, so they are computed once and not in every
+//! call of the equations. For example, with a constant u₃, 2 u₃ sin q₂ becomes c sin q₂ with c = 2
+//! u₃.
 
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::fresh_symbol;
@@ -9,15 +10,16 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashMap;
 
-/// Constants that replace products of parameters and numbers.
+/// Constants that replace products of parameters and numbers, to save multiplications.
 #[derive(Default)]
 pub struct Hoist {
-    /// Constants, each as (symbol, product).
+    /// Constants, each as a pair of its symbol and the product that it replaces.
     pub constants: Vec<(Expr, Expr)>,
 }
 
 impl Hoist {
-    /// Term with a constant for every factor of parameters and numbers that costs an operation.
+    /// Replaces every factor of parameters and numbers in a term by a constant, if that saves a
+    /// multiplication. The result is proved equal; else the term is returned unchanged.
     pub fn apply(&mut self, arena: &mut Arena, parameters: &[Expr], e: Expr) -> Expr {
         let before = self.constants.len();
         let mut map: FxHashMap<Expr, Expr> = FxHashMap::default();
@@ -51,7 +53,8 @@ impl Hoist {
         e
     }
 
-    /// Writes k · term as another factor times a constant, if a constant saves a multiplication.
+    /// Writes k · term as another term times a factor, with a constant in it if that saves a
+    /// multiplication. `map` gives rewritten subterms.
     fn term(
         &mut self,
         arena: &mut Arena,
@@ -89,8 +92,8 @@ impl Hoist {
     }
 }
 
-/// Name of a constant after its product: `u3_times_2` for 2 u₃, `k_per_m` for k/m, `l_squared_m_times_4_by_3` for 4/3
-/// l² m.
+/// Name of a constant after its product: `u3_times_2` for 2 u₃, `k_per_m` for k/m,
+/// `l_squared_m_times_4_by_3` for 4/3 l² m.
 fn name(arena: &Arena, factors: &[(Expr, i32)], k: &Rational) -> String {
     let word = |(base, n): &(Expr, i32)| {
         let name = arena.symbol_name(*base).unwrap_or_default();

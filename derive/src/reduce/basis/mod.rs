@@ -1,4 +1,5 @@
-//! Basis of reductions: a model's equations with the parameters of a scene, and rows solved for some columns.
+//! Basis of reductions: a model's equations with the parameters of a scene, and elimination in
+//! chosen columns.
 
 pub(super) mod frame;
 pub(super) mod hoist;

@@ -1,26 +1,28 @@
-//! Rows solved for chosen columns, simple pivots first. Unlike in `elimination`, there are fewer rows than columns, the
-//! columns are chosen, and the divisors are part of the result.
+//! Elimination of rows in chosen columns, with simple pivots first. Unlike in `elimination`, there
+//! are fewer rows than columns, and the divisors are part of the result.
 
 use crate::algebra::form::simplify::{Simplifier, cost};
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::value::range::never_zero;
 use crate::algebra::{Arena, Expr};
 
-/// Independent rows in echelon form. The row of pivot (r, c) reads  x_c + Σ entry x_other = right, where no x_other
-/// belongs to an earlier pivot.
+/// Independent rows in echelon form. The row of pivot (r, c) reads x_c + Σ entry x_j = right, where
+/// no column j belongs to an earlier pivot.
 pub struct Solved {
-    /// Pivots as (row, column), in the order of elimination.
+    /// Positions (row, column) of the pivots, in the order of elimination.
     pub pivots: Vec<(usize, usize)>,
-    /// Rows, each divided by its pivot.
+    /// Matrix rows after elimination, each divided by its pivot.
     pub rows: Vec<Vec<Expr>>,
-    /// Right-hand sides of each row.
+    /// Right-hand sides of the rows: an inner list for each row, with an entry for each right-hand
+    /// side.
     pub right: Vec<Vec<Expr>>,
-    /// Pivots by which the rows were divided.
+    /// Pivots by which the rows were divided, as terms; no solution exists where a pivot is zero.
     pub divisors: Vec<Expr>,
 }
 
-/// Gaussian elimination in the given columns with the simplest pivots first: numbers, then terms without states, then
-/// terms that are never zero, then the shortest terms. It ends when each row has its pivot or is zero in the columns.
+/// Eliminates in the given columns by Gauss's method with the simplest pivots first. Simplest are
+/// numbers, then terms without states, then terms that are never zero, then the shortest terms.
+/// Ends when each row has a pivot or is zero in the columns.
 pub fn solve_rows(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -56,8 +58,8 @@ pub fn solve_rows(
 }
 
 impl Solved {
-    /// Value of the unknown of pivot `k`: right − Σ entry x, from values `x` of the other columns. `side` is the index
-    /// of the right-hand side.
+    /// Value of the unknown of pivot number `k`: right − Σ entry x, with values `x` for the other
+    /// columns. `side` is the index of the right-hand side.
     pub fn unknown(&self, arena: &mut Arena, k: usize, side: usize, x: &[Expr]) -> Expr {
         let (row, column) = self.pivots[k];
         let others = (0..x.len()).filter(|at| *at != column && self.rows[row][*at] != Expr::ZERO);
@@ -67,6 +69,8 @@ impl Solved {
     }
 }
 
+/// Row and column of the simplest pivot that remains in the given columns; `None` if all remaining
+/// entries are zero.
 fn simplest(
     arena: &Arena,
     rows: &[Vec<Expr>],

@@ -1,38 +1,38 @@
-//! Text with formulas, as data: plain text prints the formulas, and a page typesets them.
+//! Text with formulas, as data: plain output prints the formulas, and a page typesets them.
 
 use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr};
 
-/// Part of a text: words, a term or an equation.
+/// Part of a text with formulas: words, a term or an equation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Piece {
-    /// Plain words.
+    /// Plain words without formulas.
     Words(String),
-    /// Term of the reduction's store.
+    /// Term in the reduction's arena, to be shown as a formula.
     Term(Expr),
-    /// Equation between two terms.
+    /// Equation left = right between two terms in the reduction's arena.
     Equation(Expr, Expr),
 }
 
-/// Text about a reduction, from words and terms of its store.
+/// Text about a reduction, as a sequence of words, terms and equations.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Prose(pub Vec<Piece>);
 
 impl Prose {
-    /// Text that consists of one term.
+    /// Creates a text that consists of a single formula.
     #[must_use]
     pub fn term(e: Expr) -> Self {
         Self(vec![Piece::Term(e)])
     }
 
-    /// Appends more text.
+    /// Appends words, a term, an equation or another text, and returns the longer text.
     #[must_use]
     pub fn then(mut self, more: impl Into<Self>) -> Self {
         self.0.extend(more.into().0);
         self
     }
 
-    /// Whole text in plain characters. `arena` contains its terms.
+    /// Text in plain characters, formulas included. `arena` contains its terms.
     #[must_use]
     pub fn text(&self, arena: &Arena) -> String {
         let piece = |piece: &Piece| match piece {

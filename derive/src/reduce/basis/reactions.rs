@@ -1,7 +1,7 @@
-//! Reactions in q, u and u̇, from the balances of the bodies.
+//! Reactions as terms in q, u and u̇, from the balances of the bodies.
 //!
-//! Balances along the reactions come before those along axes of frames. In them a reaction has the factor 1, so no
-//! cosine that the motion may bring to zero becomes a divisor.
+//! Balances along the reactions come before those along axes of frames. In them a reaction has the
+//! factor 1, so no cosine that may become zero in the motion becomes a divisor.
 
 use super::pivots::solve_rows;
 use crate::algebra::form::simplify::Simplifier;
@@ -9,16 +9,21 @@ use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Equations, Kinematics, along_reactions};
 use crate::model::Model;
 
-/// Linear system matrix · reactions = right. It has more rows than reactions, and rows may depend on others.
+/// Linear system matrix · reactions = right. It has more rows than reactions, and rows may be
+/// dependent.
 #[derive(Clone)]
 pub struct ForceBalance {
+    /// Symbols of the reactions, which are the unknowns.
     reactions: Vec<Expr>,
+    /// Matrix of the system, with a column for each reaction.
     matrix: Vec<Vec<Expr>>,
+    /// Right-hand side of the system, as terms in q, u and u̇.
     right: Vec<Expr>,
 }
 
 impl ForceBalance {
-    /// Balances from equations whose unknowns are the accelerations and then the reactions.
+    /// Builds the system from Newton–Euler equations, whose unknowns are the accelerations and then the
+    /// reactions.
     pub fn new(model: &Model, kinematics: &mut Kinematics, equations: &Equations) -> Self {
         let n = equations.variables.len();
         let along = along_reactions(model, kinematics, &equations.rows);
@@ -44,13 +49,13 @@ impl ForceBalance {
         Self { reactions: equations.unknowns[n..].to_vec(), matrix, right }
     }
 
-    /// Changes every term of the system in place.
+    /// Applies `change` to every term of the system in place.
     pub fn visit(&mut self, change: &mut dyn FnMut(&mut Expr)) {
         self.matrix.iter_mut().flatten().chain(&mut self.right).for_each(change);
     }
 
-    /// Solves for the reactions: each reaction's symbol with its value. `states` are the variables that change along a
-    /// motion.
+    /// Solves for the reactions, as pairs of a reaction's symbol and its value. `states` are the
+    /// variables that change along a motion; pivots without them are preferred.
     pub fn solved(self, arena: &mut Arena, simplifier: &mut Simplifier, states: &[Expr]) -> Vec<(Expr, Expr)> {
         let right = self.right.into_iter().map(|value| vec![value]).collect();
         let columns: Vec<usize> = (0..self.reactions.len()).collect();

@@ -1,4 +1,5 @@
-//! Starting point of reductions: a model's equations, momenta and energy, with the parameters of a scene as numbers.
+//! Basis from which reductions start: a model's equations, momenta and energy, with parameters of a
+//! scene as numbers.
 
 use super::frame::{Frame, Turn};
 use super::reactions::ForceBalance;
@@ -17,105 +18,112 @@ use crate::model::{Model, Unit};
 use crate::prove::{Basis, Field, Integral, IntegralKind};
 use crate::scene::Scene;
 
-/// Most coordinates of a model whose first integrals are searched.
+/// Largest number of coordinates of a model whose first integrals are searched.
 const MOST_COORDINATES: usize = 12;
-/// Most momenta of a model for which every choice is tried.
+/// Largest number of momenta of a model for which every subset is tried.
 const MOST_TRIED: usize = 5;
 
-/// Momentum of a symmetry, linear in the speeds: row · u + rest.
+/// Conserved momentum of a symmetry, linear in the speeds: row · u + rest.
 #[derive(Clone)]
 pub struct Momentum {
-    /// Kinds of the first integral that the momentum is.
+    /// Kinds of the first integral to which the momentum belongs.
     pub kinds: Vec<IntegralKind>,
-    /// True if the integral adds a function of q to the momentum.
+    /// True if a function of q is added to the momentum to make it constant.
     pub has_place: bool,
-    /// Name of the first kind, in words.
+    /// Description of the integral by its first kind, in words.
     pub about: String,
-    /// Value of the momentum, in q and u.
+    /// Value of the momentum as a term in q and u.
     pub value: Expr,
-    /// Coefficients of the speeds in the momentum, in q.
+    /// Coefficients of the speeds in the momentum, one for each speed, as terms in q.
     pub row: Vec<Expr>,
-    /// Part that does not depend on the speeds, in q.
+    /// Part of the momentum that does not depend on the speeds, as a term in q.
     pub rest: Expr,
-    /// Components of the symmetry q′ = ξ(q), one for each coordinate.
+    /// Components of the symmetry q′ = ξ(q), one for each coordinate, as terms in q.
     pub field: Vec<Expr>,
-    /// Components of the symmetry in the speeds.
+    /// Components J ξ of the symmetry along the speeds, one for each speed.
     pub direction: Vec<Expr>,
-    /// Unit of the momentum.
+    /// Unit of the momentum's value.
     pub unit: Unit,
-    /// Function of q whose rate the momentum is: a mass times a coordinate of a mass centre. `None` if there is no such
-    /// function.
+    /// Function of q whose rate is the momentum: a mass times a coordinate of a mass centre. `None` if
+    /// there is no such function.
     pub position: Option<Expr>,
-    /// Unit of `position`.
+    /// Unit of `position`; without meaning if `position` is `None`.
     pub position_unit: Unit,
 }
 
-/// Variable that is replaced by its difference from a multiple of a pivot variable.
+/// Variable that is replaced by its difference from a multiple of another variable, the pivot.
 #[derive(Clone, Copy, Debug)]
 pub struct Relative {
-    /// Symbol of the replaced variable.
+    /// Symbol of the variable that is replaced.
     pub variable: Expr,
     /// Symbol of the pivot variable whose multiple is subtracted.
     pub pivot: Expr,
-    /// Symbol of the difference.
+    /// Symbol of the difference, which replaces the variable.
     pub symbol: Expr,
 }
 
-/// A model's equations by Kane's method with its first integrals, from which reductions start.
+/// Basis of reductions: a model's equations by Kane's method, with its first integrals and
+/// symmetries.
 #[derive(Clone)]
 pub struct ReductionBasis {
-    /// Model of the equations, with the terms of this store.
+    /// Model of the equations; its terms are in `arena`.
     pub model: Model,
-    /// Store of the terms of all fields.
+    /// Arena that holds the terms of all fields.
     pub arena: Arena,
-    /// Simplifier, which remembers the terms that were simplified.
+    /// Simplifier of terms; it keeps the terms that were already simplified.
     pub simplifier: Simplifier,
-    /// Symbols of the coordinates; one of them may be the distance from a singular surface.
+    /// Symbols of the equations' coordinates. One of them may be the distance from a singular surface.
     pub q: Vec<Expr>,
-    /// Values of the coordinates `q` in the coordinates of the model.
+    /// Values of the coordinates `q`, as terms in the coordinates of the model.
     pub q_start: Vec<Expr>,
-    /// Values of the equations' speeds in the speeds of the model.
+    /// Values of the equations' speeds, as terms in the speeds of the model.
     pub u_start: Vec<Expr>,
-    /// Variables that are replaced by differences.
+    /// Variables that were replaced by differences from a multiple of another variable.
     pub relatives: Vec<Relative>,
-    /// Equations by Kane's method.
+    /// Equations by Kane's method, in the current variables.
     pub kane: Equations,
-    /// Force balance that determines the reactions, or the reason why there is none.
+    /// Linear system that determines the reactions, or the reason why there is none.
     pub balance: Result<ForceBalance, DeriveError>,
-    /// First integrals of the motion.
+    /// First integrals of the motion, as proved for the model.
     pub integrals: Vec<Integral>,
-    /// Momenta of symmetries among the integrals.
+    /// Momenta of symmetries among the first integrals, if linear in the speeds.
     pub momenta: Vec<Momentum>,
-    /// Energy T + V in q and u; `None` if it is not conserved.
+    /// Energy T + V as a term in q and u, J; `None` if it is not conserved.
     pub energy: Option<Expr>,
-    /// Parameters that are replaced by numbers, with name and value.
+    /// Parameters that were replaced by numbers, as pairs of name and value.
     pub folded: Vec<(String, Rational)>,
-    /// Motions of the whole system that may be symmetries.
+    /// Vector fields on the coordinates that may be symmetries, such as translations of the whole
+    /// system.
     pub(in crate::reduce) fields: Vec<Field>,
-    /// Symmetries of the equations that leave a scene's wanted quantities unchanged. Empty before a frame is searched.
+    /// Symmetries of the equations that leave a scene's wanted quantities unchanged. Empty until a
+    /// moving frame is searched.
     pub turns: Vec<Turn>,
-    /// Descriptions of the symmetries that leave every shown quantity unchanged but change a condition of the domain.
+    /// Descriptions of symmetries that leave every shown quantity unchanged but change a condition of
+    /// the model's domain.
     pub kept_by_domain: Vec<String>,
     /// Moving frame in which the equations are written; `None` for the inertial frame.
     pub frame: Option<Frame>,
-    /// Basis of the search for first integrals; `None` after parameters became numbers.
+    /// Data for the search for first integrals; `None` after parameters became numbers, or if there is
+    /// no search.
     search: Option<Search>,
 }
 
-/// Basis of the search for first integrals, with data that numbers in place of parameters would hide.
+/// Data for the search for first integrals, with units that are lost when numbers replace
+/// parameters.
 #[derive(Clone)]
 struct Search {
+    /// Equations and vector fields from which the search starts.
     basis: Basis,
     /// First moment Σ m r of the whole system along each inertial axis.
     centre: Vec<Expr>,
-    /// Units of the components of `centre`.
+    /// Units of the three components of `centre`.
     centre_units: Vec<Unit>,
-    /// Units of the generalized momenta ∂L/∂q̇.
+    /// Units of the generalized momenta ∂L/∂q̇, one for each coordinate.
     units: Vec<Unit>,
 }
 
 impl ReductionBasis {
-    /// Derives the equations of a model and finds its first integrals.
+    /// Derives the equations of a model by Kane's method, and finds its first integrals.
     ///
     /// # Errors
     /// [`DeriveError`] if Kane's equations cannot be derived.
@@ -159,7 +167,8 @@ impl ReductionBasis {
         Ok(basis)
     }
 
-    /// Finds the first integrals of the model, and the momenta and the energy among them.
+    /// Finds the first integrals of the model, and selects the momenta and the energy. Does nothing
+    /// without search data.
     fn find_integrals(&mut self) {
         let Some(search) = &self.search else { return };
         let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
@@ -169,8 +178,8 @@ impl ReductionBasis {
         self.integrals = integrals;
     }
 
-    /// Replaces parameters by the numbers of a scene. Parameters that the scene leaves free, and numbers that are not
-    /// short and exact, stay symbols.
+    /// Replaces parameters by the numbers of a scene. Parameters that the scene leaves free, and
+    /// numbers that are not short and exact, remain symbols.
     pub(in crate::reduce) fn fold(&mut self, scene: &Scene) {
         let parameters = self.model.parameters.iter().enumerate();
         let fixed = parameters.filter(|(at, _)| !scene.free.contains(at)).filter_map(|(at, p)| {
@@ -196,7 +205,8 @@ impl ReductionBasis {
         }
     }
 
-    /// Searches first integrals again with numbers for parameters. Equal inertias or zero damping have more integrals.
+    /// Searches first integrals again after numbers replaced parameters, with the same substitution.
+    /// Equal inertias or zero damping may give more integrals.
     fn search_at(&mut self, put: &mut Substitution) {
         let Some(mut search) = self.search.take().filter(|_| !self.folded.is_empty()) else { return };
         search.basis.change(&mut self.arena, &mut |arena, e| put.apply(arena, e));
@@ -210,7 +220,7 @@ impl ReductionBasis {
         self.search = None;
     }
 
-    /// Rewrites every term of the reduction basis in place.
+    /// Applies `rewrite` to every term of the reduction basis in place.
     pub(in crate::reduce) fn change(&mut self, rewrite: &mut dyn FnMut(&mut Arena, &mut Simplifier, Expr) -> Expr) {
         let Self { arena, simplifier, model, kane, balance, momenta, energy, fields, turns, .. } = self;
         kane.visit(&mut |e, arena| *e = rewrite(arena, simplifier, *e), arena);
@@ -235,15 +245,15 @@ impl ReductionBasis {
         }
     }
 
-    /// Substitution of the equations' variables by their values in the model's variables.
+    /// Substitution that replaces the equations' variables by their values in the model's variables.
     pub(in crate::reduce) fn back(&self) -> Substitution {
         let coordinates = self.q.iter().copied().zip(self.q_start.iter().copied());
         let speeds = self.kane.variables.iter().copied().zip(self.u_start.iter().copied());
         Substitution::new(&coordinates.chain(speeds).collect::<Vec<_>>())
     }
 
-    /// Sets of momenta that may be held together, as lists of indices. Up to `MOST_TRIED` momenta give all commuting
-    /// sets, more momenta only the largest sets.
+    /// Sets of momenta that may be kept constant together, because their symmetries commute, as lists
+    /// of indices. Up to `MOST_TRIED` momenta give all such sets, more momenta only the largest sets.
     pub(in crate::reduce) fn choices(&mut self) -> Vec<Vec<usize>> {
         let count = self.momenta.len();
         let pairs = (0..count).flat_map(|a| (0..a).map(move |b| (a, b)));
@@ -270,7 +280,8 @@ impl ReductionBasis {
         list
     }
 
-    /// True if the symmetries of two momenta commute: their bracket, with the components ξ·∂η_i − η·∂ξ_i, vanishes.
+    /// True if the symmetries ξ and η of the momenta `a` and `b` commute: their bracket, with the
+    /// components ξ·∂η_i − η·∂ξ_i, vanishes.
     fn commute(&mut self, a: usize, b: usize) -> bool {
         let arena = &mut self.arena;
         let along = |field: &[Expr]| {
@@ -287,6 +298,8 @@ impl ReductionBasis {
 }
 
 impl Search {
+    /// Collects the search data of a model. `None` unless the equations by Kane and by Lagrange were
+    /// derived.
     fn new(model: &Model, derivations: &mut Derivations) -> Option<Self> {
         let basis = Basis::new(model, derivations)?;
         let kinematics = &mut derivations.kinematics;
@@ -309,7 +322,8 @@ impl Search {
         Some(Self { basis, centre, centre_units, units: of_momenta })
     }
 
-    /// Momentum of an integral that is linear in the speeds; `None` for other integrals.
+    /// Builds the momentum of a first integral that is linear in the speeds; `None` for other
+    /// integrals.
     fn momentum(
         &self,
         model: &Model,
@@ -346,8 +360,8 @@ impl Search {
     }
 }
 
-/// True for a number that shortens formulas: n, n/2 or n/4 with |n| ≤ 12. Other numbers cost as much as the symbol,
-/// which reads better.
+/// True for a number that shortens formulas: n, n/2 or n/4 with |n| ≤ 12. Other numbers are as long
+/// as the symbol of the parameter, which reads better.
 fn is_plain(value: &Rational) -> bool {
     value.small().is_some_and(|(n, d)| n.abs() <= 12 && [1, 2, 4].contains(&d))
 }

@@ -1,8 +1,9 @@
 //! Differences in place of variables that a symmetry moves together.
 //!
-//! If a floating chain is turned as a whole, all of its angles change at equal rates. With ψ_i = q_i − r_i q_g, and
-//! similarly for speeds, only q_g and u_g move along the symmetry. The momentum determines u_g; its divisor is the
-//! inertia of the whole as a rigid body, which is never zero. Only outputs that depend on q_g need it.
+//! If a floating chain is turned as a whole, all of its angles change at equal rates. With ψ_i =
+//! q_i − r_i q_g, and similarly for speeds, only q_g and u_g move along the symmetry. The momentum
+//! determines u_g. Its divisor is the inertia of the whole as a rigid body, which is never zero.
+//! Only outputs that depend on q_g need q_g.
 
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Substitution;
@@ -10,17 +11,19 @@ use crate::algebra::term::steps::fresh_symbol;
 use crate::reduce::basis::reduction_basis::{Momentum, ReductionBasis, Relative};
 use crate::reduce::slices::outputs::Wanted;
 
-/// Component of a direction: a number along one coordinate or speed.
+/// Component of a symmetry along a single coordinate or speed, with a constant value.
 #[derive(Clone, Copy)]
 struct DirectionComponent {
-    /// Index of the coordinate or speed.
+    /// Index of the coordinate or speed along which the symmetry moves.
     at: usize,
+    /// Constant value of the component, a number.
     number: Expr,
 }
 
 impl ReductionBasis {
-    /// Replaces coordinates and speeds by differences, if a symmetry of these momenta moves them at constant ratios and
-    /// no other moves them. Returns the wanted quantities in the differences.
+    /// Replaces coordinates and speeds by differences, if a symmetry of the given momenta moves them at
+    /// constant ratios and no other symmetry moves them. Returns the wanted quantities in the new
+    /// variables.
     pub(in crate::reduce) fn relative(&mut self, momenta: &[usize], wanted: Wanted) -> Wanted {
         let mut wanted = wanted;
         for at in momenta {
@@ -38,8 +41,8 @@ impl ReductionBasis {
         wanted
     }
 
-    /// Components at which a direction is not zero and all others are zero. `None` unless there are at least two such
-    /// components and all are numbers.
+    /// Components at which a symmetry is not zero and all others are zero. `None` unless there are at
+    /// least two such components and all are numbers.
     fn together(&self, direction: &[Expr], others: &[Vec<Expr>]) -> Option<Vec<DirectionComponent>> {
         let alone = |at: usize| others.iter().all(|other| other[at] == Expr::ZERO);
         let components = direction.iter().enumerate().filter(|(at, e)| **e != Expr::ZERO && alone(*at));
@@ -49,6 +52,8 @@ impl ReductionBasis {
         (numbers && moved.len() > 1).then_some(moved)
     }
 
+    /// Replaces coordinates by their differences from a multiple of the first. Returns the wanted
+    /// quantities in the new variables.
     fn put_coordinates(&mut self, moved: &[DirectionComponent], wanted: &Wanted) -> Wanted {
         let DirectionComponent { at: pivot, number: of_pivot } = moved[0];
         let mut pairs = Vec::new();
@@ -71,6 +76,8 @@ impl ReductionBasis {
         self.rewrite(&pairs, wanted)
     }
 
+    /// Replaces speeds by their differences from a multiple of the first. Returns the wanted
+    /// quantities in the new variables.
     fn put_speeds(&mut self, moved: &[DirectionComponent], wanted: &Wanted) -> Wanted {
         let DirectionComponent { at: pivot, number: of_pivot } = moved[0];
         let mut pairs = Vec::new();
@@ -111,7 +118,8 @@ impl ReductionBasis {
         self.rewrite(&pairs, wanted)
     }
 
-    /// Ratio at which a variable moves with the pivot, and a new symbol for their difference.
+    /// Ratio at which a variable moves with the pivot variable, and a new symbol for their difference.
+    /// Records the replacement.
     fn difference(&mut self, variable: Expr, pivot: Expr, number: Expr, of_pivot: Expr) -> (Expr, Expr) {
         let ratio = self.arena.div(number, of_pivot).expect("a component that is not zero");
         let name = |e: Expr| self.arena.symbol_name(e).unwrap_or_default();
@@ -121,12 +129,13 @@ impl ReductionBasis {
         (ratio, symbol)
     }
 
-    /// Sum e + ratio · pivot.
+    /// Computes the term e + ratio · pivot.
     fn carried(&mut self, e: Expr, ratio: Expr, pivot: Expr) -> Expr {
         let along = self.arena.mul(ratio, pivot);
         self.arena.add(e, along)
     }
 
+    /// Applies a substitution to every term of the basis, and returns the wanted quantities after it.
     fn rewrite(&mut self, pairs: &[(Expr, Expr)], wanted: &Wanted) -> Wanted {
         let mut put = Substitution::new(pairs);
         let kept = self.q.clone();

@@ -1,7 +1,8 @@
-//! Search for the moving frame in which a scene costs least.
+//! Search for the moving frame in which a scene's reduced equations cost least.
 //!
-//! Symmetries that leave all wanted quantities unchanged are tried singly and in sets that close under brackets. The
-//! pins are states that the scene otherwise integrates.
+//! Symmetries that leave all wanted quantities unchanged are tried singly and in sets that close
+//! under brackets. The frame keeps states at zero (pins them) that the scene would otherwise
+//! integrate.
 
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::value::modular::{ZeroTest, zero_test};
@@ -15,32 +16,35 @@ use crate::reduce::basis::work::Work;
 use crate::reduce::slices::outputs::Wanted;
 use crate::reduce::slices::slice::Flow;
 
-/// Most symmetries of which sets are combined.
+/// Largest number of symmetries for which sets of two and three are formed.
 const MOST_TURNS: usize = 9;
-/// Most sections that are tried for each set of symmetries and momenta.
+/// Largest number of sets of pinned states that are tried for each set of symmetries and momenta.
 const MOST_SECTIONS: usize = 4;
-/// Operations that an integrated state costs besides its rate: sums of stages, error estimate and dense output.
+/// Operations that an integrated state costs in addition to its rate: sums of stages, error
+/// estimate and dense output.
 const STATE: usize = 12;
 
-/// Choice of momenta to be held, and of a moving frame.
+/// Choice of the momenta that are kept constant, and of a moving frame, for reduced equations.
 #[derive(Clone, Debug, Default)]
 pub struct Choice {
-    /// Momenta that are held constant, as indices among those of the reduction basis.
+    /// Momenta that are kept constant, as indices into `ReductionBasis::momenta`.
     pub momenta: Vec<usize>,
-    /// Symmetries along which the frame moves, as indices among those of the reduction basis; empty without a frame.
+    /// Symmetries along which the frame moves, as indices into `ReductionBasis::turns`; empty without a
+    /// frame.
     pub turns: Vec<usize>,
     /// States that the frame keeps at zero, as indices in q, then u.
     pub pins: Vec<usize>,
 }
 
-/// Cost of a choice, in operations, from the number of integrated variables and the operations of their rates.
+/// Cost of reduced equations, in operations, from the number of integrated variables and the
+/// operations of their rates.
 fn cost(integrated: usize, operations: usize) -> usize {
     STATE * integrated + operations
 }
 
 impl ReductionBasis {
-    /// Finds the frame with the least cost that leaves a scene fewer variables than the momenta alone. `None` if no
-    /// frame is better.
+    /// Finds the moving frame with the least cost that leaves fewer variables to integrate than the
+    /// given momenta alone. `None` if no frame is better, or if the limit on work is reached first.
     pub(in crate::reduce) fn framing(
         &mut self,
         wanted: &Wanted,
@@ -83,9 +87,11 @@ impl ReductionBasis {
         best
     }
 
-    /// Replaces variables that the symmetries of a choice's momenta move together by differences. With a frame, this
-    /// uses only momenta whose symmetries move all speeds at constant ratios. On the section of the frame, other
-    /// symmetries move fewer variables.
+    /// Replaces variables that the symmetries of a choice's momenta move together by differences.
+    /// Returns the wanted quantities in the new variables.
+    ///
+    /// With a frame, only momenta whose symmetries move all speeds at constant ratios are used, because
+    /// on the frame's section other symmetries move fewer variables.
     pub(in crate::reduce) fn differences(&mut self, choice: &Choice, wanted: &Wanted) -> Wanted {
         let momenta = if choice.turns.is_empty() { choice.momenta.clone() } else { self.plain(&choice.momenta) };
         self.relative(&momenta, wanted.clone())
@@ -97,7 +103,8 @@ impl ReductionBasis {
         momenta.iter().filter(is_plain).copied().collect()
     }
 
-    /// Smallest system that a choice integrates; `None` if its equations are not determined.
+    /// Smallest system that a scene integrates with a choice; `None` if its equations are not
+    /// determined.
     fn flow_of(&mut self, choice: &Choice, wanted: &Wanted) -> Option<Flow> {
         let wanted = self.differences(choice, wanted);
         let wanted = self.framed_by(choice, wanted)?;
@@ -105,8 +112,8 @@ impl ReductionBasis {
         Flow::new(self, &level, &wanted)
     }
 
-    /// Writes the equations and the wanted quantities in the frame of a choice, if it has one. `None` if the frame is
-    /// singular.
+    /// Writes the equations in the frame of a choice, if it has a frame, and returns the wanted
+    /// quantities in it. `None` if the frame is singular.
     pub(in crate::reduce) fn framed_by(&mut self, choice: &Choice, wanted: Wanted) -> Option<Wanted> {
         match choice.turns.as_slice() {
             [] => Some(wanted),
@@ -114,8 +121,8 @@ impl ReductionBasis {
         }
     }
 
-    /// Finds symmetries that move some of the states `needed` and leave the wanted quantities unchanged; stores them in
-    /// `turns`.
+    /// Finds symmetries that move at least one of the states `needed` and leave the wanted quantities
+    /// unchanged. Stores them in `turns`.
     fn find_turns(&mut self, needed: &[usize], wanted: &Wanted) {
         let Some(mut whole) = self.whole_flow() else { return };
         let rates = whole.rates.clone();
@@ -157,7 +164,8 @@ impl ReductionBasis {
         self.arena = whole.arena;
     }
 
-    /// First-order system x' = f(x) of the whole model, with solved rates; `None` if it is singular.
+    /// First-order system x' = f(x) of the whole model, with solved rates. `None` if the accelerations
+    /// are not determined.
     fn whole_flow(&self) -> Option<Whole> {
         let mut arena = self.arena.clone();
         let steps = Solved::steps(&mut arena, &self.kane).ok()?;
@@ -178,7 +186,8 @@ impl ReductionBasis {
         })
     }
 
-    /// Sets of symmetries that close under brackets: single ones, pairs and triples.
+    /// Sets of symmetries (single, pairs and triples) whose brackets are zero or symmetries of the
+    /// set, up to sign.
     fn closed_sets(&mut self) -> Vec<Vec<usize>> {
         let count = self.turns.len();
         let mut sets: Vec<Vec<usize>> = (0..count).map(|at| vec![at]).collect();
@@ -211,7 +220,8 @@ impl ReductionBasis {
         sets
     }
 
-    /// Classifies the bracket of ζ_a and ζ_b: zero, one of the symmetries, or another field.
+    /// Classifies the bracket of the symmetries with the indices `a` and `b`: zero, a known symmetry,
+    /// or another field.
     fn bracket(&mut self, a: usize, b: usize) -> Bracket {
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
         let arena = &mut self.arena;
@@ -243,7 +253,8 @@ impl ReductionBasis {
         Bracket::Other
     }
 
-    /// Choices of momenta and pins for a frame along these symmetries, with the largest possible sets of momenta.
+    /// Lists choices of momenta and pinned states for a frame along the given symmetries, with the
+    /// largest possible sets of momenta.
     fn framed(&self, turns: &[usize], wanted: &Wanted, choices: &[Vec<usize>]) -> Vec<Choice> {
         let mut list: Vec<Choice> = Vec::new();
         let mut sorted: Vec<&Vec<usize>> = choices.iter().collect();
@@ -266,8 +277,9 @@ impl ReductionBasis {
         list
     }
 
-    /// Candidate sets of pins: states that the frame's symmetries move and that the scene would integrate. Coordinates
-    /// come first, then speeds, each from the last to the first, so that a distance lies along the first axis.
+    /// Candidate sets of states that a frame may keep at zero: the frame's symmetries move them, and
+    /// the scene would integrate them. Coordinates come first, then speeds, each from the last to the
+    /// first, so that a distance lies along the first axis.
     fn sections(&self, turns: &[usize], momenta: &[usize], wanted: &Wanted) -> Vec<Vec<usize>> {
         let needed = self.needed(momenta, wanted);
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
@@ -297,7 +309,8 @@ impl ReductionBasis {
         sections
     }
 
-    /// True if the components of the symmetries at the pinned states are independent where these states are zero.
+    /// True if the symmetries' components at the pinned states are linearly independent where these
+    /// states are zero.
     fn is_section(&self, turns: &[usize], pins: &[usize]) -> bool {
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
         let mut arena = self.arena.clone();
@@ -309,8 +322,9 @@ impl ReductionBasis {
         put.undefined.is_none() && rank(&arena, &rows).is_some_and(|found| found.rank == pins.len())
     }
 
-    /// Variables that a scene integrates without a frame. Only those of the momenta are held whose symmetries move all
-    /// speeds at constant ratios.
+    /// Symbols of the variables that a scene integrates without a frame. Of the momenta, only those are
+    /// kept constant whose symmetries move all speeds at constant ratios. Empty if the equations are
+    /// not determined.
     fn needed(&self, momenta: &[usize], wanted: &Wanted) -> Vec<Expr> {
         let mut trial = self.clone();
         let level = trial.level(&self.plain(momenta), None).or_else(|| trial.level(&[], None));
@@ -319,13 +333,13 @@ impl ReductionBasis {
     }
 }
 
-/// Bracket of two symmetries of the reduction basis.
+/// Kind of the bracket of two symmetries of the reduction basis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Bracket {
-    /// The bracket is zero: the symmetries commute.
+    /// Bracket is zero: the symmetries commute.
     Zero,
-    /// The bracket is a symmetry with this index, or its negative.
+    /// Bracket is the symmetry with this index, or its negative.
     Turn(usize),
-    /// The bracket is a field that is no symmetry of the reduction basis.
+    /// Bracket is a field that is not a symmetry in the list.
     Other,
 }

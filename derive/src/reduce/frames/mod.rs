@@ -1,4 +1,5 @@
-//! Moving frames, differences of variables, and distances from a singular surface.
+//! Changes of variables in reductions: moving frames, differences, and distances from a singular
+//! surface.
 
 pub(super) mod differences;
 pub(super) mod framing;

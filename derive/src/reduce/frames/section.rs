@@ -1,4 +1,5 @@
-//! Equations on the section of a moving frame, on which the frame keeps states at zero.
+//! Equations on the section of a moving frame. On the section, the states that the frame keeps at
+//! zero are zero.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::solve::elimination::{LinearSystem, eliminate};
@@ -12,9 +13,11 @@ use crate::reduce::result::reduction::MovingFrame;
 use crate::reduce::slices::outputs::Wanted;
 
 impl ReductionBasis {
-    /// Writes the equations in the frame that moves along the symmetries `turns` and keeps the states `pins` at zero.
-    /// Returns the wanted quantities on the section. `None` if the section is singular, or if a held momentum changes
-    /// along the frame's motion.
+    /// Writes the equations in the frame that moves along the symmetries `turns` and keeps the states
+    /// `pins` at zero. Returns the wanted quantities on the section.
+    ///
+    /// `None` if the section is singular, or if a momentum to be kept constant changes along the
+    /// frame's motion.
     pub(in crate::reduce) fn in_frame(
         &mut self,
         turns: &[usize],
@@ -78,7 +81,7 @@ impl ReductionBasis {
         Some(wanted)
     }
 
-    /// Data that lead from a start of the whole model to a start in the frame; `None` without a frame.
+    /// Data to move a start of the whole model to a start in the frame; `None` without a frame.
     pub(in crate::reduce) fn turned(&mut self) -> Option<MovingFrame> {
         let frame = self.frame.clone()?;
         let starts = [self.q_start.as_slice(), &self.u_start].concat();
@@ -97,26 +100,27 @@ impl ReductionBasis {
         Some(MovingFrame { about, fields, pins, slopes })
     }
 
-    /// Substitution of zero for the states that the frame keeps at zero.
+    /// Substitution of zero for the states that the frame keeps at zero; empty without a frame.
     pub(in crate::reduce) fn pinned(&self) -> Substitution {
         let states = [self.q.as_slice(), &self.kane.variables].concat();
         let pins = self.frame.iter().flat_map(|frame| &frame.pins);
         Substitution::new(&pins.map(|pin| (states[*pin], Expr::ZERO)).collect::<Vec<_>>())
     }
 
-    /// True if a frame keeps the speed of this index at zero.
+    /// True if the frame keeps the speed with this index at zero.
     pub(in crate::reduce) fn is_pinned_speed(&self, at: usize) -> bool {
         self.frame.as_ref().is_some_and(|frame| frame.pins.contains(&(self.q.len() + at)))
     }
 
-    /// Slopes of momenta along a symmetry.
+    /// Derivatives of momenta along a symmetry; zero if the symmetry leaves the momentum unchanged.
     fn changes(&mut self, turn: usize, momenta: &[usize], states: &[Expr]) -> Vec<Expr> {
         let along = states.iter().copied().zip(self.turns[turn].along.iter().copied()).collect::<Vec<_>>();
         let mut change = Differential::along(&along);
         momenta.iter().map(|at| change.apply(&mut self.arena, self.momenta[*at].value)).collect()
     }
 
-    /// Rates of the pinned states on the section; `None` if the accelerations are not determined.
+    /// Rates of the pinned states on the section, without the frame's motion. `None` if the
+    /// accelerations are not determined.
     fn rates_on_section(&mut self, pins: &[usize]) -> Option<Vec<Expr>> {
         let count = self.q.len();
         let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
@@ -148,7 +152,7 @@ impl ReductionBasis {
     }
 }
 
-/// Values of the unknowns of solved rows.
+/// Values of the unknowns of eliminated rows, by back substitution.
 fn unknowns_of(arena: &mut Arena, simplifier: &mut Simplifier, solved: &Solved) -> Vec<Expr> {
     let mut rates = vec![Expr::ZERO; solved.pivots.len()];
     for k in (0..solved.pivots.len()).rev() {

@@ -1,8 +1,9 @@
 //! Singular surface of a reduction, and equations in the distance from it.
 //!
-//! On some surfaces a momentum does not determine its speed, for example the spin about a vertical axis. There the
-//! reduced equations contain a quotient N(q; c)/D(q) of two terms that vanish together. In d = q − q_s the divisor is
-//! computed without cancellation; `separate` treats the numerator.
+//! On a singular surface a momentum does not determine its speed; an example is the spin about a
+//! vertical axis. There, the reduced equations contain a quotient N(q; c)/D(q) of two terms that
+//! vanish together. In d = q − q_s, the divisor is computed without cancellation; the module
+//! `separate` treats the numerator.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::Substitution;
@@ -17,12 +18,14 @@ use crate::reduce::slices::slice::Flow;
 use crate::scene::Scene;
 use std::f64::consts::FRAC_PI_2;
 
-/// Whole turns on either side of a coordinate's origin within which singular surfaces are searched.
+/// Number of whole turns on either side of a coordinate's origin within which singular surfaces are
+/// searched.
 const MOST_TURNS: i32 = 100;
 
 impl ReductionBasis {
-    /// Finds the singular surface of a level, if it is a multiple of a quarter turn of an integrated coordinate. A
-    /// surface named by the scene takes precedence over the surface nearest to the start.
+    /// Finds the singular surface of reduced equations, if it is a multiple of a quarter turn of an
+    /// integrated coordinate. A surface that the scene names takes precedence over the surface nearest
+    /// to the start. `None` if there is no such surface, or if the scene forbids distances.
     pub(in crate::reduce) fn surface(&mut self, level: &Level, wanted: &Wanted, scene: &Scene) -> Option<Distance> {
         let stated = scene.integration.distance;
         if !scene.integration.may_measure || (level.divisors.is_empty() && stated.is_none()) {
@@ -34,7 +37,7 @@ impl ReductionBasis {
         for at in candidates {
             let away = |turns: i32| (scene.q[at] - f64::from(turns) * FRAC_PI_2).abs();
             for quarter_turns in -2..2 {
-                // Whole turns later the same surface comes again: the one next to the start counts.
+                // The surface repeats after each whole turn; the repetition nearest to the start counts.
                 let again = (-MOST_TURNS..=MOST_TURNS).map(|turn| quarter_turns + 4 * turn);
                 let nearest = again.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(quarter_turns);
                 let place = Distance { coordinate: at, quarter_turns: nearest };
@@ -50,6 +53,7 @@ impl ReductionBasis {
         stated.filter(|d| flow.is_core(self.q[d.coordinate])).or(nearest)
     }
 
+    /// True if a term is zero where a coordinate has the value of `place`.
     fn vanishes(&mut self, e: Expr, place: Distance) -> bool {
         let origin = quarter(&mut self.arena, place.quarter_turns);
         let mut there = Substitution::new(&[(self.q[place.coordinate], origin)]);
@@ -57,8 +61,8 @@ impl ReductionBasis {
         there.undefined.is_none() && self.simplifier.simplify(&mut self.arena, value) == Expr::ZERO
     }
 
-    /// Writes every equation in the distance from a surface. Returns the surface and the wanted quantities in the
-    /// distance.
+    /// Writes all equations in the distance from a surface. Returns the surface, and the wanted
+    /// quantities in the distance.
     pub(in crate::reduce) fn measure_from(&mut self, place: Distance, wanted: &Wanted) -> (Surface, Wanted) {
         let surface = Surface { symbol: self.distance_symbol(place) };
         let Distance { coordinate, quarter_turns } = place;
@@ -80,7 +84,7 @@ impl ReductionBasis {
         (surface, wanted)
     }
 
-    /// Symbol of the distance from a surface.
+    /// Symbol of the distance from a surface; the coordinate itself if the surface is at 0.
     fn distance_symbol(&mut self, place: Distance) -> Expr {
         let name = &self.model.coordinates[place.coordinate].name;
         let degrees = 90 * place.quarter_turns;
@@ -92,7 +96,7 @@ impl ReductionBasis {
     }
 }
 
-/// Angle k π/2 of k = `turns` quarter turns, as a term.
+/// Angle k π/2 of k = `turns` quarter turns, rad, as a term.
 pub fn quarter(arena: &mut Arena, turns: i32) -> Expr {
     let pi = arena.pi();
     let half_turns = arena.ratio(i64::from(turns), 2);

@@ -1,7 +1,8 @@
 //! Constants of a motion in the form that costs least.
 //!
-//! Any multiple of a momentum may be held constant. If a momentum alone determines a speed, the speed is constant and
-//! replaces it. A numeric factor of a momentum is included in its constant.
+//! Any multiple of a conserved momentum may serve as the constant. If a momentum alone determines a
+//! speed, the speed is constant and replaces the momentum. A numeric factor of a momentum is
+//! included in its constant.
 
 use super::momenta::Held;
 use crate::algebra::Expr;
@@ -13,7 +14,8 @@ use crate::reduce::basis::prose::Prose;
 use crate::reduce::basis::reduction_basis::ReductionBasis;
 
 impl ReductionBasis {
-    /// Replaces held momenta by constant multiples. Momenta that move a mass centre are unchanged.
+    /// Replaces constant momenta by multiples of them, where that saves operations. Momenta that move a
+    /// mass centre stay.
     pub(in crate::reduce) fn choose_constants(&mut self, solved: &mut Solved, held: &mut [Held]) {
         for k in 0..solved.pivots.len() {
             let (row, column) = solved.pivots[k];

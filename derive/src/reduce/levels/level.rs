@@ -1,8 +1,10 @@
-//! Motion on a level set of momenta: the momenta determine speeds, and equations remain for the other speeds.
+//! Motion on a level set of momenta: the constant momenta determine speeds, and equations remain
+//! for the other speeds.
 //!
-//! With A u + b = c solved as u = P(q; c) + Z(q) u_R, Kane's equations multiplied by Zᵀ read  (Zᵀ M Z) u̇_R = Zᵀ(f − M
-//! (Ṗ + Ż u_R)). The rows of A are momenta of symmetries ξ, so Kane's equations multiplied by ξᵀ state that c is
-//! constant. Together these are all equations wherever A has full rank.
+//! With A u + b = c solved as u = P(q; c) + Z(q) u_R, Kane's equations multiplied by Zᵀ are (Zᵀ M
+//! Z) u̇_R = Zᵀ(f − M (Ṗ + Ż u_R)). The rows of A are momenta of symmetries ξ, so Kane's equations
+//! multiplied by ξᵀ state that c is constant. Together these are all equations wherever A has full
+//! rank.
 
 use super::momenta::Held;
 use super::separate::Surface;
@@ -12,37 +14,43 @@ use crate::algebra::{Arena, Expr};
 use crate::reduce::basis::pivots::{Solved, solve_rows};
 use crate::reduce::basis::reduction_basis::ReductionBasis;
 
-/// Equations of motion on a level set of momenta.
+/// Equations of motion on a level set of momenta: speeds u_R remain, and the momenta determine all
+/// others.
 #[derive(Clone)]
 pub struct Level {
-    /// Momenta that are held constant.
+    /// Momenta that are kept constant, each with a symbol for its value.
     pub held: Vec<Held>,
-    /// Indices of the speeds u_R that the momenta do not determine.
+    /// Indices of the speeds u_R that the momenta do not determine, so that they remain in the
+    /// equations.
     pub kept: Vec<usize>,
-    /// Values of the other speeds, in q, the held momenta, the kept speeds and the speeds defined before.
+    /// Definitions of the determined speeds, in q, the constant momenta, u_R and the speeds defined
+    /// before.
     pub definitions: Vec<Definition>,
-    /// Every u̇, in q, u and the rates of the kept speeds.
+    /// Rates u̇ of all speeds, as terms in q, u and the rates u̇_R of the remaining speeds.
     pub accelerations: Vec<Expr>,
-    /// Mass matrix Zᵀ M Z of the kept speeds, in q.
+    /// Mass matrix Zᵀ M Z of the remaining speeds u_R, in q.
     pub matrix: Vec<Vec<Expr>>,
-    /// Forcing Zᵀ(f − M (Ṗ + Ż u_R)) of the kept speeds, in q and u.
+    /// Forcing Zᵀ(f − M (Ṗ + Ż u_R)) of the remaining speeds u_R, in q and u.
     pub forcing: Vec<Expr>,
-    /// Divisors of the solved speeds and of the frame's rates, except numbers.
+    /// Divisors of the determined speeds and of the frame's rates, except numbers.
     pub divisors: Vec<Expr>,
 }
 
 impl ReductionBasis {
-    /// Equations on the level set of these momenta. `None` if their symmetries do not move exactly as many speeds as
-    /// there are momenta, or if the momenta do not determine these speeds.
+    /// Derives the equations on the level set of the given momenta. If `surface` is given, quotients
+    /// are rewritten so that they do not cancel near it.
+    ///
+    /// `None` if the symmetries do not move exactly as many speeds as there are momenta, or if the
+    /// momenta do not determine these speeds.
     pub(in crate::reduce) fn level(&mut self, momenta: &[usize], surface: Option<&Surface>) -> Option<Level> {
         let n = self.kane.variables.len();
         if momenta.len() > n {
             return None;
         }
         let mut held: Vec<Held> = momenta.iter().map(|at| self.hold(*at)).collect();
-        // If the symmetries move as many speeds as there are momenta, M on these speeds is positive definite. Then the
-        // momenta determine the speeds wherever the symmetries are independent. Other speeds would bring singularities
-        // of their own.
+        // If the symmetries move as many speeds as there are momenta, M on these speeds is positive
+        // definite. Then the momenta determine the speeds wherever the symmetries are independent. A larger
+        // set of speeds would add singularities.
         let moved = |at: usize| momenta.iter().any(|m| self.momenta[*m].direction[at] != Expr::ZERO);
         let free = (0..n).filter(|at| !self.is_pinned_speed(*at));
         let (solved_for, kept): (Vec<usize>, Vec<usize>) = free.partition(|at| moved(*at));
@@ -65,6 +73,7 @@ impl ReductionBasis {
         Some(self.equations_on(held, kept, &solved, &z))
     }
 
+    /// Derives the equations of the remaining speeds `kept` from the solved momenta and the matrix Z.
     fn equations_on(&mut self, held: Vec<Held>, kept: Vec<usize>, solved: &Solved, z: &[Vec<Expr>]) -> Level {
         let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
         let mut short = |arena: &mut Arena, e: Expr| simplifier.simplify(arena, e);
@@ -131,7 +140,7 @@ impl ReductionBasis {
     }
 }
 
-/// Matrix Z: for each speed, its coefficients of the kept speeds.
+/// Matrix Z: for each speed, its coefficients of the remaining speeds u_R.
 fn directions(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

@@ -1,4 +1,4 @@
-//! Level sets of momenta, which are held constant at the values of a scene.
+//! Level sets of momenta: equations in which momenta are constant at the values of a scene.
 
 pub(super) mod constants;
 pub(super) mod level;

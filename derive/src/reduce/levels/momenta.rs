@@ -1,4 +1,4 @@
-//! Momenta that are held constant, each with a symbol for its value.
+//! Momenta that are kept constant, each with a symbol for its value.
 
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Differential;
@@ -8,23 +8,24 @@ use crate::prove::IntegralKind;
 use crate::reduce::basis::prose::Prose;
 use crate::reduce::basis::reduction_basis::{Momentum, ReductionBasis};
 
-/// Momentum that is held constant, with a symbol for its value.
+/// Momentum that is kept constant, with a symbol for its value.
 #[derive(Clone)]
 pub struct Held {
-    /// Index of the momentum among those of the reduction basis.
+    /// Index of the momentum in `ReductionBasis::momenta`.
     pub momentum: usize,
-    /// Symbol of the momentum's value.
+    /// Symbol of the constant value of the momentum.
     pub symbol: Expr,
-    /// Value of the symbol, in q and u: the momentum, or its remaining part on a singular surface.
+    /// Value of the symbol as a term in q and u: the momentum, or its remaining part on a singular
+    /// surface.
     pub of_state: Expr,
-    /// Description of the symbol, in words and terms.
+    /// Description of the constant for people, in words and terms.
     pub about: Prose,
-    /// Unit of the symbol.
+    /// Unit of the constant.
     pub unit: Unit,
 }
 
 impl ReductionBasis {
-    /// Momentum of this index, with a new symbol for its value.
+    /// Creates a new symbol for the constant value of the momentum with this index.
     pub(in crate::reduce) fn hold(&mut self, at: usize) -> Held {
         let momentum = &self.momenta[at];
         let wanted = symbol_of(&self.model, momentum, at);
@@ -33,8 +34,8 @@ impl ReductionBasis {
         Held { momentum: at, symbol: fresh_symbol(&mut self.arena, &wanted), of_state, about, unit }
     }
 
-    /// Right-hand sides of a momentum's row: c − b for row · u, then for row · u̇ the negative change of the row times
-    /// u and of b along the motion.
+    /// Right-hand sides of a momentum's row · u + b = c: first c − b, for row · u. Second, for row ·
+    /// u̇, minus the rate of row times u and of b along the motion.
     pub(in crate::reduce) fn right_of(&mut self, held: &Held) -> Vec<Expr> {
         let momentum = &self.momenta[held.momentum];
         let arena = &mut self.arena;
@@ -52,8 +53,8 @@ impl ReductionBasis {
     }
 }
 
-/// Name for the symbol of a momentum: `p_q3` for the momentum of a coordinate, else its customary symbol, else
-/// `momentum2`. With a function of q added it is another quantity: `p_q3_total`.
+/// Name for the symbol of a momentum: `p_q3` for the momentum of a coordinate, else its customary
+/// symbol, else `momentum2`. If a function of q is added to the momentum, the name is `p_q3_total`.
 fn symbol_of(model: &Model, momentum: &Momentum, at: usize) -> String {
     let kinds = &momentum.kinds;
     let of_coordinate = kinds.iter().find(|kind| matches!(kind, IntegralKind::Coordinate(_)));

@@ -1,8 +1,8 @@
 //! Quotients near a singular surface, rewritten so that no terms cancel.
 //!
-//! In a reduced equation, both terms of a quotient N(q; c)/D(q) may vanish on the surface. The numerator is split into
-//! its value on the surface and a rest. The value is a constant of the motion, which is computed once. In the rest, 2
-//! sin²(d/2) replaces every 1 − cos d.
+//! In a reduced equation, both terms of a quotient N(q; c)/D(q) may vanish on the surface. The
+//! numerator is split into its value on the surface and a rest. The value is a constant of the
+//! motion, which is computed once. In the rest, 2 sin²(d/2) replaces every 1 − cos d.
 
 use super::momenta::Held;
 use crate::algebra::form::simplify::Simplifier;
@@ -12,24 +12,26 @@ use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::reduce::basis::pivots::Solved;
 
-/// Singular surface q = k π/2 of a reduction.
+/// Singular surface of a reduction, on which a coordinate q equals k π/2.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface {
     /// Symbol of the distance from the surface; the coordinate itself if k = 0.
     pub symbol: Expr,
 }
 
-/// Right-hand side N/D of a row.
+/// Quotient N/D on the right-hand side of a row, to be split so that nothing cancels.
 struct Quotient<'q> {
+    /// Index of the row of the quotient.
     row: usize,
-    /// Value N/D, which the split replaces.
+    /// Value N/D, which the split form will replace.
     value: &'q mut Expr,
-    /// Divisor D.
+    /// Divisor D of the quotient, which is zero on the surface.
     divisor: Expr,
 }
 
 impl Surface {
-    /// Splits the right-hand sides whose divisors vanish on the surface.
+    /// Splits all right-hand sides whose divisors vanish on the surface, and changes constants where
+    /// needed.
     pub(in crate::reduce) fn separate(
         self,
         arena: &mut Arena,
@@ -57,9 +59,9 @@ impl Surface {
         }
     }
 
-    /// Splits one quotient N/D with D = 0 on the surface and N linear in the held momenta. A new symbol for N on the
-    /// surface replaces one of the momenta. Returns the replaced symbol and its value in the new symbol; `None` if no
-    /// split is possible.
+    /// Splits a quotient N/D with D = 0 on the surface and N linear in the constant momenta. A new
+    /// symbol for N on the surface replaces one of the momenta. Returns the replaced symbol and its
+    /// value in the new symbol. `None` if no split is possible.
     fn separate_row(
         self,
         arena: &mut Arena,

@@ -1,4 +1,4 @@
-//! List of the omissions of a reduction, each with its reason and its proof.
+//! List of what reduced equations omit, each with its reason and its proof.
 
 use super::proof::Proof;
 use super::reduction::Omission;
@@ -84,7 +84,7 @@ fn turned(basis: &ReductionBasis, proof: &Proof) -> Vec<Omission> {
     }]
 }
 
-/// Omissions of the speeds that held momenta determine.
+/// Omissions of the speeds that constant momenta determine.
 fn held(basis: &ReductionBasis, level: &Level, flow: &Flow, proof: &Proof) -> Vec<Omission> {
     let used = flow.dependence.mentioned(&basis.arena, &flow.terms());
     let one = |d: &Definition| {
@@ -109,7 +109,7 @@ fn held(basis: &ReductionBasis, level: &Level, flow: &Flow, proof: &Proof) -> Ve
     level.definitions.iter().rev().map(one).collect()
 }
 
-/// Omission of a variable on which neither the outputs nor the variables that they need depend.
+/// Omission of a variable on which neither the outputs nor the integrated variables depend.
 fn independence(basis: &mut ReductionBasis, flow: &Flow, variable: Variable) -> Omission {
     let (mut weakest, mut shown) = (f64::INFINITY, Vec::new());
     for (rate, value) in &flow.raw {

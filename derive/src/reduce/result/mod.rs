@@ -1,4 +1,4 @@
-//! Result of a reduction: its equations, its proof, and the list of omissions.
+//! Result of a reduction: the reduced equations, their proof, and the list of omissions.
 
 pub(super) mod ledger;
 pub(super) mod pack;

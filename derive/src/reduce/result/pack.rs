@@ -1,4 +1,5 @@
-//! A reduced system as a model and equations like any others, with the list of omissions.
+//! Packs reduced equations as an ordinary model with equations, together with the list of
+//! omissions.
 
 use super::ledger::omissions;
 use super::proof::{Whole, prove};
@@ -21,10 +22,11 @@ use crate::reduce::slices::slice::{Flow, Variable};
 use crate::scene::Scene;
 use rustc_hash::FxHashSet;
 
-/// Packs the reduced system of a scene as a model, equations and lists.
+/// Packs the reduced equations of a scene as a model, equations, constants and the list of
+/// omissions, and proves them.
 ///
 /// # Errors
-/// Statement that cannot be proved, in words; the reduction must not be used.
+/// Text of the statement that could not be proved; the reduction must then not be used.
 pub fn pack(
     mut basis: ReductionBasis,
     whole: &Whole,
@@ -86,7 +88,11 @@ pub fn pack(
     Ok(reduction)
 }
 
-/// Checks that every symbol in a formula has a value: it is a parameter, a variable, the time, or defined before.
+/// Checks that every symbol in a formula has a value: it is a parameter, a variable, the time, or
+/// defined before.
+///
+/// # Errors
+/// Text that names the first symbol without a value.
 fn closed(reduction: &Reduction) -> Result<(), String> {
     let (arena, e) = (reduction.terms(), &reduction.derivation.equations);
     let mut known: FxHashSet<Expr> = reduction.model.p().into_iter().collect();
@@ -120,7 +126,8 @@ fn closed(reduction: &Reduction) -> Result<(), String> {
     reduction.outputs.iter().try_for_each(|o| has_value(&known, &[o.value], &format!("the output {}", o.name)))
 }
 
-/// Variables of the reduced system with their values at the start.
+/// Lists variables of the reduced equations, each with its value at the start in the model's own
+/// variables.
 fn quantities(basis: &ReductionBasis, list: &[Variable]) -> Vec<Quantity> {
     let quantity = |v: &Variable| {
         let name = basis.arena.symbol_name(v.symbol).unwrap_or_default().to_owned();
@@ -138,7 +145,8 @@ fn quantities(basis: &ReductionBasis, list: &[Variable]) -> Vec<Quantity> {
     list.iter().map(quantity).collect()
 }
 
-/// Constants of the reduced system: conserved momenta, the mass centre at the start, and products of parameters.
+/// Lists the constants of the reduced equations: conserved momenta, the mass centre at the start,
+/// and products of parameters.
 fn constants(
     basis: &mut ReductionBasis,
     level: &Level,
@@ -172,10 +180,10 @@ fn constants(
         .collect()
 }
 
-/// Symbols of all computed terms, definitions included.
+/// Symbols in all terms that the reduced equations compute, definitions included.
 ///
-/// Only equations have constants in place of products of momenta and parameters. Other terms may contain a momentum
-/// that the equations do not contain.
+/// Only equations have constants in place of products of momenta and parameters. Other terms may
+/// contain a momentum that the equations do not contain.
 fn mentioned(arena: &Arena, flow: &Flow, e: &Equations, slope: Option<&Slope>) -> FxHashSet<Expr> {
     let wanted = flow.wanted.named().into_iter().map(|(_, value)| value);
     let lists = [&e.forcing, &e.coordinate_rates].into_iter().flatten().chain(e.matrix.iter().flatten());
@@ -191,7 +199,8 @@ fn mentioned(arena: &Arena, flow: &Flow, e: &Equations, slope: Option<&Slope>) -
     found
 }
 
-/// Replaces products of parameters in the equations by constants, since the equations are evaluated in every step.
+/// Replaces products of parameters in the equations by constants, because the equations are
+/// evaluated in every step. Returns the constants.
 fn hoist(basis: &mut ReductionBasis, level: &Level, e: &mut Equations) -> Hoist {
     let folded = &basis.folded;
     let free = basis.model.parameters.iter().filter(|p| folded.iter().all(|(name, _)| *name != p.name));
@@ -205,8 +214,8 @@ fn hoist(basis: &mut ReductionBasis, level: &Level, e: &mut Equations) -> Hoist 
 }
 
 impl Flow {
-    /// Removes a constant part of the energy that does not belong to the reduced system, such as the energy of a mass
-    /// centre that no output shows.
+    /// Removes a constant part of the energy that the reduced equations do not contain, such as the
+    /// energy of a mass centre that no output shows.
     fn strip_energy(&mut self, basis: &mut ReductionBasis, level: &Level) {
         let Some(energy) = self.energy.take() else { return };
         let terms = self.terms();
@@ -232,8 +241,9 @@ impl Flow {
         };
     }
 
-    /// Keeps the linear system of the level, if all of its speeds are integrated and it contains only variables on
-    /// which their rates depend.
+    /// Keeps the linear system matrix · u̇ = right of the level set in place of the solved rates. Does
+    /// so if all of its speeds are integrated, and if it contains only variables on which their rates
+    /// depend.
     fn keep_system(&mut self, basis: &mut ReductionBasis, level: &Level) {
         let all: Vec<Variable> = self.core.iter().chain(&self.quadratures).copied().collect();
         let speeds = all.iter().filter(|v| v.is_speed).map(|v| v.place);
@@ -253,13 +263,13 @@ impl Flow {
         }
     }
 
-    /// All terms that the reduced system computes.
+    /// All terms that the reduced equations compute: rates, outputs, conditions, events and the energy.
     pub(in crate::reduce) fn terms(&self) -> Vec<Expr> {
         let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate);
         rates.chain(self.shown()).collect()
     }
 
-    /// Values that are shown or watched: outputs, conditions, events and the energy.
+    /// Values that are shown or watched: outputs, conditions, events and the energy if it is known.
     fn shown(&self) -> impl Iterator<Item = Expr> {
         let Wanted { outputs, conditions, events } = &self.wanted;
         let outputs = outputs.iter().map(|(_, e)| *e);
@@ -267,7 +277,8 @@ impl Flow {
     }
 }
 
-/// Equations of the reduced system: v̇ = rates as solved, or the linear system of the level if it is kept.
+/// Builds the reduced equations: v̇ = rates as solved, or the linear system of the level set if it
+/// is kept.
 fn equations(basis: &mut ReductionBasis, level: &Level, flow: &Flow) -> Equations {
     let all = || flow.core.iter().chain(&flow.quadratures);
     let speeds: Vec<&Variable> = all().filter(|v| v.is_speed).collect();
@@ -335,8 +346,8 @@ fn equations(basis: &mut ReductionBasis, level: &Level, flow: &Flow) -> Equation
     }
 }
 
-/// Product of a divisor's factors that can be zero. Numbers and factors that are proved never to be zero, such as an
-/// inertia, are left out. `None` if no factor remains.
+/// Product of those factors of a divisor that can be zero. Numbers and factors that are proved
+/// never to be zero, such as an inertia, are left out. `None` if no factor remains.
 fn part_with_zeros(arena: &mut Arena, divisor: Expr) -> Option<Expr> {
     let (_, divisor) = arena.split_content(divisor);
     let factors = match arena.node(divisor) {
@@ -348,6 +359,8 @@ fn part_with_zeros(arena: &mut Arena, divisor: Expr) -> Option<Expr> {
     (!open.is_empty()).then(|| arena.product(&open))
 }
 
+/// Builds the model of the reduced equations: free parameters and constants, the remaining
+/// variables and the domain's conditions.
 fn model(basis: ReductionBasis, flow: &Flow, constants: &[Quantity], equations: &Equations) -> crate::Model {
     let ReductionBasis { model: whole, mut arena, folded, kane, .. } = basis;
     let free = whole.parameters.iter().filter(|p| folded.iter().all(|(name, _)| *name != p.name)).cloned();

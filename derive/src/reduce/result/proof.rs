@@ -1,10 +1,13 @@
-//! Proof that a reduced system agrees with the whole system on each level set.
+//! Proof that reduced equations agree with the whole model on each level set of momenta.
 //!
-//! No intermediate step is trusted. The coordinates and speeds of the model are written in the variables of the reduced
-//! system and differentiated along its rates. They must satisfy the kinematic equations and every row of Kane's M u̇ =
-//! f of the whole model, for all values of the constants. The wanted outputs, the terms left out of formulas, the
-//! constants and the energy are each compared with their values in the whole model. Every identity is a zero test at
-//! random points of random prime fields, with a stated bound.
+//! No intermediate step is trusted. The coordinates and speeds of the model are written in the
+//! variables of the reduced equations and differentiated along their rates. They must satisfy the
+//! kinematic equations and every row of Kane's M u̇ = f of the whole model, for all values of the
+//! constants.
+//!
+//! The wanted outputs, the terms left out of formulas, the constants and the energy are each
+//! compared with their values in the whole model. Every identity is a zero test at random points of
+//! random prime fields, with a stated bound.
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Engine;
@@ -20,16 +23,16 @@ use crate::reduce::levels::level::Level;
 use crate::reduce::slices::outputs::Wanted;
 use crate::reduce::slices::slice::Flow;
 
-/// Proof that a reduced system gives the outputs of the whole one.
+/// Proof that reduced equations give the outputs of the whole model: a list of identities.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proof {
-    /// Identities that were tested and hold, in the store of the reduced system.
+    /// Identities that were tested and hold, with terms in the reduction's arena.
     pub identities: Vec<Identity>,
 }
 
 impl Proof {
-    /// Exponent of the proof's bound: each identity is wrong with a probability below 2^−exponent. Infinite if all
-    /// identities hold by form.
+    /// Exponent of the bound on doubt: the probability that an identity is wrong is below 2^−exponent.
+    /// Infinite if all identities hold by form.
     #[must_use]
     pub fn exponent(&self) -> f64 {
         self.identities.iter().fold(f64::INFINITY, |least, identity| match identity.engine {
@@ -38,7 +41,8 @@ impl Proof {
         })
     }
 
-    /// Text of the proof's bound, ` (in doubt by less than 2^-95)`; empty if every identity is zero by form.
+    /// Text of the bound on doubt, such as ` (in doubt by less than 2^-95)`; empty if all identities
+    /// hold by form.
     pub(in crate::reduce) fn doubt(&self) -> String {
         match self.exponent() {
             e if e.is_finite() => format!(" (in doubt by less than 2^-{})", e.floor().min(9999.0)),
@@ -55,18 +59,18 @@ impl std::fmt::Display for Proof {
     }
 }
 
-/// Whole model that a reduction must reproduce.
+/// Equations and wanted values of the whole model, which a reduction must reproduce.
 pub struct Whole {
-    /// Kane's equations in the model's own q and u.
+    /// Kane's equations of the whole model, in its own q and u.
     pub kane: Equations,
-    /// Wanted outputs, conditions and events in the model's own q, u and u̇.
+    /// Wanted outputs, conditions and events, as terms in the model's own q, u and u̇.
     pub wanted: Wanted,
 }
 
-/// Proves a reduction against the whole model.
+/// Proves that reduced equations reproduce the whole model.
 ///
 /// # Errors
-/// Description of the first identity that is not proved.
+/// Text of the first identity that could not be proved.
 pub fn prove(basis: &mut ReductionBasis, whole: &Whole, level: &Level, flow: &mut Flow) -> Result<Proof, String> {
     let mut check = Check::new(basis, whole, level, flow)
         .ok_or("the printed variables are not linear functions of the model's variables")?;
@@ -79,18 +83,23 @@ pub fn prove(basis: &mut ReductionBasis, whole: &Whole, level: &Level, flow: &mu
     Ok(check.proof)
 }
 
-/// State of a proof in progress.
+/// State of the proof that reduced equations agree with the whole model.
 struct Check {
-    /// Substitution of the model's q, u and u̇ by terms in the variables of the level, the held momenta and parameters.
+    /// Substitution of the model's q, u and u̇ by terms in the reduced variables, the constant momenta
+    /// and parameters.
     written: Substitution,
-    /// Time derivative d/dt along the motion on the level, with no term left out.
+    /// Time derivative d/dt along the reduced motion, with full rates.
     change: Differential,
-    /// Rates q̇ and u̇ of the whole motion, in the variables of the level, the held momenta and parameters.
+    /// Rates q̇, then u̇, of the whole model's motion, in the reduced variables, the constant momenta
+    /// and parameters.
     rates: Vec<Expr>,
+    /// Proof so far: the identities that were proved.
     proof: Proof,
 }
 
 impl Check {
+    /// Writes the model's variables and their rates in the reduced variables. `None` if they are no
+    /// linear functions of these, or if a speed has no value.
     fn new(basis: &mut ReductionBasis, whole: &Whole, level: &Level, flow: &mut Flow) -> Option<Self> {
         let change = Differential::along(&flow.raw);
         let (of_q, of_u) = (whole.kane.coordinates.clone(), whole.kane.variables.clone());
@@ -136,8 +145,11 @@ impl Check {
         Some(check)
     }
 
-    /// Checks that each symmetry of the frame commutes with the motion of the whole model, and leaves the wanted
-    /// quantities unchanged.
+    /// Checks that each symmetry of the frame commutes with the motion of the whole model, and leaves
+    /// the wanted quantities unchanged.
+    ///
+    /// # Errors
+    /// Text of the first identity that does not hold or is not decided.
     fn frame(&mut self, basis: &mut ReductionBasis, whole: &Whole) -> Result<(), String> {
         let Some(frame) = basis.frame.clone() else { return Ok(()) };
         let flow = solved_rates(&mut basis.arena, &whole.kane)
@@ -167,12 +179,14 @@ impl Check {
         Ok(())
     }
 
-    /// Adds an identity e = 0 to the proof; the error names an identity that does not hold or is not decided.
+    /// Proves the identity e = 0 and records it. The error is `what` with the reason, if the identity
+    /// does not hold or is not decided.
     fn zero(&mut self, basis: &mut ReductionBasis, e: Expr, what: impl FnOnce() -> String) -> Result<(), String> {
         self.equal(basis, e, Expr::ZERO, what)
     }
 
-    /// Adds an identity left = right to the proof; the error names an identity that does not hold or is not decided.
+    /// Proves the identity left = right and records it. The error is `what` with the reason, if the
+    /// identity does not hold or is not decided.
     fn equal(
         &mut self,
         basis: &mut ReductionBasis,
@@ -196,7 +210,8 @@ impl Check {
         }
     }
 
-    /// Checks the kinematic equations: the speeds give q̇.
+    /// Checks the kinematic equations: the model's q̇ along the reduced motion equals W u + w. The
+    /// error names the first equation that fails.
     fn kinematics(&mut self, basis: &mut ReductionBasis, whole: &Whole) -> Result<(), String> {
         let rates = whole.kane.coordinates.iter().zip(&whole.kane.coordinate_rates);
         for (at, (q, rate)) in rates.enumerate() {
@@ -208,7 +223,8 @@ impl Check {
         Ok(())
     }
 
-    /// Checks Kane's equations M u̇ − f = 0, row by row.
+    /// Checks Kane's equations M u̇ − f = 0 along the reduced motion, row by row. The error names the
+    /// first row that fails.
     fn dynamics(&mut self, basis: &mut ReductionBasis, whole: &Whole) -> Result<(), String> {
         for (at, (row, right)) in whole.kane.matrix.iter().zip(&whole.kane.forcing).enumerate() {
             let products = row.iter().zip(&whole.kane.unknowns);
@@ -221,8 +237,8 @@ impl Check {
         Ok(())
     }
 
-    /// Checks that each constant equals its stated function of the state, and that mass centres move with their
-    /// momenta.
+    /// Checks that each constant equals its stated function of the state, and that mass centres move
+    /// with their momenta. The error names the first constant that fails.
     fn constants(&mut self, basis: &mut ReductionBasis, level: &Level, flow: &mut Flow) -> Result<(), String> {
         let mut back = basis.back();
         for held in &level.held {
@@ -239,8 +255,8 @@ impl Check {
         Ok(())
     }
 
-    /// Checks the rates with terms left out, and the solved rates, against the equations of the level. Checks also that
-    /// the energy is constant.
+    /// Checks that the shortened and the solved rates agree with the equations of the level set, and
+    /// that the energy is constant. The error names the first identity that fails.
     fn rates(&mut self, basis: &mut ReductionBasis, flow: &mut Flow) -> Result<(), String> {
         for variable in flow.core.iter().chain(&flow.quadratures) {
             let (_, raw) =
@@ -265,8 +281,8 @@ impl Check {
         Ok(())
     }
 
-    /// Checks the wanted quantities against those of the whole model. A coordinate that is computed from the time is
-    /// compared with itself.
+    /// Checks the wanted values against those of the whole model. A coordinate that is computed from
+    /// the time is compared with itself. The error names the first value that fails.
     fn wanted(&mut self, basis: &mut ReductionBasis, whole: &Whole, flow: &mut Flow) -> Result<(), String> {
         let mut started = Vec::new();
         for carried in &flow.carried {
@@ -287,8 +303,9 @@ impl Check {
     }
 }
 
-/// The model's variables in the variables of the equations. `stated` gives the latter as linear functions of the former
-/// with numbers as coefficients. `None` if the functions cannot be inverted.
+/// Solves `stated` = `symbols` for the model's variables, where `stated` are linear functions of
+/// them with numbers as coefficients. Returns their values in `symbols`. `None` if the functions
+/// cannot be inverted.
 fn inverse(basis: &mut ReductionBasis, model: &[Expr], stated: &[Expr], symbols: &[Expr]) -> Option<Vec<Expr>> {
     let mut form = LinearForm::new(model);
     let (mut rows, mut right) = (Vec::new(), Vec::new());

@@ -1,4 +1,5 @@
-//! Reduced equations of a scene, as data.
+//! Reduced equations of a scene, as data: model, equations, constants, outputs, omissions and
+//! proof.
 
 use super::proof::Proof;
 use crate::algebra::term::steps::Definition;
@@ -9,100 +10,109 @@ use crate::model::{Model, Unit, text_hash};
 use crate::reduce::basis::prose::Prose;
 use crate::reduce::slices::one_degree::Slope;
 
-/// Variable or constant of a reduced system, with its value at the start.
+/// Variable or constant of reduced equations, with its value at the start.
 #[derive(Clone, Debug)]
 pub struct Quantity {
-    /// Name of the quantity in the reduced system.
+    /// Name of the quantity in the reduced equations.
     pub name: String,
-    /// Symbol of the quantity in the reduced system.
+    /// Symbol of the quantity in the reduced equations.
     pub symbol: Expr,
-    /// Description of the quantity, in words and terms.
+    /// Description of the quantity for people, in words and terms.
     pub about: Prose,
-    /// Unit of the quantity.
+    /// Unit of the quantity's value.
     pub unit: Unit,
-    /// Value of the quantity at the start, in parameters, coordinates and speeds of the whole model.
+    /// Value of the quantity at the start, as a term in parameters, coordinates and speeds of the whole
+    /// model.
     pub of_start: Expr,
 }
 
-/// Output of a scene, as a value of the reduced system.
+/// Output of a scene, as a term of the reduced equations.
 #[derive(Clone, Debug)]
 pub struct Output {
     /// Name of the output in the scene.
     pub name: String,
-    /// Value of the output in parameters, constants, time and states of the reduced system.
+    /// Value of the output as a term in parameters, constants, time and states of the reduced
+    /// equations.
     pub value: Expr,
 }
 
-/// Omission of a reduced system, with reason and proof.
+/// Quantity of the model that reduced equations omit, with reason and proof.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Omission {
-    /// Omitted quantity.
+    /// Omitted quantity, in words and terms.
     pub what: Prose,
-    /// Reason why the quantity is not needed.
+    /// Reason why the quantity is not needed, in words and terms.
     pub why: Prose,
-    /// Proof that the quantity is not needed, in words.
+    /// Proof that the quantity can be omitted, in words.
     pub proof: String,
 }
 
-/// Moving frame of a reduction. Its symmetries lead from a start of the whole model to a state in which the pins are
-/// zero. The variables of the reduction are those of the model in this state.
+/// Moving frame of reduced equations. Its symmetries move a start of the whole model to a state in
+/// which the pinned terms are zero. The variables of the reduced equations are the model's
+/// variables in this state.
 #[derive(Clone, Debug)]
 pub struct MovingFrame {
-    /// Description of the motions of the frame, in words.
+    /// Descriptions of the frame's motions in words, one for each symmetry.
     pub about: Vec<String>,
-    /// Components of each symmetry, in parameters, coordinates and speeds of the whole model: one for each coordinate,
-    /// then one for each speed.
+    /// Components of each symmetry, as terms in the whole model's states. An inner list has an entry
+    /// for each coordinate, then for each speed.
     pub fields: Vec<Vec<Expr>>,
-    /// Terms that are zero in the frame, in coordinates and speeds of the whole model.
+    /// Terms that are zero in the frame (pins), in coordinates and speeds of the whole model.
     pub pins: Vec<Expr>,
-    /// Slopes of each pin along each symmetry, one row for each pin.
+    /// Derivatives of each pin along each symmetry, with a row for each pin and a column for each
+    /// symmetry.
     pub slopes: Vec<Vec<Expr>>,
 }
 
-/// Reduced equations of a scene.
+/// Reduced equations of a scene, with everything that is needed to run and to explain them.
 #[derive(Clone)]
 pub struct Reduction {
-    /// Variables and parameters of the reduced system, with the momenta among the parameters. Its store contains all
-    /// terms.
+    /// Variables and parameters of the reduced equations, as an ordinary model. The constant momenta
+    /// are among the parameters. Its arena contains all terms.
     pub model: Model,
-    /// Equations of the reduced system, over the same store as `model`.
+    /// Reduced equations, with their terms in an arena equal to that of `model`.
     pub derivation: Derivation,
     /// Integrated variables whose rates depend only on these variables.
     pub states: Vec<Quantity>,
-    /// Variables that are integrated only because outputs need them; the rate of no state depends on them.
+    /// Variables that are integrated only because outputs need them. The rate of no state depends on
+    /// them.
     pub quadratures: Vec<Quantity>,
-    /// Quantities that keep their start value, held momenta among them.
+    /// Quantities that keep their start value during a motion, such as momenta.
     pub constants: Vec<Quantity>,
     /// Definitions of those constants that are products of parameters and other constants.
     pub products: Vec<Definition>,
-    /// Outputs of the scene, as values of the reduced system.
+    /// Outputs of the scene, as terms of the reduced equations.
     pub outputs: Vec<Output>,
-    /// Functions of the scene's events, in the order of the scene.
+    /// Functions of the scene's events, in the order of the scene. An event occurs where its function
+    /// is zero.
     pub events: Vec<Expr>,
-    /// Moving frame in which the system is written; `None` without a frame.
+    /// Moving frame in which the equations are written; `None` without a frame.
     pub frame: Option<MovingFrame>,
-    /// Descriptions of symmetries that leave every shown quantity unchanged, but give no frame because they change a
-    /// condition of the domain.
+    /// Descriptions of symmetries that leave every shown quantity unchanged. They give no frame because
+    /// they change a condition of the model's domain.
     pub kept_by_domain: Vec<String>,
-    /// Parameters that are replaced by numbers, with name and value.
+    /// Parameters that were replaced by numbers, as pairs of name and value.
     pub folded: Vec<(String, Rational)>,
-    /// Omissions of the system, each with its reason and its proof.
+    /// Quantities of the model that the equations omit, each with its reason and its proof.
     pub omitted: Vec<Omission>,
-    /// Divisors of the reduction, which has no value where a divisor is zero.
+    /// Divisors of the reduced equations, which have no value where a divisor is zero.
     pub divisors: Vec<Expr>,
-    /// True if the energy is a function of the kept variables. If false, the energies of the equations are 0.
+    /// True if the energy is a function of the remaining variables. If false, T and V of the equations
+    /// are 0.
     pub has_energy: bool,
-    /// Slope of the potential energy, for solution by quadrature; `None` unless the system has one degree of freedom.
+    /// Divided difference of the potential energy, for solution by quadrature. `None` unless there is
+    /// one degree of freedom.
     pub slope: Option<Slope>,
-    /// Symbol of the time since the start, for outputs that are linear in time.
+    /// Symbol of the time since the start, s, for outputs that are linear in time.
     pub time: Expr,
-    /// Proof that the reduction gives the outputs of the whole model; a reduction without proof is never returned.
+    /// Proof that the reduced equations give the outputs of the whole model. A reduction without proof
+    /// is never returned.
     pub proof: Proof,
 }
 
 impl Reduction {
-    /// Hash of everything on which the reduced equations depend: model text, scene outputs, numbers of the scene, held
-    /// momenta, pins of the frame, and origins of distances.
+    /// Hash of everything on which the reduced equations depend: model text, scene outputs, numbers of
+    /// the scene, constant momenta, pins of the frame, and origins of distances.
     #[must_use]
     pub fn key(&self) -> String {
         let arena = self.terms();
@@ -120,7 +130,7 @@ impl Reduction {
         text_hash(&text)
     }
 
-    /// Store of all terms of the reduction.
+    /// Arena that holds all terms of the reduction.
     #[must_use]
     pub fn terms(&self) -> &Arena {
         &self.derivation.arena

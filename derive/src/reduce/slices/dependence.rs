@@ -1,7 +1,8 @@
-//! Dependence of terms on variables, decided by meaning.
+//! Dependence of terms on variables, decided by meaning and not by form.
 //!
-//! A term may mention a variable without depending on it: then the derivative is identically zero, and any value may
-//! replace the variable. Invariant: a definition contains only variables and symbols that are defined before it.
+//! A term may mention a variable without depending on it. Then the derivative is identically zero,
+//! and any value may replace the variable. Invariant: a definition contains only variables and
+//! symbols that are defined before it.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Substitution};
@@ -10,21 +11,23 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Numbers that are tried in turn in place of a variable on which a term does not depend. A term may have no value at a
-/// number.
+/// Fractions (numerator, denominator) that are tried in turn in place of a variable on which a term
+/// does not depend. A term may have no value at some of them.
 const STANDINS: [(i64, i64); 4] = [(0, 1), (1, 1), (1, 2), (2, 1)];
 
-/// Decides on which variables terms depend by meaning, definitions included.
+/// Test on which variables terms depend by meaning. It looks through definitions.
 #[derive(Clone)]
 pub struct Dependence {
     /// Definitions of symbols, each after those that it uses.
     pub definitions: Vec<Definition>,
+    /// Substitution that replaces every defined symbol by its full value.
     inline: Substitution,
+    /// Earlier answers: for a term and a symbol, true if the term depends on the symbol.
     known: FxHashMap<(Expr, Expr), bool>,
 }
 
 impl Dependence {
-    /// Dependence of terms in the symbols of these definitions.
+    /// Creates the test for terms that use the symbols of these definitions.
     pub fn new(arena: &mut Arena, definitions: Vec<Definition>) -> Self {
         let mut inline = Substitution::default();
         for definition in &definitions {
@@ -34,12 +37,13 @@ impl Dependence {
         Self { definitions, inline, known: FxHashMap::default() }
     }
 
-    /// Writes out all definitions in a term.
+    /// Replaces all defined symbols in a term by their full values.
     pub fn whole(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         self.inline.apply(arena, e)
     }
 
-    /// True if a term without definitions depends on a symbol by meaning, or if that cannot be decided.
+    /// True if the term `whole`, whose definitions are written out, depends on a symbol by meaning, or
+    /// if the test cannot decide.
     fn on(&mut self, arena: &mut Arena, whole: Expr, symbol: Expr) -> bool {
         if !arena.mentions(whole, symbol) {
             return false;
@@ -53,7 +57,7 @@ impl Dependence {
         answer
     }
 
-    /// Symbols that terms mention, directly or in the definitions that they use.
+    /// Symbols that terms mention, directly or through the definitions that they use.
     pub fn mentioned(&self, arena: &Arena, list: &[Expr]) -> FxHashSet<Expr> {
         let mut found: FxHashSet<Expr> = FxHashSet::default();
         found.extend(arena.reachable(list));
@@ -65,8 +69,8 @@ impl Dependence {
         found
     }
 
-    /// Rewrites a term without the variables that it mentions but does not depend on. Definitions that mention such
-    /// variables are written out.
+    /// Rewrites a term so that it mentions no variable on which it does not depend. Definitions that
+    /// mention such variables are written out.
     pub fn settle(&mut self, arena: &mut Arena, simplifier: &mut Simplifier, e: Expr, variables: &[Expr]) -> Expr {
         let whole = self.whole(arena, e);
         let mut e = e;
@@ -103,7 +107,8 @@ impl Dependence {
     }
 }
 
-/// Term with a number in place of a symbol on which it does not depend; unchanged if no number can be used.
+/// Puts a number in place of a symbol on which a term does not depend. Returns the term unchanged
+/// if no number can be used.
 fn put_any(arena: &mut Arena, simplifier: &mut Simplifier, e: Expr, symbol: Expr) -> Expr {
     if !arena.mentions(e, symbol) {
         return e;

@@ -1,4 +1,4 @@
-//! Slices: the smallest set of variables that determines the outputs of a scene.
+//! Selection of variables: the smallest set that determines the outputs of a scene (its slice).
 
 pub(super) mod dependence;
 pub(super) mod one_degree;

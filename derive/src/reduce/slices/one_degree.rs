@@ -1,4 +1,5 @@
-//! Potential energy of a system with one degree of freedom in a form without cancellation, for solution by quadrature.
+//! Potential energy of a system with one degree of freedom, in a form without cancellation, for
+//! solution by quadrature.
 
 use super::slice::Flow;
 use crate::algebra::term::calculus::{Differential, Substitution};
@@ -9,17 +10,18 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::reduce::basis::reduction_basis::ReductionBasis;
 
-/// Divided difference (V(b) − V(a))/(b − a) of the potential energy V, in the only coordinate among the states.
+/// Divided difference (V(b) − V(a))/(b − a) of the potential energy V over the only coordinate of a
+/// system with one degree of freedom.
 #[derive(Clone, Debug)]
 pub struct Slope {
-    /// Symbols of the coordinate's values a and b.
+    /// Symbols of the two values a and b of the coordinate.
     pub ends: [Expr; 2],
-    /// Value of the divided difference, in parameters, a, b and the symbols of `sincs`.
+    /// Divided difference as a term in parameters, a, b and the symbols of `sincs`.
     pub value: Expr,
-    /// Symbols in `value` that stand for sin z/z, as (symbol, z).
+    /// Symbols in `value` that represent sin z/z, as pairs of symbol and z.
     pub sincs: Vec<(Expr, Expr)>,
-    /// Turns of 2 π of the coordinate after which rates, T and V repeat; `None` if they do not repeat or no number is
-    /// found.
+    /// Number of turns (2 π) of the coordinate after which rates, T and V repeat. `None` if they do not
+    /// repeat, or if no number is found.
     pub turns: Option<Rational>,
 }
 
@@ -32,8 +34,9 @@ impl Slope {
 }
 
 impl Flow {
-    /// Slope of the potential energy for quadrature. `None` unless the system has one degree of freedom with q′ = k(q)
-    /// v and T = ½ m(q) v², and the rates of its quadratures are functions of q and v.
+    /// Divided difference of the potential energy, for solution by quadrature. `None` unless the system
+    /// has one degree of freedom with q′ = k(q) v and T = ½ m(q) v², and the rates of its quadratures
+    /// depend only on q and v.
     pub(in crate::reduce) fn slope(&self, basis: &mut ReductionBasis, kinetic: Expr, potential: Expr) -> Option<Slope> {
         let [q, v] = self.core.as_slice() else { return None };
         if q.is_speed || !v.is_speed || self.quadratures.iter().any(|v| v.is_speed) {
@@ -70,7 +73,7 @@ impl Flow {
     }
 }
 
-/// True if e = xⁿ e(x = 1) by meaning: e is homogeneous in x of degree n.
+/// True if e is homogeneous in x of degree n by meaning: e = xⁿ e(x = 1).
 fn is_homogeneous(arena: &mut Arena, e: Expr, x: Expr, n: i64) -> bool {
     let slope = Differential::partial(x).apply(arena, e);
     let times = arena.mul(x, slope);

@@ -1,4 +1,4 @@
-//! Outputs, conditions and events of a scene, in the variables of a reduction.
+//! Outputs, conditions and events of a scene, as terms in the variables of a reduction.
 
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Substitution;
@@ -6,19 +6,20 @@ use crate::mechanics::{DeriveError, rates_to_speeds};
 use crate::reduce::basis::reduction_basis::ReductionBasis;
 use crate::scene::Scene;
 
-/// Values that a scene shows or watches: outputs, conditions and events.
+/// Values that a scene shows or watches, and which its reduced equations must give: outputs,
+/// conditions and events.
 #[derive(Clone, Debug)]
 pub struct Wanted {
-    /// Names and values of the outputs.
+    /// Outputs of the scene, as pairs of name and value.
     pub outputs: Vec<(String, Expr)>,
-    /// Functions of the domain's conditions, which must be positive.
+    /// Functions of the model's domain conditions; they must be positive inside the domain.
     pub conditions: Vec<Expr>,
-    /// Functions of the scene's events.
+    /// Functions of the scene's events, in the order of the scene.
     pub events: Vec<Expr>,
 }
 
 impl Wanted {
-    /// Wanted values with each value rewritten.
+    /// Applies `rewrite` to each wanted value, and returns the results.
     pub fn map(&self, mut rewrite: impl FnMut(Expr) -> Expr) -> Self {
         Self {
             outputs: self.outputs.iter().map(|(name, e)| (name.clone(), rewrite(*e))).collect(),
@@ -27,7 +28,7 @@ impl Wanted {
         }
     }
 
-    /// All wanted values, each with its description.
+    /// All wanted values, each with a description for messages.
     pub fn named(&self) -> Vec<(String, Expr)> {
         let outputs = self.outputs.iter().map(|(name, e)| (format!("the output {name}"), *e));
         let conditions = self.conditions.iter().map(|e| ("a condition of the domain".to_owned(), *e));
@@ -35,6 +36,7 @@ impl Wanted {
         outputs.chain(conditions).chain(events).collect()
     }
 
+    /// All wanted values in this order: outputs, conditions, events.
     pub(in crate::reduce) fn values(&self) -> Vec<Expr> {
         let outputs = self.outputs.iter().map(|(_, e)| *e);
         outputs.chain(self.conditions.iter().copied()).chain(self.events.iter().copied()).collect()
@@ -42,7 +44,11 @@ impl Wanted {
 }
 
 impl ReductionBasis {
-    /// Values that the scene shows or watches, in q and u. The force balance gives reactions among them.
+    /// Collects the values that a scene shows or watches, as terms in q and u. Reactions among them are
+    /// replaced by their values.
+    ///
+    /// # Errors
+    /// `DeriveError` if a reaction is wanted and the model's equations do not determine it.
     pub(in crate::reduce) fn wanted(&mut self, scene: &Scene) -> Result<Wanted, DeriveError> {
         let mut rewrite = self.names(scene)?;
         let mut output = |basis: &mut Self, e: Expr| {
@@ -58,7 +64,11 @@ impl ReductionBasis {
         Ok(Wanted { outputs, conditions, events })
     }
 
-    /// Values of the names that scenes may use besides those of the state: parameters as numbers, energies, reactions.
+    /// Substitution for the names that scenes may use in addition to the state: parameters with
+    /// numbers, energies, reactions.
+    ///
+    /// # Errors
+    /// `DeriveError` if a reaction is wanted and the model's equations do not determine it.
     fn names(&mut self, scene: &Scene) -> Result<Substitution, DeriveError> {
         let mut pairs = Vec::new();
         for (name, value) in &self.folded {
@@ -79,7 +89,10 @@ impl ReductionBasis {
         Ok(Substitution::new(&pairs))
     }
 
-    /// Symbol of each reaction with its value in q and u.
+    /// Values of the reactions as terms in q, u and u̇, as pairs of symbol and value.
+    ///
+    /// # Errors
+    /// `DeriveError` if the model's equations do not determine the reactions.
     fn reactions(&mut self) -> Result<Vec<(Expr, Expr)>, DeriveError> {
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
         Ok(self.balance.clone()?.solved(&mut self.arena, &mut self.simplifier, &states))

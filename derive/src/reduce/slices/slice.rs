@@ -1,7 +1,8 @@
-//! Dependence of the outputs on the variables, by meaning, and the smallest set of variables that they need.
+//! Slice of reduced equations: the smallest set of variables on which the outputs depend by
+//! meaning.
 //!
-//! "Does u̇₁ depend on q₁?" is a zero test of the derivative. If u̇₁ does not depend on q₁, any value may replace q₁,
-//! and terms that contain q₁ only in form vanish.
+//! "Does u̇₁ depend on q₁?" is a zero test of the derivative. If u̇₁ does not depend on q₁, any
+//! value may replace q₁, and terms that contain q₁ only in form vanish.
 
 use super::dependence::Dependence;
 use super::outputs::Wanted;
@@ -15,62 +16,68 @@ use crate::reduce::basis::reduction_basis::ReductionBasis;
 use crate::reduce::levels::level::Level;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Variable of the equations, with its rate.
+/// Coordinate or speed of reduced equations, with its rate.
 #[derive(Clone, Copy, Debug)]
 pub struct Variable {
-    /// Symbol of the variable.
+    /// Symbol of the coordinate or speed in the reduced equations.
     pub symbol: Expr,
-    /// Rate of the variable, in variables, held momenta and parameters.
+    /// Rate of the variable, as a term in variables, constant momenta and parameters.
     pub rate: Expr,
-    /// True for a speed, false for a coordinate.
+    /// True if the variable is a speed, false if it is a coordinate.
     pub is_speed: bool,
-    /// Index of the variable among the model's coordinates or speeds.
+    /// Index of the variable among the model's coordinates, or among its speeds.
     pub place: usize,
 }
 
-/// Position of a mass centre that a held momentum moves at a constant rate, solved for a coordinate.
+/// Coordinate that follows from the uniform motion of a mass centre: a constant momentum moves its
+/// position at a constant rate.
 #[derive(Clone, Copy, Debug)]
 pub struct Carried {
-    /// Symbol of the coordinate.
+    /// Symbol of the coordinate that need not be integrated.
     pub coordinate: Expr,
-    /// Value of the coordinate in other variables, time, held momenta and the position at the start.
+    /// Value of the coordinate in other variables, time, constant momenta and the position at the
+    /// start.
     pub value: Expr,
-    /// Symbol of the position at the start.
+    /// Symbol of the position at the start of the motion.
     pub symbol: Expr,
-    /// Position as a function of q: a mass times a coordinate of the mass centre.
+    /// Position as a function of q: a mass times a coordinate of the mass centre, kg m.
     pub position: Expr,
-    /// Index, among the held momenta, of the momentum that moves the position.
+    /// Index in `Level::held` of the momentum that moves the position.
     pub held: usize,
 }
 
-/// Smallest closed set of variables on which the wanted quantities depend.
+/// Smallest set of variables on which the wanted values depend and whose rates contain no other
+/// variable.
 #[derive(Clone)]
 pub struct Flow {
-    /// States: variables on which rates of others depend. Coordinates come first.
+    /// States: variables on which rates of others depend, coordinates first.
     pub core: Vec<Variable>,
-    /// Variables found by quadrature: outputs depend on them, and no other state does. Each follows those it needs.
+    /// Variables found by quadrature: outputs depend on them, and no state does. Each comes after the
+    /// quadratures that it needs.
     pub quadratures: Vec<Variable>,
-    /// Variables of the model that the reduced system leaves out.
+    /// Variables of the model that the reduced equations leave out.
     pub dropped: Vec<Variable>,
-    /// Definitions of longer terms, and the test of dependence on variables.
+    /// Definitions of longer terms, and the test on which variables terms depend.
     pub dependence: Dependence,
-    /// Wanted quantities, in the kept variables.
+    /// Wanted outputs, conditions and events, as terms in the remaining variables.
     pub wanted: Wanted,
-    /// Energy T + V; `None` if it is not conserved or depends on variables that are left out.
+    /// Energy T + V, J; `None` if it is not conserved or depends on variables that are left out.
     pub energy: Option<Expr>,
-    /// Coordinates that are computed from the motion of a mass centre.
+    /// Coordinates that are computed from the uniform motion of a mass centre.
     pub carried: Vec<Carried>,
-    /// Symbol of the time since the start.
+    /// Symbol of the time t since the start, s.
     pub time: Expr,
-    /// Matrix and right-hand side for the rates of the kept speeds; `None` if the solved rates are used.
+    /// Matrix and right-hand side of the linear system for the rates of the remaining speeds; `None` if
+    /// the solved rates are used.
     pub system: Option<(Vec<Vec<Expr>>, Vec<Expr>)>,
-    /// Symbol and rate of each variable, before terms on which the rate does not depend were removed.
+    /// Pairs of symbol and full rate for each variable, before terms on which the rate does not depend
+    /// were removed.
     pub raw: Vec<(Expr, Expr)>,
 }
 
 impl Flow {
-    /// Finds the variables of a level that the wanted quantities need; `None` if the level does not determine its
-    /// accelerations.
+    /// Finds the variables of a level set that the wanted values need. `None` if the level set does not
+    /// determine its accelerations.
     pub(in crate::reduce) fn new(basis: &mut ReductionBasis, level: &Level, wanted: &Wanted) -> Option<Self> {
         let (mut variables, definitions) = basis.variables(level)?;
         let symbols: Vec<Expr> = variables.iter().map(|v| v.symbol).collect();
@@ -128,12 +135,13 @@ impl Flow {
         Some(flow)
     }
 
-    /// True if a variable is among the states.
+    /// True if the variable with this symbol is among the states, on which rates of others depend.
     pub fn is_core(&self, symbol: Expr) -> bool {
         self.core.iter().any(|v| v.symbol == symbol)
     }
 
-    /// Numbers of states, of integrated variables and of operations of their rates.
+    /// Numbers of states, of integrated variables and of operations in their rates, for comparison of
+    /// reductions.
     pub(in crate::reduce) fn weight(&self, basis: &ReductionBasis) -> (usize, usize, usize) {
         let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate).collect::<Vec<_>>();
         let used = self.used(&basis.arena, &rates);
@@ -142,7 +150,8 @@ impl Flow {
         (self.core.len(), integrated, cost_of_all(&basis.arena, &rates))
     }
 
-    /// Sorts all variables again into states, quadratures and dropped variables.
+    /// Sorts all variables into states, quadratures and dropped variables, from what the wanted values
+    /// need now.
     pub(in crate::reduce) fn close(&mut self, arena: &Arena) {
         let mut all: Vec<Variable> =
             self.core.drain(..).chain(self.quadratures.drain(..)).chain(self.dropped.drain(..)).collect();
@@ -175,13 +184,14 @@ impl Flow {
         self.core = kept.into_iter().map(|(v, _)| v).collect();
     }
 
-    /// Definitions that terms use, in the order of computation.
+    /// Definitions that the given terms use, in the order of computation.
     pub(in crate::reduce) fn used(&self, arena: &Arena, terms: &[Expr]) -> Vec<Definition> {
         let mentioned = self.dependence.mentioned(arena, terms);
         self.dependence.definitions.iter().copied().filter(|d| mentioned.contains(&d.symbol)).collect()
     }
 
-    /// Removes coordinates on which no rate depends and that the uniform motion of a mass centre determines.
+    /// Removes coordinates on which no other rate depends and that the uniform motion of a mass centre
+    /// determines.
     fn carry(&mut self, basis: &mut ReductionBasis, level: &Level) {
         // A frame may move the mass centre.
         if basis.frame.is_some() {
@@ -221,8 +231,8 @@ impl Flow {
 }
 
 impl ReductionBasis {
-    /// Coordinates and kept speeds with their rates, and the definitions that the rates use. `None` if the matrix is
-    /// singular.
+    /// Lists all coordinates and the remaining speeds with their rates, and the definitions that the
+    /// rates use. `None` if the matrix of the level set is singular.
     fn variables(&mut self, level: &Level) -> Option<(Vec<Variable>, Vec<Definition>)> {
         let mut list: Vec<Variable> = Vec::new();
         for (place, (symbol, rate)) in self.q.iter().zip(&self.kane.coordinate_rates).enumerate() {
@@ -254,7 +264,8 @@ impl ReductionBasis {
         Some((list, definitions))
     }
 
-    /// Symbol of the time since the start: `t`, or a new symbol if a variable or parameter has this name.
+    /// Symbol of the time since the start: `t`, or a new symbol if a variable or parameter has this
+    /// name.
     fn time(&mut self) -> Expr {
         match self.arena.find_symbol("t") {
             Some(taken)
@@ -269,8 +280,9 @@ impl ReductionBasis {
         }
     }
 
-    /// Value of a coordinate from position = start + momentum · t, and the new symbol of the start. `None` unless the
-    /// coordinate enters the position with a constant factor.
+    /// Solves position = start + momentum · t for a coordinate. Returns the value, and the new symbol
+    /// of the position at the start. `None` unless the coordinate enters the position with a constant
+    /// factor.
     fn carried_coordinate(
         &mut self,
         coordinate: Expr,

@@ -1,7 +1,8 @@
-//! Grids: values of several numbers of a scene, such as `q2=0.01:1.5:100`, in every combination.
+//! Grid axes: values of several numbers of a scene, such as `q2=0.01:1.5:100`, in every
+//! combination.
 //!
-//! Invariant: the values at a point depend on its index alone. Evenly spaced values are exact if both ends are: they
-//! are rounded once.
+//! Invariant: the values at a point of the grid depend on the index of the point only. Evenly
+//! spaced values are rounded once if both ends are exact.
 
 use crate::algebra::Rational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest};
@@ -10,42 +11,53 @@ use crate::read::{Located, Reader};
 use crate::scene::numbers::values::{Number, ValueReader, Varied};
 use crate::scene::{InitialMotion, Scene};
 
-/// Largest number of points of a grid.
+/// Largest number of points of a sweep's grid.
 pub const MOST_POINTS: u64 = 1_000_000_000;
 
+/// Advice on how to write an axis.
 const HOW: &str = "write NAME=FROM:TO:COUNT, such as q2=0.01:1.5:100, NAME=FROM:TO:COUNT:log, or a list NAME=a,b,c";
 
-/// A grid of points: every combination of the values of its axes. The last axis varies fastest.
+/// Grid of a sweep: every combination of the values of its axes. The last axis varies fastest.
 #[derive(Clone, Debug)]
 pub struct Grid {
+    /// Axes of the grid, the slowest first.
     axes: Vec<Axis>,
 }
 
-/// An axis of a grid: values of one number of a scene.
+/// Axis of a grid: the values of one number (parameter or start value) of a scene.
 #[derive(Clone, Debug)]
 struct Axis {
+    /// Name of the number that varies, as the user wrote it.
     name: String,
+    /// Number of the scene that varies, by its index in the model.
     place: Varied,
+    /// Count of the values of the axis.
     count: u64,
+    /// Values of the axis, as a list or by their spacing.
     values: Spacing,
 }
 
+/// Values of an axis: evenly spaced, spaced by logarithms, or a list.
 #[derive(Clone, Debug)]
 enum Spacing {
-    /// Evenly spaced values: the first, the last, and the difference of neighbours, if it is known exactly.
+    /// Evenly spaced values: the first, the last, and the exact difference of neighbours, or `None` if
+    /// an end is not exact.
     Even(Number, Number, Option<Rational>),
+    /// Values with constant ratio: the first and the last.
     Logarithmic(Number, Number),
+    /// List of the values as given.
     List(Vec<Number>),
 }
 
 impl Grid {
-    /// Reads one axis of a grid from each text. Errors give `named` as the place of the texts.
+    /// Reads one axis of a grid from each text, such as `q2=0:1:5`. Errors name the source of the texts
+    /// by `named`.
     ///
     /// # Errors
-    /// [`Diagnostics`] for each text with errors: the text is no axis; the name is no parameter and the scene's start
-    /// does not state it; the name has an axis already; the count is 0. Another error is an end that is not finite,
-    /// that mentions a swept parameter, or that is not positive although spaced by logarithms. One more if the grid has
-    /// more than [`MOST_POINTS`] points.
+    /// Returns [`Diagnostics`] for each wrong text. A text is wrong if it is no axis, or if its name is
+    /// no parameter and no start value of the scene. It is wrong if its name has an axis already, or
+    /// its count is 0. Ends must be finite, must not contain a swept parameter, and must be positive if
+    /// spaced by logarithms. A further error reports a grid of more than [`MOST_POINTS`] points.
     pub fn read(texts: &[String], named: &str, scene: &Scene, model: &mut Model) -> Result<Self, Vec<Diagnostics>> {
         let sources: Vec<Source> = texts.iter().map(|text| Source::from_text(named, text)).collect();
         let (mut axes, mut errors) = (Vec::<Axis>::new(), Vec::new());
@@ -82,12 +94,12 @@ impl Grid {
         if errors.is_empty() { Ok(Self { axes }) } else { Err(errors) }
     }
 
-    /// A grid of one point, at which numbers of a scene have these values. Each value is the shortest decimal that
-    /// rounds to the double. Errors give `named` as the place of the list.
+    /// Creates a grid of one point from (name, value) pairs in SI units. Each value is taken as the
+    /// shortest decimal that rounds to the double. Errors name the source of the list by `named`.
     ///
     /// # Errors
-    /// [`Diagnostics`] for each value that is not finite, and for each name that is no parameter and that the scene's
-    /// start does not state.
+    /// Returns [`Diagnostics`] for each value that is not finite, and for each name that is no
+    /// parameter and no start value of the scene.
     pub fn of_values(
         list: &[(String, f64)],
         named: &str,
@@ -114,14 +126,14 @@ impl Grid {
         if errors.is_empty() { Ok(Self { axes }) } else { Err(errors) }
     }
 
-    /// Names of the numbers that vary, in the order of the axes.
+    /// Names of the varied numbers, in the order of the axes.
     #[must_use]
     pub fn names(&self) -> Vec<&str> {
         self.axes.iter().map(|axis| axis.name.as_str()).collect()
     }
 
-    /// Warnings about angles that were probably meant in degrees, since they exceed one turn and have at most two
-    /// decimals. One line each.
+    /// Warnings about angles of the grid that were probably meant in degrees, one line each. These
+    /// angles exceed one turn and have at most two decimals.
     #[must_use]
     pub fn hints(&self, model: &Model) -> Vec<String> {
         let of = |axis: &Axis| {
@@ -133,19 +145,21 @@ impl Grid {
         self.axes.iter().filter_map(of).collect()
     }
 
-    /// Number of points of the grid, at most [`MOST_POINTS`].
+    /// Number of points of the grid: the product of the axes' counts, at most [`MOST_POINTS`].
     #[must_use]
     pub fn count(&self) -> u64 {
         self.axes.iter().map(|axis| axis.count).product()
     }
 
-    /// Values of the varied numbers at a point, each the nearest double. The point is below [`Grid::count`].
+    /// Values of the varied numbers at the grid point with this index, in SI units and in the order of
+    /// the axes. The index is below [`Grid::count`].
     #[must_use]
     pub fn values(&self, point: u64) -> Vec<f64> {
         self.numbers(point).into_iter().map(|(_, number)| number.double).collect()
     }
 
-    /// Values of the varied numbers at a point, each after its index in the model.
+    /// Varied numbers with their exact values at the grid point with this index, in the order of the
+    /// axes.
     pub(in crate::scene) fn numbers(&self, point: u64) -> Vec<(Varied, Number)> {
         let mut rest = point;
         let mut list: Vec<_> = self
@@ -163,8 +177,8 @@ impl Grid {
     }
 }
 
-/// Values of a scene's parameters as its file states them, exact where they are rational. The scene's doubles are
-/// rounded.
+/// Values of a scene's parameters as its file states them, exact if they are rational. Returns
+/// `Diagnostics` if the file no longer reads.
 fn stated_parameters(scene: &Scene, model: &mut Model) -> Result<Vec<Number>, Diagnostics> {
     let (reader, table) = Reader::parse(&scene.source)?;
     let mut values = ValueReader::new(reader, model);
@@ -173,17 +187,18 @@ fn stated_parameters(scene: &Scene, model: &mut Model) -> Result<Vec<Number>, Di
     Ok(parameters.expect("reported if missing"))
 }
 
-/// Scene and parameters for which an axis is read.
+/// Scene with the parameter values that formulas of an axis may use.
 struct Context<'c> {
+    /// Scene whose numbers vary.
     scene: &'c Scene,
     /// Values of all parameters of the scene, as its file states them.
     parameters: &'c [Number],
-    /// Indices of the parameters that are swept.
+    /// Indices of the parameters that the sweep varies.
     swept: &'c [usize],
 }
 
 impl Axis {
-    /// Value of the axis at an index below its count.
+    /// Value of the axis with the index `at`, which is below the axis' count.
     fn value(&self, at: u64) -> Number {
         let last = self.count - 1;
         match &self.values {
@@ -209,14 +224,15 @@ impl Axis {
     }
 }
 
-/// Value at the part `at`/`last` of the way between two ends, written so that ends of any size do not overflow.
+/// Value at the fraction `at`/`last` between two ends. The form of the sum avoids overflow for ends
+/// of any size.
 fn between(from: f64, to: f64, at: u64, last: u64) -> f64 {
     let part = at as f64 / last as f64;
     from * (1.0 - part) + to * part
 }
 
 impl ValueReader<'_, '_> {
-    /// Reads the axis that the text of the source describes.
+    /// Reads the axis, `NAME=VALUES`, from the text of the source; `None` after an error is reported.
     fn axis(&mut self, context: &Context<'_>) -> Option<Axis> {
         let text = self.reader.source.text.as_str();
         let Some(equals) = text.find('=') else {
@@ -257,7 +273,8 @@ impl ValueReader<'_, '_> {
         }
     }
 
-    /// Finds the number of a scene with this name; reports a name that cannot be swept.
+    /// Finds the parameter or start value of a scene with this name. `None` after reporting a name that
+    /// cannot be varied.
     pub(in crate::scene) fn place(
         &mut self,
         name: &str,
@@ -296,7 +313,8 @@ impl ValueReader<'_, '_> {
         None
     }
 
-    /// Reads an end of an axis, or a value of a list: a formula that a scene may state for this number.
+    /// Reads an end of an axis or a value of a list: a formula that a scene may state for this number.
+    /// `None` after an error is reported.
     fn value_of(&mut self, text: &Located, place: Varied, context: &Context<'_>) -> Option<Number> {
         if matches!(place, Varied::Parameter(_)) {
             return self.constant(text);
@@ -312,7 +330,8 @@ impl ValueReader<'_, '_> {
         Some(number)
     }
 
-    /// Reads an end of an axis, which must be above zero.
+    /// Reads an end of an axis with logarithmic spacing. Reports a value that is not above zero and
+    /// returns `None`.
     fn positive(&mut self, text: &Located, place: Varied, context: &Context<'_>) -> Option<Number> {
         let number = self.value_of(text, place, context)?;
         if number.double <= 0.0 {
@@ -323,7 +342,8 @@ impl ValueReader<'_, '_> {
         Some(number)
     }
 
-    /// Reads the number of values of an axis.
+    /// Reads the number of values of an axis. Reports a text that is no whole number from 1 to
+    /// `MOST_POINTS` and returns `None`.
     fn points(&mut self, text: &Located) -> Option<u64> {
         let count = text.text.trim().replace('_', "").parse::<u64>().ok();
         let count = count.filter(|count| (1..=MOST_POINTS).contains(count));
@@ -335,7 +355,7 @@ impl ValueReader<'_, '_> {
     }
 }
 
-/// Parts of a text from a byte offset on, between separators.
+/// Splits a text from the byte `start` on at a separator. Each part has its place.
 fn parts(text: &str, mut start: usize, separator: char) -> Vec<Located> {
     let list = text[start..].split(separator);
     let located = |part: &str| {
@@ -346,7 +366,7 @@ fn parts(text: &str, mut start: usize, separator: char) -> Vec<Located> {
     list.map(located).collect()
 }
 
-/// Evenly spaced values of an axis. The difference of neighbours is exact if both ends are.
+/// Evenly spaced values of an axis. The difference of neighbours is exact if both ends are exact.
 fn even(from: Number, to: Number, count: u64) -> Spacing {
     let intervals = i64::try_from(count - 1).ok().and_then(|n| Rational::fraction(n, 1)?.recip());
     let step = from.exact.as_ref().zip(to.exact.as_ref()).zip(intervals);

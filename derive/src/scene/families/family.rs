@@ -1,7 +1,7 @@
-//! A family of scenes: one scene file, read for many values of its numbers.
+//! Family of scenes: a scene file, read again for many values of its numbers.
 //!
-//! Invariant: a member equals the scene of a file that states these values, including formulas in swept parameters. The
-//! same code reads both; only the parsing is done once.
+//! Invariant: a member equals the scene of a file that states these values, including formulas in
+//! swept parameters. The same code reads both, and the file is parsed only once.
 
 use super::axis::Grid;
 use crate::diagnostic::Diagnostics;
@@ -13,33 +13,39 @@ use crate::scene::{Numbers, Scene};
 use toml::Spanned;
 use toml::de::DeTable;
 
-/// A family of scenes: a scene for every point of a grid.
+/// Family of scenes: a scene for every point of a sweep's grid.
 pub struct Family<'a> {
+    /// Scene from which all members derive.
     scene: &'a Scene,
+    /// Grid of the varied numbers.
     grid: &'a Grid,
+    /// Parsed scene file.
     table: Spanned<DeTable<'a>>,
+    /// Model of the scene; its arena receives the terms of formulas.
     model: Model,
+    /// Parsed formulas of the scene file, kept for the next member.
     terms: Terms,
 }
 
 impl<'a> Family<'a> {
-    /// The family of a scene of this model, over a grid that was read for this scene.
+    /// Creates the family of a scene of this model, over a grid that was read for this scene.
     ///
     /// # Errors
-    /// [`Diagnostics`] if the scene's text is not TOML, which it was when it was loaded.
+    /// [`Diagnostics`] if the text of the scene is not TOML. A loaded scene's text always is.
     pub fn new(scene: &'a Scene, model: &Model, grid: &'a Grid) -> Result<Self, Diagnostics> {
         let (_, table) = Reader::parse(&scene.source)?;
         Ok(Self { scene, grid, table, model: model.clone(), terms: Terms::default() })
     }
 
-    /// Values of the varied numbers at a point below [`Grid::count`], as [`Grid::values`] gives them, and the scene
-    /// with these values, without a ladder. An error in place of the scene if the values permit none: a negative mass,
-    /// or a start without a value.
+    /// Values of the varied numbers at a grid point, as [`Grid::values`] gives them, and the scene with
+    /// these values, without a ladder. The index of the point is below [`Grid::count`]. The scene is an
+    /// error if the values permit none, as with a negative mass.
     pub fn point(&mut self, point: u64) -> (Vec<f64>, Result<Scene, Diagnostics>) {
         let given = self.grid.numbers(point);
         (given.iter().map(|(_, number)| number.double).collect(), self.scene(&given))
     }
 
+    /// Reads the scene with the given numbers in place of the file's numbers.
     fn scene(&mut self, given: &[(Varied, Number)]) -> Result<Scene, Diagnostics> {
         let mut values = ValueReader {
             reader: Reader::new(&self.scene.source),

@@ -1,4 +1,5 @@
-//! A ladder: one scene from several starts that differ in one number, to find where runs fail.
+//! Ladder of a scene: several start values of a single coordinate or speed, to find the value at
+//! which runs fail.
 
 use crate::diagnostic::nearest;
 use crate::scene::numbers::values::{Number, ValueReader};
@@ -6,19 +7,20 @@ use crate::scene::starts::start::{Exact, InitialMotion};
 use toml::de::{DeTable, DeValue};
 use tripos_traits::DoubleDouble;
 
-/// Values of one coordinate or generalized speed at the start, for one run each.
+/// Ladder: several start values of a single coordinate or generalized speed, for one run each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ladder {
     /// Name of the coordinate or speed that varies.
     pub name: String,
-    /// Index of the varied number among the coordinates, then the speeds.
+    /// Index of the varied number in the list of coordinates followed by speeds.
     pub at: usize,
-    /// Values at the start, one for each run.
+    /// Start values in SI units, to 32 digits, one for each run.
     pub values: Vec<DoubleDouble>,
 }
 
 impl<'a> ValueReader<'a, '_> {
-    /// Reads `[ladder]`: one coordinate or speed with a list of values.
+    /// Reads `[ladder]` of a scene: a single coordinate or speed with a list of values. `None` if
+    /// absent, or after an error is reported.
     pub fn ladder(&mut self, table: &'a DeTable<'a>, p: &[Number], start: &Exact) -> Option<Ladder> {
         const HOW: &str = "write one coordinate or speed with its values, as u2 = [1.6, 0.8]";
         let section = self.section(table, "ladder")?;

@@ -1,4 +1,4 @@
-//! Families of scenes: one scene file, read for many values of its numbers.
+//! Families of scenes: a scene file, read again for many values of its numbers.
 
 pub(super) mod axis;
 pub(super) mod family;

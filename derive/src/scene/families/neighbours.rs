@@ -1,7 +1,8 @@
-//! Neighbours of a scene, from which derivatives of its start along one of its numbers are computed.
+//! Neighbours of a scene: the scene with another value of a single number. Derivatives of a start
+//! are computed from them.
 //!
-//! Invariant: every number that depends on the changed number follows it to 32 digits: formulas, speeds from rates, and
-//! coordinates that close loops.
+//! Invariant: everything that depends on the changed number follows it to 32 digits: formulas,
+//! speeds computed from rates, and coordinates that close loops.
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Model, Unit};
@@ -13,23 +14,31 @@ use toml::Spanned;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
 
-/// A scene that is read again for other values of one of its numbers.
+/// Neighbours of a scene: reads the scene again for other values of a single number.
 pub struct Nearby<'a> {
+    /// Scene whose neighbours are read.
     scene: &'a Scene,
+    /// Parsed scene file.
     table: Spanned<DeTable<'a>>,
+    /// Model of the scene; its arena receives the terms of formulas.
     model: Model,
+    /// Parsed formulas of the scene file, kept for the next reading.
     terms: Terms,
+    /// Numbers that replace those of the file in every neighbour.
     set: Vec<(Varied, Number)>,
+    /// Number that changes, by its index in the model.
     place: Varied,
+    /// Value of the changed number in the scene itself, to 32 digits.
     value: DoubleDouble,
 }
 
 impl<'a> Nearby<'a> {
-    /// Scenes near `scene` for other values of the number `name`. The numbers `set` have other values than in the
-    /// scene's file.
+    /// Creates the neighbours of `scene` for other values of the number `name`. The numbers `set`, as
+    /// (name, value), replace those of the scene's file in every neighbour.
     ///
     /// # Errors
-    /// [`Diagnostics`] for a name that is no parameter and that the start does not state.
+    /// [`Diagnostics`] if a name is no parameter and no start value of the scene, or if the start value
+    /// `name` is solved for.
     pub fn new(scene: &'a Scene, model: &Model, set: &[(String, f64)], name: &str) -> Result<Self, Diagnostics> {
         let mut model = model.clone();
         let source = Source::from_text("what is differentiated by", name);
@@ -50,13 +59,13 @@ impl<'a> Nearby<'a> {
         Ok(Self { scene, table, model, terms: Terms::default(), set, place, value })
     }
 
-    /// Value of the number that changes in the scene itself, to 32 digits.
+    /// Value of the changed number in the scene itself, to 32 digits, in SI units.
     #[must_use]
     pub fn value(&self) -> DoubleDouble {
         self.value
     }
 
-    /// Unit of the number that changes.
+    /// Unit of the changed number.
     #[must_use]
     pub fn unit(&self) -> Unit {
         match self.place {
@@ -67,11 +76,11 @@ impl<'a> Nearby<'a> {
         }
     }
 
-    /// The scene with this value of the changed number: its parameters, start, span and coefficients of contacts
-    /// follow.
+    /// Reads the neighbour in which the changed number has the value `value`. Parameters, start, span
+    /// and contact coefficients follow it.
     ///
     /// # Errors
-    /// [`Diagnostics`] if no such scene exists, for example because a mass is negative.
+    /// [`Diagnostics`] if no scene with this value exists, for example because a mass is negative.
     pub fn at(&mut self, value: DoubleDouble) -> Result<Scene, Diagnostics> {
         let given: Vec<_> = self.set.iter().cloned().chain([(self.place, Number::wide(value))]).collect();
         let mut values = ValueReader {
@@ -94,7 +103,7 @@ impl<'a> Nearby<'a> {
     }
 }
 
-/// A parameter, or a number of a start, to 32 digits.
+/// Value to 32 digits of a parameter or start value of a scene.
 fn of(exact: &Exact, place: Varied) -> DoubleDouble {
     match (place, &exact.motion) {
         (Varied::Parameter(at), _) => exact.parameters[at],

@@ -1,4 +1,4 @@
-//! Given motions, for which forces are sought, and tables of their samples.
+//! Prescribed motions for inverse dynamics, which finds their forces, and tables of motion samples.
 
 pub(super) mod motion;
 #[cfg(feature = "files")]

@@ -1,4 +1,4 @@
-//! Given motions, for which forces are sought: at one instant, by formulas of t, or by samples.
+//! Prescribed motions for inverse dynamics: at one instant, by formulas of t, or by samples.
 
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::text::parse::parse;
@@ -11,56 +11,58 @@ use crate::scene::numbers::values::{Number, ValueReader, extended};
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
 
-/// Largest number of instants at which a motion is evaluated.
+/// Largest number of instants at which a prescribed motion is evaluated.
 const MOST: usize = 1_000_000;
 
-/// A given motion, with the values of the parameters.
+/// Prescribed motion, with the values of the parameters.
 #[derive(Clone, Debug)]
 pub struct Motion {
-    /// Values of the parameters, in the order of the model.
+    /// Values of the parameters to 32 digits, in SI units and in the order of the model.
     pub parameters: Vec<DoubleDouble>,
-    /// Form in which the motion is given.
+    /// Motion as given: samples or formulas.
     pub given: MotionForm,
 }
 
-/// Form of a given motion.
+/// Form in which a motion is prescribed: samples or formulas of time.
 #[derive(Clone, Debug)]
 pub enum MotionForm {
-    /// Coordinates, speeds and accelerations at successive instants.
+    /// Motion given by coordinates, speeds and accelerations at successive instants.
     Samples(Vec<MotionSample>),
-    /// Coordinates as formulas of t.
+    /// Motion given by formulas of t for the coordinates.
     Formulas(Formulas),
 }
 
-/// State and accelerations at one instant of a motion.
+/// Sample of a motion: coordinates, generalized speeds and their rates at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionSample {
-    /// Instant of the state, s; `None` if it is not known.
+    /// Instant of the sample, s; `None` if it is not stated.
     pub t: Option<f64>,
-    /// Coordinates, in the order of the model, time included if the model names it.
+    /// Generalized coordinates in SI units and in the order of the model; time is included if the model
+    /// names it.
     pub q: Vec<DoubleDouble>,
-    /// Generalized speeds, in the order of the model.
+    /// Generalized speeds in SI units, in the order of the model.
     pub u: Vec<DoubleDouble>,
-    /// Time derivatives of the generalized speeds, in the order of the model.
+    /// Time derivatives of the generalized speeds in SI units, in the order of the model.
     pub rates: Vec<DoubleDouble>,
 }
 
-/// Coordinates as functions of t.
+/// Coordinates as formulas of time, and the instants at which they are evaluated.
 #[derive(Clone, Debug)]
 pub struct Formulas {
-    /// Symbol of time t.
+    /// Symbol of time t in the formulas.
     pub time: Expr,
-    /// Each coordinate with its first and second time derivatives, in parameters and t; `None` for a coordinate that
-    /// loops determine.
+    /// Each coordinate with its first and second time derivatives, as terms in parameters and t. `None`
+    /// for a coordinate that loops determine.
     pub coordinates: Vec<Option<[Expr; 3]>>,
-    /// Guesses for the coordinates that loops determine, from which the search for them starts; 0 if none is given.
+    /// Start values of the search for the coordinates that loops determine, in SI units; 0 if the file
+    /// gives none.
     pub guesses: Vec<f64>,
-    /// Instants at which the motion is evaluated, s.
+    /// Instants at which the motion is evaluated, s, evenly spaced.
     pub instants: Vec<f64>,
 }
 
-/// Reads a motion file: `[state]` with `[accelerations]`, or `[motion]` with `[times]`. Puts its formulas of inputs
-/// into the model.
+/// Reads a motion file: `[state]` with `[accelerations]`, or `[motion]` with `[times]`. Formulas
+/// that the file gives to inputs replace the inputs in the model.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the motion file.
@@ -98,7 +100,8 @@ pub fn load_motion(source: &Source, model: &mut Model) -> Result<Motion, Diagnos
 }
 
 impl<'a> ValueReader<'a, '_> {
-    /// Reads `[state]` and `[accelerations]` of a motion file.
+    /// Reads `[state]` and `[accelerations]` of a motion file as a single sample; `None` after an error
+    /// is reported.
     fn at_instant(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<MotionSample> {
         let state = self.section(table, "state")?;
         let start = self.state(table, state, parameters);
@@ -121,13 +124,13 @@ impl<'a> ValueReader<'a, '_> {
         }
         let start = start?;
         let t = self.model.time().map(|at| start.q[at]);
-        // Speeds that follow from stated rates are known in doubles.
+        // Speeds computed from stated rates are known only in doubles.
         let by_rates = || start.u.iter().map(|x| DoubleDouble::from(*x)).collect();
         let u = if let crate::scene::InitialMotion::Speeds(u) = start.exact.motion { u } else { by_rates() };
         Some(MotionSample { t, q: start.exact.q, u, rates: rates.into_iter().collect::<Option<_>>()? })
     }
 
-    /// Reads `[motion]`, `[times]` and `[guess]` of a motion file.
+    /// Reads `[motion]`, `[times]` and `[guess]` of a motion file; `None` after an error is reported.
     fn formulas(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Formulas> {
         let time = self.model.arena.symbol(TIME);
         let mut formulas: Vec<Option<Expr>> = vec![None; self.model.coordinates.len()];
@@ -164,6 +167,7 @@ impl<'a> ValueReader<'a, '_> {
         Some(Formulas { time, coordinates: coordinates.collect(), guesses, instants })
     }
 
+    /// Index of the coordinate with this name, other than time; `None` after reporting an unknown name.
     fn coordinate(&mut self, name: &Located) -> Option<usize> {
         let model = &self.model;
         let at = model.coordinates.iter().position(|c| c.name == name.text && c.name != TIME);
@@ -175,7 +179,7 @@ impl<'a> ValueReader<'a, '_> {
         at
     }
 
-    /// Reads a formula in parameters and t.
+    /// Reads a formula in parameters and time t; `None` after an error is reported.
     fn of_time(&mut self, formula: &Located, time: Expr) -> Option<Expr> {
         let model = &mut *self.model;
         let own = model.parameters.iter().filter(|p| !p.is_input).map(|p| (p.name.clone(), p.symbol));
@@ -207,7 +211,8 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
-    /// Reads `[times]`: evenly spaced instants, s, both ends included.
+    /// Reads `[times]`: evenly spaced instants, s, both ends included. `None` after an error is
+    /// reported.
     fn instants(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Vec<f64>> {
         let example = "add [times] with from = 0, to = 2, count = 101";
         let Some(section) = self.section(table, "times") else {

@@ -1,12 +1,13 @@
-//! Tables of measured or planned motions: a row for each instant, a column for each coordinate, speed and acceleration.
+//! Motion samples from CSV tables: a row for each instant, and a column for each coordinate, speed
+//! and acceleration.
 
 use super::motion::MotionSample;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
 use crate::model::{Model, TIME};
 use tripos_traits::DoubleDouble;
 
-/// Reads samples of a motion from a CSV file. Its columns have the model's names of q, u and u', and `t` if it is
-/// there. Other columns are ignored.
+/// Reads samples of a motion from a CSV file. The columns have the model's names of q, u and u',
+/// and may include `t`. Other columns are ignored; values are in SI units.
 ///
 /// # Errors
 /// [`Diagnostics`] with the first error of the CSV file.

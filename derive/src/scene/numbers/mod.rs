@@ -1,4 +1,4 @@
-//! Numbers of scene and state files: formulas, tables, positions and velocities by name.
+//! Numbers of scene and state files: formulas, tables of signals, positions and velocities.
 
 pub(super) mod places;
 pub(super) mod table;

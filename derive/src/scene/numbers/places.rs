@@ -1,5 +1,5 @@
-//! Positions and velocities that formulas of scenes name, such as `p(P) @ N [3]`, `v(wheel, P) @ N [1]`,
-//! `omega(B) @ N [3]` and `distance(P, Q)`.
+//! Positions and velocities in formulas of scenes, by names such as `p(P) @ N [3]`, `v(wheel, P) @
+//! N [1]`, `omega(B) @ N [3]` and `distance(P, Q)`.
 
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::text::parse::{VelocityName, VelocityOf};
@@ -8,13 +8,14 @@ use crate::diagnostic::nearest;
 use crate::geometry::{Frames, Motion, Vector};
 use crate::model::Model;
 
-/// Positions and velocities of a model; they are derived when the first formula names one.
+/// Positions and velocities of a model's points and frames. They are derived when a formula first
+/// contains one.
 #[derive(Default)]
 pub(in crate::scene) struct Places(Option<(Frames, Motion)>);
 
 impl Places {
-    /// Component of a position or velocity that a formula names, in q and q̇. A message if the model lacks a named
-    /// part.
+    /// Component of the position or velocity with this name, as a term in q and q̇. Returns a message
+    /// if the model has no point, frame or body of that name.
     pub fn component(&mut self, model: &Model, arena: &mut Arena, name: &VelocityName<'_>) -> Result<Expr, Refused> {
         let (frames, motion) = self.0.get_or_insert_with(|| {
             let mut frames = Frames::new(&model.frames);
@@ -52,9 +53,11 @@ impl Places {
     }
 }
 
-/// Message about an unknown name, and a known name that may be meant.
+/// Message about an unknown name, with advice.
 type Refused = (String, Option<String>);
 
+/// Index of a name in a list of known names. Otherwise a message, in which `what` is the kind of
+/// the name.
 fn place<'n>(what: &str, mut known: impl Iterator<Item = &'n str> + Clone, name: &str) -> Result<usize, Refused> {
     let found = known.clone().position(|known| known == name);
     found.ok_or_else(|| (format!("the model has no {what} `{name}`"), Some(nearest(name, known.by_ref()))))

@@ -1,30 +1,33 @@
-//! Tables of measured or planned signals as formulas of time.
+//! Tables of measured or planned signals, as formulas of time.
 //!
-//! Between two rows a table is a polynomial. The formula adds up the changes of the signal in all intervals. Each
-//! change is a function of a clock that runs in that interval alone, so that no large numbers are subtracted.
+//! Between two rows a table is a polynomial. The formula adds the changes of the signal in all
+//! intervals. Each change depends on the time spent in its interval only, so no large numbers are
+//! subtracted.
 
 use nalgebra::{DMatrix, DVector};
 use std::fmt::Write;
 use std::path::Path;
 
-/// Largest number of rows of a table.
+/// Largest number of rows of a table of signals.
 const MOST_ROWS: usize = 250;
 
-/// Interpolation of a table between its rows.
+/// Interpolation of a signal table between its rows.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Interpolation {
-    /// Straight lines between the rows.
+    /// Interpolation by straight lines between the rows.
     Linear,
-    /// The cubic spline with two continuous derivatives, and three next to the ends: not-a-knot (C. de Boor, *A
-    /// Practical Guide to Splines* (1978), chapter IV).
+    /// Interpolation by the cubic spline with two continuous derivatives, and three at the second and
+    /// the last but one row: not-a-knot (C. de Boor, *A Practical Guide to Splines* (1978), chapter
+    /// IV).
     Cubic,
 }
 
-/// Message about a table that cannot be used, and advice.
+/// Message about a signal table that cannot be used, and advice.
 type Wrong = (String, String);
 
-/// Formula in t of a column of a CSV file. `columns` are the names of the time column and of the signal column. The run
-/// covers `span`, s.
+/// Formula in t of a column of a CSV file, as text. `columns` are the names of the time column and
+/// of the signal column; the run covers `span`, s. Returns a message if the table cannot be read or
+/// does not cover the run.
 pub fn interpolated(path: &Path, columns: [&str; 2], how: Interpolation, span: (f64, f64)) -> Result<String, Wrong> {
     let rows = read(path, columns)?;
     let (Some(first), Some(last)) = (rows.first(), rows.last()) else {
@@ -47,11 +50,13 @@ pub fn interpolated(path: &Path, columns: [&str; 2], how: Interpolation, span: (
     Ok(formula(&rows, how))
 }
 
+/// Refuses every table: this build reads no files.
 #[cfg(not(feature = "files"))]
 fn read(_: &Path, _: [&str; 2]) -> Result<Vec<(f64, f64)>, Wrong> {
     Err(("no file can be read here".to_owned(), "give a formula".to_owned()))
 }
 
+/// Reads the rows (instant, value) of two columns of a CSV file; returns a message if that fails.
 #[cfg(feature = "files")]
 fn read(path: &Path, columns: [&str; 2]) -> Result<Vec<(f64, f64)>, Wrong> {
     let text = crate::diagnostic::Source::read(path).map_err(|error| {
@@ -89,7 +94,8 @@ fn read(path: &Path, columns: [&str; 2]) -> Result<Vec<(f64, f64)>, Wrong> {
     Ok(rows)
 }
 
-/// Formula f(t₁) + Σ p_k(τ_k) of a table. The time spent in interval k is τ_k = (|t − t_k| − |t − t_k₊₁| + h_k)/2.
+/// Formula f(t₁) + Σ p_k(τ_k) of a signal table, as text; τ_k = (|t − t_k| − |t − t_k₊₁| + h_k)/2
+/// is the time spent in interval k.
 fn formula(rows: &[(f64, f64)], how: Interpolation) -> String {
     let slopes = if how == Interpolation::Cubic { spline_slopes(rows) } else { Vec::new() };
     let mut text = number(rows[0].1);
@@ -97,7 +103,7 @@ fn formula(rows: &[(f64, f64)], how: Interpolation) -> String {
         let [(a, from), (b, to)] = [pair[0], pair[1]];
         let (h, rise) = (b - a, (to - from) / (b - a));
         let clock = format!("((abs(t - {}) - abs(t - {}) + {})/2)", number(a), number(b), number(h));
-        // Writing to a string does not fail.
+        // Writing to a string cannot fail.
         let _ = match slopes.get(at..at + 2) {
             None => write!(text, " + {}*{clock}", number(rise)),
             Some(ends) => {
@@ -111,8 +117,8 @@ fn formula(rows: &[(f64, f64)], how: Interpolation) -> String {
     text
 }
 
-/// Exact text of a double, as a whole number over a power of 2. Sums of such numbers have denominators that do not
-/// grow.
+/// Exact text of a double, as a whole number divided by a power of 2. So denominators do not grow
+/// in sums.
 fn number(x: f64) -> String {
     let (mut whole, mut twos) = (x, 0);
     while whole.fract() != 0.0 {
@@ -121,7 +127,7 @@ fn number(x: f64) -> String {
     if twos == 0 { format!("({whole})") } else { format!("({whole}/2^{twos})") }
 }
 
-/// Slopes of the spline at the rows of a table, which has at least four rows.
+/// Slopes of the not-a-knot spline at the rows of a table with at least four rows.
 fn spline_slopes(rows: &[(f64, f64)]) -> Vec<f64> {
     let n = rows.len();
     let h: Vec<f64> = rows.windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
@@ -133,7 +139,8 @@ fn spline_slopes(rows: &[(f64, f64)]) -> Vec<f64> {
         matrix[(k, k)] = 2.0 * (1.0 / h[k - 1] + 1.0 / h[k]);
         right[k] = 3.0 * (rise[k - 1] / h[k - 1] + rise[k] / h[k]);
     }
-    // The spline is one cubic on both sides of the second row, and on both sides of the last row but one.
+    // Not-a-knot: the spline is one cubic on both sides of the second row, and on both sides of the
+    // last row but one.
     for (row, k) in [(0, 0), (n - 1, n - 3)] {
         let (one, two) = (1.0 / (h[k] * h[k]), 1.0 / (h[k + 1] * h[k + 1]));
         (matrix[(row, k)], matrix[(row, k + 1)], matrix[(row, k + 2)]) = (one, one - two, -two);

@@ -1,7 +1,8 @@
-//! Numbers in scene and state files: exact formulas in parameters, parsed once, and evaluated for each reading.
+//! Number values in scene and state files: exact formulas in parameters, parsed once, and evaluated
+//! at each reading.
 //!
-//! Invariant: the result of a reading depends only on the file and on the numbers that replace those of the file, never
-//! on earlier readings.
+//! Invariant: the result of a reading depends only on the file and on the numbers that replace the
+//! file's numbers. Earlier readings have no effect.
 
 use super::places::Places;
 use crate::algebra::term::calculus::Substitution;
@@ -17,140 +18,152 @@ use rustc_hash::FxHashMap;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
 
-/// A number of a scene or state file.
+/// Number of a scene or state file: as a double, to 32 digits, and exact if known.
 #[derive(Clone, Debug)]
 pub struct Number {
     /// The number rounded to a double.
     pub double: f64,
-    /// Exact value; `None` if it is not known, as for function values such as √2.
+    /// Exact value; `None` if the number is not known to be rational, such as √2.
     pub exact: Option<Rational>,
-    /// Value of the number to 32 digits, where they are known.
+    /// Value to 32 digits; the double itself if no more digits are known.
     extended: DoubleDouble,
 }
 
 impl Number {
-    /// A number whose value is known exactly.
+    /// Creates a number whose value is known exactly.
     pub fn exact(value: Rational) -> Self {
         Self { double: value.to_f64(), extended: DoubleDouble::of(&value), exact: Some(value) }
     }
 
-    /// A number whose value is known only as a double.
+    /// Creates a number whose value is known only as a double.
     pub fn rounded(double: f64) -> Self {
         Self { double, exact: None, extended: double.into() }
     }
 
-    /// A number whose value is known to 32 digits.
+    /// Creates a number whose value is known to 32 digits.
     pub fn wide(extended: DoubleDouble) -> Self {
         Self { double: extended.hi(), exact: None, extended }
     }
 
-    /// Value of the number to 32 digits, where they are known.
+    /// Value to 32 digits; the double itself if no more digits are known.
     pub fn extended(&self) -> DoubleDouble {
         self.extended
     }
 }
 
-/// A number of a scene that may replace that of its file, by its index in the model.
+/// Number of a scene that a sweep may vary: a parameter or a start value, by its index in the
+/// model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Varied {
-    /// Value of a parameter, by the parameter's index.
+    /// Value of the parameter with this index.
     Parameter(usize),
-    /// Value of a coordinate at the start, by the coordinate's index.
+    /// Start value of the coordinate with this index.
     Coordinate(usize),
-    /// Value of a coordinate's rate at the start, by the coordinate's index.
+    /// Start value of the rate of the coordinate with this index.
     Rate(usize),
-    /// Value of a generalized speed at the start, by the speed's index.
+    /// Start value of the generalized speed with this index.
     Speed(usize),
 }
 
-/// One degree in radians: π/180.
+/// One degree as a term, in radians: π/180.
 fn degree(arena: &mut Arena) -> Expr {
     let pi = arena.pi();
     arena.scale(pi, &Rational::fraction(1, 180).expect("not zero"))
 }
 
-/// Parsed formulas of a file, which stay the same in every reading.
+/// Parsed formulas of a scene or state file, kept for further readings.
 #[derive(Default)]
 pub struct Terms {
     /// Formulas by the byte offset at which they begin in the file.
     formulas: FxHashMap<usize, Term>,
-    /// Program of the generalized speeds as functions of parameters, q and q̇.
+    /// Program for the generalized speeds as functions of parameters, q and q̇; `None` until it is
+    /// needed.
     pub(in crate::scene) speeds: Option<Tape>,
-    /// Program of terms that are linear in the rates: motion constraints and speeds.
+    /// Program for motion constraints and speeds, which are linear in the rates; `None` until it is
+    /// needed.
     pub(in crate::scene) conditions: Option<Tape>,
 }
 
-/// A parsed formula of a file.
+/// Parsed formula of a file, with the program that evaluates it.
 struct Term {
+    /// Formula as a term.
     expression: Expr,
+    /// Program that evaluates the formula in doubles.
     tape: Tape,
-    /// True if the formula contains a parameter or a name of the file.
+    /// True if the formula contains a parameter or a name that the file defines.
     varies: bool,
-    /// Value of the formula once it was evaluated, if it contains no parameter.
+    /// Value of a formula without parameters, once it was evaluated; `None` before, or if it varies.
     constant: Option<Number>,
 }
 
-/// Numbers rounded to doubles.
+/// Values of numbers as doubles.
 pub fn doubles(numbers: &[Number]) -> Vec<f64> {
     numbers.iter().map(|n| n.double).collect()
 }
 
-/// Numbers to 32 digits, where they are known.
+/// Values of numbers to 32 digits; the doubles if no more digits are known.
 pub fn extended(numbers: &[Number]) -> Vec<DoubleDouble> {
     numbers.iter().map(Number::extended).collect()
 }
 
-/// Number that a state file names for itself.
+/// Number with a name that a state file defines for its own formulas.
 #[derive(Clone, Debug)]
 pub struct NamedNumber<N> {
     /// Name of the number in the file.
     pub name: String,
     /// Symbol of the number in formulas.
     pub symbol: Expr,
-    /// Value of the number.
+    /// Value of the number, in SI units.
     pub value: N,
 }
 
-/// Number that a scene gives to an input.
+/// Number that a scene gives to an input of the model.
 pub struct InputNumber {
-    /// Index of the input among the parameters.
+    /// Index of the input in the model's parameters.
     pub parameter: usize,
+    /// Value of the input, in SI units.
     pub number: Number,
     /// Byte range of the number in the scene file.
     pub span: std::ops::Range<usize>,
 }
 
-/// Reader of a file whose values belong to a model.
+/// Reader of a scene, state or motion file, whose values belong to a model.
 pub struct ValueReader<'a, 'm> {
+    /// Reader of the TOML file, which collects the errors.
     pub reader: Reader<'a>,
+    /// Model that the file belongs to; its arena receives the terms of formulas.
     pub model: &'m mut Model,
-    /// Parsed formulas of this file.
+    /// Parsed formulas of the file, kept for further readings.
     pub terms: Terms,
     /// Numbers that replace those of the file.
     pub given: &'m [(Varied, Number)],
-    /// Instant of the state, s, if the file states it outside of the state, as by a scene's span.
+    /// Instant of the state, s, if the file states it outside the state, such as a scene's span.
+    /// Otherwise `None`.
     pub instant: Option<Number>,
-    /// Numbers that the file names for itself.
+    /// Numbers with names that the file defines for its own formulas.
     pub names: Vec<NamedNumber<Number>>,
-    /// True if formulas that are not rational are evaluated to 32 digits, as derivatives of a start require.
+    /// True if irrational formulas are evaluated to 32 digits, as derivatives of a start require. False
+    /// for doubles.
     pub is_wide: bool,
 }
 
 impl<'a, 'm> ValueReader<'a, 'm> {
-    /// A reader of a file that is read once, without replaced numbers.
+    /// Creates a reader of a file that is read once, without replaced numbers.
     pub fn new(reader: Reader<'a>, model: &'m mut Model) -> Self {
         Self { reader, model, terms: Terms::default(), given: &[], instant: None, names: Vec::new(), is_wide: false }
     }
 }
 
 impl<'a> ValueReader<'a, '_> {
-    /// The table under a key; `None` if it is absent or no table.
+    /// Table under a key of the file; `None` if the key is absent, or if its value is no table, which
+    /// is reported.
     pub fn section(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<&'a DeTable<'a>> {
         let value = self.reader.get(table, key)?;
         self.reader.table(value, &format!("`{key}`"), &format!("[{key}]"))
     }
 
-    /// Values of all parameters: those that the file states, and the model's defaults for the others.
+    /// Values of all parameters, in the order of the model: those that the file states, and the model's
+    /// defaults for the others. `None` after an error is reported.
     pub fn parameters(&mut self, table: &'a DeTable<'a>) -> Option<Vec<Number>> {
         let mut values: Vec<Option<Number>> = vec![None; self.model.parameters.len()];
         let mut places = vec![None; values.len()];
@@ -198,8 +211,8 @@ impl<'a> ValueReader<'a, '_> {
         Some(values)
     }
 
-    /// Reports values at which a body cannot exist, at the first stated value on which the body's mass or inertia
-    /// depends.
+    /// Reports parameter values with which a body cannot exist, such as an impossible inertia. The
+    /// place is the first stated value on which the body's mass or inertia depends.
     fn check_bodies(&mut self, values: &[Number], places: &[Option<std::ops::Range<usize>>]) {
         for ImpossibleBody { message, help, parameters } in self.model.impossible(&doubles(values)) {
             match parameters.into_iter().find_map(|at| places[at].clone()) {
@@ -209,14 +222,14 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
-    /// Message about a parameter that is stated to be positive and is not; otherwise `None`.
+    /// Message about a parameter that must be positive and is not; `None` if the value is allowed.
     fn not_positive(&self, at: usize, number: &Number) -> Option<String> {
         let parameter = &self.model.parameters[at];
         (parameter.positive && number.double <= 0.0)
             .then(|| format!("`{}` is stated to be positive but is {}", parameter.name, number.double))
     }
 
-    /// Reports a number whose unit is not of the quantity's kind.
+    /// Reports a number whose stated unit has another dimension than the quantity `name`.
     pub(in crate::scene) fn check_unit(&mut self, formula: &Located, unit: &Unit, name: &str) {
         if let Some(stated) = StatedUnit::of(&formula.text).filter(|stated| stated.unit != *unit) {
             let message = format!("`{name}` is in {}, but this number in {}", unit.words(), stated.unit.words());
@@ -224,16 +237,19 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
-    /// Number from a formula of numbers, `deg` and `pi`.
+    /// Evaluates a formula of numbers, `deg` and `pi`; `None` after an error is reported.
     pub fn constant(&mut self, formula: &Located) -> Option<Number> {
         self.evaluate(formula, &[], "a parameter's value")
     }
 
-    /// Number from a formula of numbers, `deg`, `pi`, parameters and names of the file.
+    /// Evaluates a formula of numbers, `deg`, `pi`, parameters and the file's own names; `None` after
+    /// an error is reported. `what` names the number in messages.
     pub fn number(&mut self, formula: &Located, parameters: &[Number], what: &str) -> Option<Number> {
         self.evaluate(formula, parameters, what)
     }
 
+    /// Evaluates a formula in parameters; it is parsed at the first reading only. `None` after an error
+    /// is reported.
     fn evaluate(&mut self, formula: &Located, parameters: &[Number], what: &str) -> Option<Number> {
         let place = formula.span.start;
         if !self.terms.formulas.contains_key(&place) {
@@ -273,18 +289,19 @@ impl<'a> ValueReader<'a, '_> {
         Some(number)
     }
 
-    /// True if a formula that was evaluated before contains this parameter.
+    /// True if a formula, already evaluated, contains the parameter with this index.
     pub fn mentions(&self, formula: &Located, parameter: usize) -> bool {
         let term = self.terms.formulas.get(&formula.span.start);
         term.is_some_and(|t| self.model.arena.mentions(t.expression, self.model.parameters[parameter].symbol))
     }
 
-    /// Term of a formula that was evaluated before; `None` for another formula.
+    /// Term of a formula that was already evaluated; `None` for any other formula.
     pub fn expression(&self, formula: &Located) -> Option<Expr> {
         self.terms.formulas.get(&formula.span.start).map(|term| term.expression)
     }
 
-    /// Parses a formula in the first `known` parameters and the names of the file.
+    /// Parses a formula in the first `known` parameters of the model and the file's own names. `None`
+    /// after an error is reported.
     fn term(&mut self, formula: &Located, known: usize, what: &str) -> Option<Term> {
         let model = &mut *self.model;
         let known: Vec<(String, Expr)> =
@@ -312,7 +329,7 @@ impl<'a> ValueReader<'a, '_> {
                 return None;
             }
         };
-        // A value without functions is exact.
+        // A constant without functions is evaluated exactly, so it loses no digits.
         let lost = lost_constant(&model.arena, expression);
         if let Some(lost) = lost.filter(|lost| exact_value(&model.arena, *lost, &[]).is_none()) {
             self.reader.lost(&model.arena, formula, lost);
@@ -323,13 +340,14 @@ impl<'a> ValueReader<'a, '_> {
         Some(Term { expression, tape, varies, constant: None })
     }
 
-    /// Reads a formula of any quantities that have a value during a run.
+    /// Reads a formula of quantities that have a value during a run: parameters, t, q, q̇, u, inputs,
+    /// reactions, positions and velocities. `None` after an error is reported.
     pub fn motion_formula(&mut self, formula: &Located) -> Option<Expr> {
         self.motion_formula_with(formula, &[])
     }
 
-    /// Reads a formula of a motion that may also contain `others`, such as energies, and accelerations; names of the
-    /// model take precedence.
+    /// Reads a formula of a run's quantities. It may also contain the names `others`, such as energies,
+    /// and then accelerations; names of the model take precedence. `None` after an error is reported.
     pub fn motion_formula_with(&mut self, formula: &Located, others: &[&str]) -> Option<Expr> {
         let model = &mut *self.model;
         let mut known: Vec<(String, Expr)> = Vec::new();
@@ -381,7 +399,7 @@ impl<'a> ValueReader<'a, '_> {
             Err(error) => Err(error),
         };
         let model = &mut *self.model;
-        // Directions of oblique axes bring in roots that cancel exactly.
+        // Directions of oblique axes introduce roots that cancel exactly.
         let result = result.map(|e| without_lost_zeros(&mut model.arena, e));
         match result.map(|e| (e, lost_constant(&model.arena, e))) {
             Ok((e, None)) => Some(e),
@@ -396,7 +414,8 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
-    /// A formula in which terms in reactions replace forces and torques between bodies.
+    /// Replaces the named forces and torques between bodies in a term by terms in reactions. `None`
+    /// after an error is reported.
     fn with_interactions(&mut self, e: Expr, stated: &[StatedInteraction]) -> Option<Expr> {
         let mut pairs = Vec::new();
         for interaction in stated {

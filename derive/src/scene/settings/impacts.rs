@@ -1,7 +1,8 @@
-//! Contacts of a scene: where bodies meet, how they part, and the friction along the contact.
+//! Impacts of a scene: contacts at which bodies meet and part, their restitution, and the friction
+//! along them.
 //!
-//! Contacts, and the energy that a collision costs, are assumptions of a scene about its mechanism. The equations of
-//! the model do not change with them, nor does their hash.
+//! Contacts and the energy lost in a collision are assumptions of a scene about its mechanism. The
+//! equations of the model do not change with them, nor does the hash of the equations.
 
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::text::parse::{InteractionName, VelocityName, VelocityOf, parse_with_quantities};
@@ -15,28 +16,31 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::DoubleDouble;
 
-/// Kind of a formula of a contact.
+/// Kind of formula that a contact states: its gap, or a velocity along the contact.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum ContactFormula {
-    /// Distance between the bodies.
+    /// Distance between the bodies at the contact.
     Gap,
-    /// Velocity along the contact.
+    /// Velocity of slip along the contact.
     Slip,
 }
 
-/// Values that a coefficient may have, and words for an error about others.
+/// Values that a coefficient of a contact may have, with words for the error about other values.
 struct Permitted<'p> {
+    /// Test of a value: true if the value is permitted.
     may_be: &'p dyn Fn(f64) -> bool,
-    /// Fault of a value that is not permitted, such as "below 0".
+    /// Fault of a value that is not permitted, such as "below 0", for the message.
     wrong: &'p str,
-    /// Advice for such a value.
+    /// Advice for a value that is not permitted.
     help: &'p str,
 }
 
-/// Law of restitution: it gives the part of the closing velocity, or of the impulse of compression, that returns.
+/// Law of restitution of impacts. It gives the part of the closing velocity, or of the impulse of
+/// compression, that returns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ImpactLaw {
-    /// Newton's law: the normal velocity after the impact is −e times that before it, or more if other contacts push.
+    /// Newton's law: the normal velocity after the impact is −e times that before the impact, or
+    /// greater if other contacts push.
     #[default]
     Newton,
     /// Poisson's law: the impulse of expansion is e times the impulse of compression.
@@ -48,40 +52,44 @@ impl ImpactLaw {
     pub const NAMES: [&str; 2] = ["newton", "poisson"];
 }
 
-/// A contact of a scene, at which bodies meet and part.
+/// Contact of a scene, at which two bodies can meet and part again.
 #[derive(Clone, Debug)]
 pub struct Impact {
     /// Name of the contact.
     pub name: String,
-    /// Gap of the contact, in parameters and coordinates: positive if the bodies are apart, 0 if they touch.
+    /// Gap of the contact as a term in parameters and coordinates, m: positive if the bodies are apart,
+    /// 0 if they touch.
     pub gap: Expr,
-    /// Time derivative of the gap, in parameters, q and q̇.
+    /// Time derivative of the gap as a term in parameters, q and q̇, m/s.
     pub rate: Expr,
-    /// Velocities along the contact that become zero when it closes, in parameters, q, q̇ and u; empty for a smooth
-    /// contact.
+    /// Velocities along the contact that are zero while the contact is closed, as terms in parameters,
+    /// q, q̇ and u. Empty if the contact can slip.
     pub slips: Vec<Expr>,
-    /// Coulomb friction of the contact; `None` for a contact without it. A contact with friction has no `slips`.
+    /// Coulomb friction of the contact; `None` without friction. A contact with friction has no
+    /// `slips`.
     pub friction: Option<ContactFriction>,
     /// Coefficient of restitution of the contact, from 0 to 1.
     pub restitution: f64,
-    /// Coefficient of restitution to 32 digits, where they are known.
+    /// Coefficient of restitution to 32 digits; the double itself if no more digits are known.
     pub restitution_extended: DoubleDouble,
-    /// Law of restitution, the same for all contacts of a scene.
+    /// Law of restitution; all contacts of a scene have the same law.
     pub law: ImpactLaw,
 }
 
-/// Coulomb friction at a contact: at most the coefficient times the normal force.
+/// Coulomb friction at a contact: the friction force is at most the coefficient times the normal
+/// force.
 #[derive(Clone, Debug)]
 pub struct ContactFriction {
-    /// Velocity at which the contact slips, in parameters, q, q̇ and u, linear in q̇ and u.
+    /// Velocity at which the contact slips, as a term in parameters, q, q̇ and u, linear in q̇ and u,
+    /// m/s.
     pub along: Expr,
     /// Coefficient of friction, 0 or more.
     pub coefficient: f64,
-    /// Coefficient of friction to 32 digits, where they are known.
+    /// Coefficient of friction to 32 digits; the double itself if no more digits are known.
     pub coefficient_extended: DoubleDouble,
 }
 
-/// Coefficients of restitution and friction of a contact.
+/// Coefficients of restitution and friction of a contact, at the parameter values of a scene.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Coefficients {
     /// Coefficient of restitution, from 0 to 1.
@@ -91,7 +99,7 @@ pub(in crate::scene) struct Coefficients {
 }
 
 impl Impact {
-    /// This contact with other coefficients of restitution and friction.
+    /// Copy of the contact with other coefficients of restitution and friction.
     pub(in crate::scene) fn with(&self, of: &Coefficients) -> Self {
         let friction = self.friction.as_ref().zip(of.friction.as_ref()).map(|(own, mu)| ContactFriction {
             coefficient: mu.double,
@@ -103,16 +111,18 @@ impl Impact {
     }
 }
 
-/// Largest number of contacts of a scene. The contacts that push are sought among all subsets of the contacts.
+/// Largest number of contacts of a scene. An impact searches all subsets of the contacts for those
+/// that push.
 const MOST: usize = 10;
-/// Largest number of contacts with friction. Their behaviour is sought among all combinations of sticking, slipping
-/// either way and opening.
+/// Largest number of contacts with friction. The search for their motion tries all combinations of
+/// sticking, slipping in either direction and opening.
 const MOST_ROUGH: usize = 4;
-/// Key of the section that states contacts.
+/// Key of the section of a scene file that states contacts.
 const IMPACTS: &str = "impacts";
 
 impl<'a> ValueReader<'a, '_> {
-    /// Reads the coefficients of contacts, in the order of the scene file, at these values of the parameters.
+    /// Reads the coefficients of all contacts, in the order of the scene file, at the given parameter
+    /// values. Wrong values are reported.
     pub(in crate::scene) fn coefficients(
         &mut self,
         table: &'a DeTable<'a>,
@@ -140,7 +150,8 @@ impl<'a> ValueReader<'a, '_> {
         list
     }
 
-    /// Reads a coefficient of a contact, given its key, the contact's name and its permitted values.
+    /// Reads a coefficient of a contact; `key` is its name in the file. Reports a value that is not
+    /// permitted; `None` if it has no value.
     fn coefficient(
         &mut self,
         value: &'a Spanned<DeValue<'a>>,
@@ -160,7 +171,8 @@ impl<'a> ValueReader<'a, '_> {
         Some(number)
     }
 
-    /// Reads the contacts `[impacts.NAME]`, with coefficients that were read before.
+    /// Reads the contacts `[impacts.NAME]` of a scene, with coefficients that `coefficients` has read.
+    /// Wrong contacts are reported.
     pub(in crate::scene) fn impacts(&mut self, table: &'a DeTable<'a>, coefficients: &[Coefficients]) -> Vec<Impact> {
         let Some(section) = self.section(table, IMPACTS) else { return Vec::new() };
         let (mut places, mut list) = (Places::default(), Vec::<Impact>::new());
@@ -220,7 +232,8 @@ impl<'a> ValueReader<'a, '_> {
         list
     }
 
-    /// Reads the friction of a contact: `friction = "mu"` with `along = "v(A) @ N [1]"`.
+    /// Reads the friction of a contact: `friction = "mu"` with `along = "v(A) @ N [1]"`. `None` without
+    /// friction, or after an error is reported.
     fn friction(
         &mut self,
         places: &mut Places,
@@ -254,7 +267,8 @@ impl<'a> ValueReader<'a, '_> {
         Some(ContactFriction { along: slip, coefficient: mu.double, coefficient_extended: mu.extended() })
     }
 
-    /// Reads a velocity along a contact; reports one that is not linear in rates and speeds.
+    /// Reads a velocity along a contact, which must be linear in rates and speeds. `None` after an
+    /// error is reported.
     fn slip(&mut self, places: &mut Places, formula: &Located) -> Option<Expr> {
         let slip = self.contact_formula(places, formula, ContactFormula::Slip)?;
         let model = &mut *self.model;
@@ -274,7 +288,8 @@ impl<'a> ValueReader<'a, '_> {
         Some(slip)
     }
 
-    /// Reads the gap of a contact. Returns the gap and its time derivative.
+    /// Reads the gap of a contact. Returns the gap and its time derivative as terms; `None` after an
+    /// error is reported.
     fn gap(&mut self, places: &mut Places, formula: &Located) -> Option<(Expr, Expr)> {
         let gap = self.contact_formula(places, formula, ContactFormula::Gap)?;
         let model = &mut *self.model;
@@ -288,7 +303,8 @@ impl<'a> ValueReader<'a, '_> {
         Some((gap, rate))
     }
 
-    /// Reads the velocities of a contact that become zero when it closes: `no_slip = ["v(A) @ N [1]"]`.
+    /// Reads the velocities that are zero while a contact is closed: `no_slip = ["v(A) @ N [1]"]`.
+    /// Empty without the key.
     fn slips(&mut self, places: &mut Places, entry: &'a DeTable<'a>) -> Vec<Expr> {
         let Some(value) = self.reader.get(entry, "no_slip") else { return Vec::new() };
         let DeValue::Array(array) = value.get_ref() else {
@@ -304,8 +320,8 @@ impl<'a> ValueReader<'a, '_> {
         list
     }
 
-    /// Reads a formula in parameters, coordinates and positions. The formula of a slip may contain rates, speeds and
-    /// velocities too.
+    /// Reads a formula in parameters, coordinates and positions. A slip velocity may also contain
+    /// rates, speeds and velocities. `None` after an error is reported.
     fn contact_formula(&mut self, places: &mut Places, formula: &Located, kind: ContactFormula) -> Option<Expr> {
         let with_rates = kind == ContactFormula::Slip;
         let model = &mut *self.model;

@@ -1,4 +1,5 @@
-//! Values that a scene gives to a model's inputs: numbers, formulas, or tables of a signal.
+//! Inputs of a scene: numbers, formulas, or tables of a signal that a scene gives to the inputs of
+//! its model.
 
 use crate::algebra::Arena;
 use crate::algebra::text::parse::parse;
@@ -12,20 +13,21 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Key of the section that gives values to inputs.
+/// Key of the section of a scene file that gives values to inputs.
 const INPUTS: &str = "inputs";
 
-/// Formulas that a scene gives to inputs, and their place in the file.
+/// Formulas that a scene gives to inputs of its model, and their place in the file.
 #[derive(Default)]
 pub struct InputBindings {
-    /// Formulas for inputs, in the order of the scene.
+    /// Formulas for inputs, in the order of the scene file.
     pub bindings: Vec<Binding>,
-    /// Byte range of the section `[inputs]` in the scene file.
+    /// Byte range of the section `[inputs]` in the scene file; empty without the section.
     pub place: Range<usize>,
 }
 
-/// Reads a scene for its model, and puts the scene's formulas of inputs into the model. Equations are derived with
-/// these formulas. So the model must not have been used to read another scene before.
+/// Reads a scene for its model and replaces inputs of the model by the scene's formulas. Equations
+/// are then derived with these formulas. The model must not have been used to read another scene
+/// before.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the scene file.
@@ -34,7 +36,8 @@ pub fn load_bound(source: &Source, model: &mut Model) -> Result<Scene, Diagnosti
     load(source, model)
 }
 
-/// Puts the formulas that a file gives to the inputs of a model into the model.
+/// Replaces inputs of a model by the formulas that a scene or state file gives to them. Returns
+/// `Diagnostics` with the errors of these formulas.
 pub(in crate::scene) fn bind(source: &Source, model: &mut Model) -> Result<(), Diagnostics> {
     let (reader, table) = Reader::parse(source)?;
     let mut values = ValueReader::new(reader, model);
@@ -47,7 +50,8 @@ pub(in crate::scene) fn bind(source: &Source, model: &mut Model) -> Result<(), D
 }
 
 impl<'a> ValueReader<'a, '_> {
-    /// Reads the formulas of the section `[inputs]`; numbers for inputs that are parameters are left out.
+    /// Reads the formulas of the section `[inputs]`. Numbers for inputs that are parameters are left
+    /// out; wrong entries are reported.
     pub(in crate::scene) fn inputs(&mut self, table: &'a DeTable<'a>) -> InputBindings {
         let mut given = InputBindings::default();
         let Some(section) = self.section(table, INPUTS) else { return given };
@@ -71,12 +75,13 @@ impl<'a> ValueReader<'a, '_> {
         given
     }
 
-    /// True if a number that a scene gives to this input is the value of a parameter.
+    /// True if a number that a scene gives to this input becomes a parameter value. False if the input
+    /// has a formula.
     fn takes_numbers(&self, input: &Input) -> bool {
         input.is_parameter && self.model.bindings.iter().all(|binding| binding.input != input.name)
     }
 
-    /// Numbers that the scene gives to inputs.
+    /// Reads the numbers that a scene file gives to inputs. Formulas are left out.
     pub(in crate::scene) fn numbers_of_inputs(&mut self, table: &'a DeTable<'a>) -> Vec<InputNumber> {
         let mut numbers = Vec::new();
         // Errors of the section are reported where its formulas are read.
@@ -98,7 +103,7 @@ impl<'a> ValueReader<'a, '_> {
         numbers
     }
 
-    /// True if a formula is a number with an optional unit: it contains no name.
+    /// True if a formula is a number with an optional unit, without any name.
     fn is_number(formula: &Located) -> bool {
         let number = StatedUnit::of(&formula.text).map_or_else(|| formula.clone(), |stated| stated.number(formula));
         let mut known = |arena: &mut Arena, name: &str| match name {
@@ -108,7 +113,8 @@ impl<'a> ValueReader<'a, '_> {
         parse(&mut Arena::new(), &number.text, &mut known).is_ok()
     }
 
-    /// True if every name in a formula may occur in an input; reports a name that may not.
+    /// True if every name in a formula may occur in an input; otherwise reports the name and returns
+    /// false.
     fn is_signal(&mut self, formula: &Located) -> bool {
         if Self::is_number(formula) {
             return true;
@@ -137,7 +143,8 @@ impl<'a> ValueReader<'a, '_> {
         result.is_ok()
     }
 
-    /// Formula of t for an input that a table gives: `{ table = "drive.csv", column = "F" }`.
+    /// Formula of t for an input that a CSV table gives: `{ table = "drive.csv", column = "F" }`.
+    /// `None` after an error is reported.
     fn table_of(&mut self, file: &'a DeTable<'a>, name: &Located, value: &'a Spanned<DeValue<'a>>) -> Option<Located> {
         let what = format!("input `{}`", name.text);
         let entry = self.reader.table(value, &what, "{ table = \"drive.csv\", column = \"F\" }")?;
@@ -162,7 +169,8 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
-    /// First and last instant of the scene's span, s, the smaller one first.
+    /// First and last instant of the scene's span, s, the smaller value first; `None` after an error is
+    /// reported.
     fn span_of(&mut self, file: &'a DeTable<'a>) -> Option<(f64, f64)> {
         let parameters = self.parameters(file)?;
         let (from, to) = self.span(file, &parameters)?;

@@ -1,4 +1,5 @@
-//! Settings of a scene's integration: method, solve, tolerances, steps, and the variables that are integrated.
+//! Settings of a scene's integration: integrator, solution for the accelerations, tolerances,
+//! steps, and integrated variables.
 
 use crate::algebra::Rational;
 use crate::algebra::value::exact::pi;
@@ -10,15 +11,15 @@ use std::str::FromStr;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::{ATOL, AbsoluteTolerance, Method, RTOL};
 
-/// Names of the two ways to find accelerations, in the order of [`Solve::ALL`].
+/// Names of the methods that solve for accelerations, in the order of [`Solve::ALL`].
 pub(crate) const SOLVES: [&str; Solve::ALL.len()] = [Solve::ALL[0].name(), Solve::ALL[1].name()];
 
-/// Integrator of a run: a method that takes steps, or quadrature.
+/// Integrator of a run: a stepping method or quadrature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Integrator {
-    /// A method that takes steps, such as a Runge–Kutta method.
+    /// Stepping method, such as a Runge–Kutta method.
     Steps(Method),
-    /// Integrals of a scene's reduced equations with one degree of freedom, exact to rounding, without steps.
+    /// Integrals of reduced equations with one degree of freedom, exact to rounding, without steps.
     Quadrature,
 }
 
@@ -43,7 +44,7 @@ impl Integrator {
         }
     }
 
-    /// The method that takes the steps of a run; `None` for quadrature.
+    /// Stepping method of a run; `None` for quadrature.
     #[must_use]
     pub const fn method(self) -> Option<Method> {
         match self {
@@ -81,21 +82,21 @@ impl FromStr for Integrator {
     }
 }
 
-/// Method by which accelerations are found from the equations of motion.
+/// Method that solves the equations of motion for the accelerations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Solve {
-    /// Accelerations in closed form, eliminated when the code is generated.
+    /// Formulas in closed form, from an elimination at the time of derivation.
     #[default]
     Eliminated,
-    /// Numeric solution of the linear system for the accelerations at each state.
+    /// Numeric solution of the linear system M u̇ = f in each state.
     Numeric,
 }
 
 impl Solve {
-    /// Both ways to find accelerations, in the order in which lists show them.
+    /// Both methods that solve for accelerations, in the order in which they are listed to users.
     pub const ALL: [Self; 2] = [Self::Eliminated, Self::Numeric];
 
-    /// Name on the command line and in scene files.
+    /// Name of the solution method on the command line and in scene files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -115,15 +116,15 @@ impl FromStr for Solve {
     }
 }
 
-/// Invariant onto which each step of a run is projected.
+/// Invariant of the motion onto which each step of a run is projected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Project {
-    /// Energy of the run at its start.
+    /// Total energy, which stays at its value at the start of the run.
     Energy,
 }
 
 impl Project {
-    /// All invariants onto which runs are projected, in the order in which lists show them.
+    /// All invariants onto which runs can be projected, in the order in which they are listed to users.
     pub const ALL: [Self; 1] = [Self::Energy];
 
     /// Name of the invariant on the command line and in scene files.
@@ -145,41 +146,47 @@ impl FromStr for Project {
     }
 }
 
-/// Settings of a scene's integration.
+/// Settings of a scene's integration: integrator, tolerances, steps, samples and integrated
+/// variables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Integration {
-    /// Integrator of the run.
+    /// Integrator of the run: a stepping method or quadrature.
     pub method: Integrator,
-    /// Method by which accelerations are found; `None` if the model decides.
+    /// Method that solves for the accelerations; `None` if the program chooses it by the model.
     pub solve: Option<Solve>,
-    /// Relative tolerance of the error of a step.
+    /// Relative tolerance of the error of a step, without unit.
     pub rtol: f64,
-    /// Absolute tolerance of the error of a step, in the units of coordinates and speeds.
+    /// Absolute tolerance of the error of a step, in the SI units of coordinates and speeds.
     pub atol: AbsoluteTolerance,
-    /// Length of every step, s; `None` if the error of a step decides it.
+    /// Fixed length of every step, s; `None` if error control chooses the lengths.
     pub step: Option<f64>,
-    /// Longest step that the error of a step may decide, s; `None` if the method has its own limit.
+    /// Longest step that error control may choose, s; `None` if the method has its own limit.
     pub max_step: Option<f64>,
-    /// Number of steps after which a run is given up.
+    /// Largest number of attempted steps; a run that needs more fails.
     pub step_limit: u64,
-    /// Number of equally spaced samples of the output; `None` for four points in each step.
+    /// Number of equally spaced samples of the output, ends included; `None` for four points in each
+    /// step.
     pub samples: Option<usize>,
-    /// True if the run ends where it leaves the model's domain; false if it only reports this.
+    /// True if the run ends at the border of the model's domain; false if the run only reports the
+    /// crossing.
     pub domain_stops: bool,
     /// Invariant onto which each step is projected; `None` for no projection.
     pub project: Option<Project>,
-    /// Distance that is integrated in place of a coordinate; `None` if the scene file states none.
+    /// Distance of a coordinate from a right angle, integrated in place of the coordinate; `None` if
+    /// the file states none.
     pub distance: Option<Distance>,
-    /// True if the scene's reduced equations may integrate a distance; false if the scene file says `distance =
-    /// "none"`.
+    /// True if the scene's reduced equations may integrate a distance in place of a coordinate; false
+    /// if the scene file says `distance = "none"`.
     pub may_measure: bool,
 }
 
+/// Keys of the section `[integration]`.
 const KEYS: [&str; 11] =
     ["method", "solve", "rtol", "atol", "step", "max_step", "step_limit", "samples", "domain", "project", "distance"];
 
 impl<'a> ValueReader<'a, '_> {
-    /// Reads the section `[integration]`; settings that are not stated have their defaults.
+    /// Reads the section `[integration]`. Settings that are not stated have their defaults; wrong
+    /// settings are reported.
     pub fn integration(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Integration {
         let section = self.section(table, "integration");
         if let Some(section) = section {
@@ -226,7 +233,8 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
-    /// Reads a number under a key that must not be negative.
+    /// Reads a number under a key that must not be negative; a negative number is reported. `None` if
+    /// absent, or if it has no value.
     fn size(&mut self, section: Option<&'a DeTable<'a>>, key: &str, p: &[Number]) -> Option<f64> {
         let value = section.and_then(|s| self.reader.get(s, key))?;
         let formula = self.reader.formula(value, &format!("`{key}`"))?;
@@ -237,7 +245,8 @@ impl<'a> ValueReader<'a, '_> {
         Some(number)
     }
 
-    /// Reads the length of a step under a key, s; reports a length that is not above zero.
+    /// Reads the length of a step under a key, s; a length that is not above zero is reported. `None`
+    /// if absent, or if it has no value.
     fn step(&mut self, section: Option<&'a DeTable<'a>>, key: &str, p: &[Number]) -> Option<f64> {
         let value = section.and_then(|s| self.reader.get(s, key))?;
         let step = self.size(section, key, p)?;
@@ -248,7 +257,8 @@ impl<'a> ValueReader<'a, '_> {
         Some(step)
     }
 
-    /// Reads `atol`: one number, or a table with numbers for coordinates and speeds. Those left out have the default.
+    /// Reads the absolute tolerance `atol`: a single number, or a table by coordinate and speed.
+    /// Entries left out have the default.
     fn absolute(&mut self, section: Option<&'a DeTable<'a>>, p: &[Number]) -> AbsoluteTolerance {
         let Some(value) = section.and_then(|s| self.reader.get(s, "atol")) else {
             return AbsoluteTolerance::default();
@@ -274,13 +284,15 @@ impl<'a> ValueReader<'a, '_> {
         AbsoluteTolerance::Each(each)
     }
 
-    /// True if the scene file says `distance = "none"`: no coordinate is replaced by a distance.
+    /// True if the scene file says `distance = "none"`, so that no distance is integrated in place of a
+    /// coordinate.
     fn says_none(&self, section: Option<&'a DeTable<'a>>) -> bool {
         let value = section.and_then(|s| self.reader.get(s, "distance"));
         value.is_some_and(|v| v.get_ref().as_str() == Some("none"))
     }
 
-    /// Reads `distance = { q2 = "90*deg" }`: q2 − 90° is integrated in place of q2. The angle is a multiple of 90°.
+    /// Reads `distance = { q2 = "90*deg" }`: q2 − 90° is integrated in place of q2. The angle must be a
+    /// nonzero multiple of 90°. `None` if absent, or after an error is reported.
     fn distance(&mut self, section: Option<&'a DeTable<'a>>) -> Option<Distance> {
         const HOW: &str = "distance = { q2 = \"90*deg\" }";
         let value = section.and_then(|s| self.reader.get(s, "distance"))?;
@@ -301,7 +313,8 @@ impl<'a> ValueReader<'a, '_> {
         };
         let formula = self.reader.formula(origin, "the origin of a distance")?;
         let exact = self.constant(&formula)?.exact;
-        // The exact value has only decimals of π: a multiple of a quarter turn is recognized by its nearness.
+        // The exact value has only finitely many decimals of π: a multiple of 90° is recognized within
+        // 1e-15 of a quarter turn.
         let quarter = pi().recip().map(|inverse| Rational::integer(2).mul(&inverse));
         let turns = exact.zip(quarter).map(|(origin, quarter)| origin.mul(&quarter).to_f64());
         let found = (-4..=4).find(|k| *k != 0 && turns.is_some_and(|t| (t - f64::from(*k)).abs() < 1e-15));
@@ -312,7 +325,8 @@ impl<'a> ValueReader<'a, '_> {
         found.map(|quarter_turns| Distance { coordinate, quarter_turns })
     }
 
-    /// Reads a key whose value must be one of the `allowed` words.
+    /// Reads a key whose value must be one of the words `allowed`. `None` if the key is absent, or
+    /// after an error is reported.
     pub fn choice(
         &mut self,
         section: Option<&'a DeTable<'a>>,
@@ -329,7 +343,8 @@ impl<'a> ValueReader<'a, '_> {
         found
     }
 
-    /// Reads a whole number from `least` to `most` under a key.
+    /// Reads a whole number from `least` to `most` under a key. `None` if the key is absent, or after
+    /// an error is reported.
     pub fn count(&mut self, section: Option<&'a DeTable<'a>>, key: &str, least: u64, most: u64) -> Option<u64> {
         let value = section.and_then(|s| self.reader.get(s, key))?;
         let number = match value.get_ref() {

@@ -1,4 +1,4 @@
-//! Settings of a scene: inputs, integration, outputs, contacts.
+//! Settings of a scene: inputs, integration, outputs and contacts.
 
 pub(super) mod impacts;
 pub(super) mod inputs;

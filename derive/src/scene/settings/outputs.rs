@@ -1,4 +1,4 @@
-//! Outputs of a scene, and messages for quantities that rigid-body equations cannot show.
+//! Outputs of a scene, and messages for quantities that rigid-body equations do not contain.
 
 use crate::diagnostic::nearest;
 use crate::model::Model;
@@ -8,10 +8,11 @@ use crate::scene::SceneOutput;
 use crate::scene::numbers::values::ValueReader;
 use toml::de::{DeTable, DeValue};
 
-/// Names of energies in outputs. If the model has such a name, the model's quantity is meant.
+/// Names of energies in outputs. A quantity of the model with one of these names takes precedence.
 pub const ENERGIES: [&str; 3] = ["kinetic_energy", "potential_energy", "total_energy"];
 
-/// Words for quantities that the equations do not contain, each with a message for a user who asks for one.
+/// Words for quantities that rigid-body equations do not contain, each list with the message for a
+/// user who names one.
 const NOT_THERE: [(&[&str], &str); 4] = [
     (
         &["impact", "bounce", "rebound", "collision", "restitution"],
@@ -34,8 +35,9 @@ const NOT_THERE: [(&[&str], &str); 4] = [
 ];
 
 impl<'a> ValueReader<'a, '_> {
-    /// Reads `outputs = ["q2", "u1"]`: each is a name, a formula, or `{ name = "lean", value = "q2" }`. Without it,
-    /// every coordinate and speed is an output. The second value is true if the scene file states outputs.
+    /// Reads `outputs = ["q2", "u1"]`. Each entry is a name, a formula, or `{ name = "lean", value =
+    /// "q2" }`. Without the key, every coordinate and speed is an output. The second value is true if
+    /// the scene file states outputs.
     pub fn outputs(&mut self, table: &'a DeTable<'a>) -> (Vec<SceneOutput>, bool) {
         let Some(value) = self.reader.get(table, "outputs") else { return (states(self.model), false) };
         let DeValue::Array(array) = value.get_ref() else {
@@ -72,7 +74,7 @@ impl<'a> ValueReader<'a, '_> {
                 self.reader.error(name.span, message, "give it a name of its own; `t` is the time");
                 continue;
             }
-            // An output has the value that its name promises.
+            // A name of the model must not stand for another formula.
             let is_taken = self.model.arena.find_symbol(&name.text).is_some() || ENERGIES.contains(&name.text.as_str());
             if is_taken && name.text != formula.text.trim() {
                 let message = format!("an output cannot be called `{}`: the model uses this name", name.text);
@@ -91,7 +93,8 @@ impl<'a> ValueReader<'a, '_> {
         (list, true)
     }
 
-    /// Reads the formula of an output; reports quantities that the equations do not contain.
+    /// Reads the formula of an output as a term. `None` after an error is reported, also for quantities
+    /// that the equations do not contain.
     pub(in crate::scene) fn output_formula(&mut self, formula: &Located) -> Option<crate::algebra::Expr> {
         let word = formula.text.trim().to_lowercase().replace([' ', '-'], "_");
         let known = self.model.arena.find_symbol(formula.text.trim()).is_some();
@@ -102,7 +105,8 @@ impl<'a> ValueReader<'a, '_> {
         self.motion_formula_with(formula, &ENERGIES)
     }
 
-    /// Indices of the parameters that stay symbols in the scene's reduced equations: `free = ["M"]`.
+    /// Reads `free = ["M"]`: indices of the parameters that stay symbols in the scene's reduced
+    /// equations. Unknown names are reported.
     pub fn free(&mut self, table: &'a DeTable<'a>) -> Vec<usize> {
         let Some(value) = self.reader.get(table, "free") else { return Vec::new() };
         let DeValue::Array(array) = value.get_ref() else {
@@ -125,7 +129,7 @@ impl<'a> ValueReader<'a, '_> {
     }
 }
 
-/// Outputs for every coordinate, then for every speed.
+/// Default outputs: every coordinate, then every generalized speed.
 fn states(model: &Model) -> Vec<SceneOutput> {
     let coordinates = model.coordinates.iter().map(|c| SceneOutput { name: c.name.clone(), value: c.symbol });
     coordinates.chain(model.speeds.iter().map(|s| SceneOutput { name: s.name.clone(), value: s.symbol })).collect()

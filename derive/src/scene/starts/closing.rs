@@ -1,4 +1,5 @@
-//! Starts of mechanisms with loops: coordinates that close the loops are solved for, from guesses.
+//! Closing of loops at a start: coordinates that close the loops of a mechanism are solved for,
+//! from guesses.
 
 use super::loops::{FoundPose, Loops};
 use super::start::SolvedVariable;
@@ -9,11 +10,12 @@ use std::ops::Range;
 use toml::de::DeTable;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Residual up to which a loop counts as closed if every coordinate is stated, relative to the size of its terms.
-/// People state few digits.
+/// Residual up to which a loop counts as closed if every coordinate is stated, relative to the size
+/// of its terms. It is loose since files state few digits.
 const STATED: f64 = 1e-9;
 impl<'a> ValueReader<'a, '_> {
-    /// Guesses of a scene for the coordinates that its start leaves open, one for each coordinate.
+    /// Reads `[guess]`: guesses for the coordinates that the start does not state, by index of the
+    /// coordinate. An entry is `None` without a guess; the whole is `None` after an error is reported.
     pub(in crate::scene) fn guesses(
         &mut self,
         table: &'a DeTable<'a>,
@@ -28,7 +30,7 @@ impl<'a> ValueReader<'a, '_> {
             return None;
         }
         for (name, value) in self.reader.entries(section) {
-            // A variable that a constraint fixes needs no guess, and a scene need not know of the constraint.
+            // A variable that a constraint fixes needs no guess; a guess for it is only checked.
             if self.model.constraints.iter().any(|c| c.fixes == name.text) {
                 let formula = self.reader.formula(value, &format!("`{}`", name.text))?;
                 self.number(&formula, parameters, "a guess")?;
@@ -46,9 +48,9 @@ impl<'a> ValueReader<'a, '_> {
         Some(guesses)
     }
 
-    /// Solves for the coordinates that are not stated so that all loops close, or reports by how much loops are open.
-    /// Constraints hold the variables that they fix at the values that the start states. Returns the coordinates that
-    /// were solved for.
+    /// Solves for the coordinates that are not stated so that all loops close, and sets them in `q`.
+    /// `held` are stated values of variables that constraints fix, by index of the constraint. Returns
+    /// the solved coordinates. `None` if loops stay open or the pose is singular, which is reported.
     pub(in crate::scene) fn close(
         &mut self,
         q: &mut [Option<Number>],
@@ -58,7 +60,7 @@ impl<'a> ValueReader<'a, '_> {
         place: Range<usize>,
     ) -> Option<Vec<SolvedVariable>> {
         let free: Vec<usize> = (0..q.len()).filter(|at| q[*at].is_none()).collect();
-        // If nothing is free, held variables are checked when all values are known.
+        // If no coordinate is free, the held variables are checked later, when all values are known.
         let held = if free.is_empty() { &[] } else { held };
         if self.model.loops.is_empty() && held.is_empty() {
             return Some(Vec::new());
@@ -91,7 +93,7 @@ impl<'a> ValueReader<'a, '_> {
             self.reader.error(place, message, help);
             return None;
         }
-        // Refines to 32 digits with the slopes in doubles: each step gives sixteen more digits.
+        // Refines to 32 digits with derivatives in doubles: each step adds about sixteen digits.
         let mut precise: Vec<DoubleDouble> = (0..q.len())
             .map(|at| q[at].as_ref().map_or_else(|| DoubleDouble::from_f64(found.q[at]), Number::extended))
             .collect();
@@ -117,6 +119,7 @@ impl<'a> ValueReader<'a, '_> {
         Some(free.iter().map(name).collect())
     }
 
+    /// Reports the loop with the largest residual, and the nearest pose that was found.
     fn report_open(
         &mut self,
         loops: &Loops,

@@ -1,4 +1,5 @@
-//! Loops of a mechanism as functions of parameters and coordinates, and the search for poses that close them.
+//! Loops of a mechanism as functions of parameters and coordinates, and Newton's method for poses
+//! that close them.
 
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Gradient;
@@ -8,61 +9,74 @@ use crate::scene::numbers::values::Number;
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Largest number of steps of Newton's method. `HALVINGS` is the largest number of halvings of one step.
+/// Largest number of steps of Newton's method.
 const STEPS: usize = 100;
+/// Largest number of halvings of one Newton step.
 const HALVINGS: usize = 40;
-/// Residual up to which a loop counts as closed, over the sum of the sizes of the loop's terms.
+/// Residual up to which a loop counts as closed, relative to the sum of the sizes of the loop's
+/// terms.
 const OPEN: f64 = 1e-13;
-/// Residual up to which a loop counts as closed if all coordinates are held: they may be stated with fewer digits.
+/// Residual up to which a loop counts as closed if no coordinate is free, relative to the size of
+/// its terms. Stated coordinates may have few digits.
 const HELD: f64 = 1e-9;
-/// Ratio to the largest singular value below which a singular value counts as zero.
+/// Singular value below which a derivative matrix loses rank in Newton's method, relative to the
+/// largest singular value.
 const RANK: f64 = 1e-10;
-/// Ratio of the least to the largest singular value up to which loops are dependent. A pose that is a double root is
-/// found to half of the digits only.
+/// Smallest singular value up to which loops count as dependent, relative to the largest one. A
+/// pose that is a double root has only half of the digits.
 const SINGULAR: f64 = 1e-6;
 
-/// Loops of a model as functions of parameters and coordinates: first independent loops, then loops that follow from
-/// them where all are closed. Last come variables that constraints fix, if they are held at values.
+/// Loop equations of a model as functions of parameters and coordinates. Independent loops come
+/// first, then redundant loops, then variables that constraints fix, if they are held at values.
 pub struct Loops {
+    /// Program of the left sides of the loops, then of the held variables.
     values: Tape,
+    /// Program of the partial derivatives of the loops and held variables with respect to the
+    /// coordinates, row by row.
     slopes: Tape,
+    /// Names of the loops, then of the held variables.
     names: Vec<String>,
-    /// Number of independent loops; `count` is the number of all loops.
+    /// Number of independent loops.
     independent: usize,
+    /// Number of all loops.
     count: usize,
     /// Values at which variables that constraints fix are held, to 32 digits.
     held: Vec<DoubleDouble>,
 }
 
-/// Residual of a loop that should follow from independent ones.
+/// Residual of a redundant loop, which should follow from the independent loops.
 #[derive(Clone, Copy, Debug)]
 pub struct DependentLoop<'l> {
-    /// Name of the loop.
+    /// Name of the redundant loop in the model file.
     pub name: &'l str,
-    /// Residual of the loop, in the loop's unit.
+    /// Left side of the loop equation, in its SI unit.
     pub residual: f64,
-    /// Size of the residual over the sum of the sizes of its terms.
+    /// Absolute residual, relative to the sum of the sizes of the loop's terms.
     pub part: f64,
 }
 
-/// Result of a search for a closed pose.
+/// Result of a search for a pose in which all loops are closed.
 pub(in crate::scene) struct FoundPose {
+    /// Coordinates of the pose, in SI units.
     pub q: Vec<f64>,
-    /// Residual of each loop, in the loop's unit.
+    /// Residual of each loop in its SI unit, then deviation of each held variable.
     pub open: Vec<f64>,
+    /// True if all loops are closed within rounding.
     pub is_closed: bool,
-    /// Pseudo-inverse of the slopes along the coordinates that the search may change: a row for each of these.
+    /// Pseudo-inverse of the loops' derivatives with respect to the free coordinates: a row for each
+    /// free coordinate.
     pub inverse: DMatrix<f64>,
 }
 
 impl Loops {
-    /// Loops of a model, without held variables.
+    /// Creates the loops of a model, without held variables.
     #[must_use]
     pub fn new(model: &Model) -> Self {
         Self::holding(model, &[])
     }
 
-    /// Loops of a model with held variables: index of the constraint that fixes the variable, and value.
+    /// Creates the loops of a model with held variables, as (index of the constraint that fixes the
+    /// variable, value).
     pub(in crate::scene) fn holding(model: &Model, held: &[(usize, Number)]) -> Self {
         let arena = &mut model.arena.clone();
         let coordinates = model.q();
@@ -72,7 +86,7 @@ impl Loops {
         let equations: Vec<Expr> = all().map(|c| c.equation).chain(fixed().map(|c| c.value)).collect();
         let mut gradient = Gradient::new(&coordinates);
         let mut slopes = vec![Expr::ZERO; equations.len() * coordinates.len()];
-        // The search never changes time.
+        // The search never changes time, so its derivatives stay zero.
         let time = model.time();
         for (row, equation) in equations.iter().enumerate() {
             for &(at, slope) in gradient.apply(arena, *equation).iter().filter(|(at, _)| Some(*at) != time) {
@@ -94,12 +108,12 @@ impl Loops {
         }
     }
 
-    /// Names of the loops, then of the held variables.
+    /// Names of the loops, followed by the names of the held variables.
     pub(in crate::scene) fn names(&self) -> impl Iterator<Item = &str> {
         self.names.iter().map(String::as_str)
     }
 
-    /// Residuals of the loops that should follow from independent ones.
+    /// Residuals of the redundant loops in a pose, for parameters `p` and coordinates `q` in SI units.
     #[must_use]
     pub fn following(&self, p: &[f64], q: &[f64]) -> Vec<DependentLoop<'_>> {
         let (open, slopes) = (self.open(p, q), self.slopes(p, q));
@@ -111,8 +125,8 @@ impl Loops {
         following.collect()
     }
 
-    /// Finds a closed pose near another, to 32 digits, by changing the `free` coordinates. `None` if no pose is found,
-    /// or if the loops do not determine the free coordinates.
+    /// Finds a closed pose near `q`, to 32 digits, by changing only the coordinates `free`. `None` if
+    /// none is found, or if the loops do not determine the free coordinates.
     #[must_use]
     pub fn close(&self, p: &[DoubleDouble], q: &[DoubleDouble], free: &[usize]) -> Option<Vec<DoubleDouble>> {
         let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<f64>>();
@@ -128,7 +142,7 @@ impl Loops {
         if !found.is_closed || !determines {
             return None;
         }
-        // With the slopes in doubles, each step gives sixteen more digits.
+        // With derivatives in doubles, each step adds about sixteen digits.
         let mut precise = q.to_vec();
         for at in free {
             precise[*at] = found.q[*at].into();
@@ -144,14 +158,15 @@ impl Loops {
         Some(precise)
     }
 
-    /// Name and residual of each loop, in the loop's unit.
+    /// Name of each loop with its residual in the pose `q`, in the loop's SI unit; held variables
+    /// follow.
     #[must_use]
     pub fn openings(&self, p: &[f64], q: &[f64]) -> Vec<(&str, f64)> {
         self.names.iter().map(String::as_str).zip(self.open(p, q)).collect()
     }
 
-    /// Name of a loop whose slopes do not follow from those of the independent loops, although they should; `None` if
-    /// all follow.
+    /// Name of a redundant loop whose derivatives are not a combination of those of the independent
+    /// loops in this pose, although they should be. `None` if all are.
     pub(in crate::scene) fn not_following(&self, p: &[f64], q: &[f64]) -> Option<&str> {
         if self.independent == self.count {
             return None;
@@ -165,7 +180,7 @@ impl Loops {
         })
     }
 
-    /// Residual of each loop, then deviation of each held variable from its value, in their units.
+    /// Residual of each loop, then deviation of each held variable from its value, in SI units.
     pub(in crate::scene) fn open(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
         let mut open = self.values.evaluate(&[p, q].concat());
         for (open, held) in open[self.count..].iter_mut().zip(&self.held) {
@@ -174,7 +189,7 @@ impl Loops {
         open
     }
 
-    /// Residuals as [`Self::open`] returns them, to 32 digits.
+    /// Residual of each loop and deviation of each held variable, in SI units and to 32 digits.
     pub(in crate::scene) fn open_extended(&self, p: &[DoubleDouble], q: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let mut open = self.values.to::<DoubleDouble>().evaluate(&[p, q].concat());
         for (open, held) in open[self.count..].iter_mut().zip(&self.held) {
@@ -183,6 +198,8 @@ impl Loops {
         open
     }
 
+    /// Matrix of the loops' partial derivatives in a pose: a row for each loop, a column for each
+    /// coordinate.
     fn slopes(&self, p: &[f64], q: &[f64]) -> DMatrix<f64> {
         let values = self.slopes.evaluate(&[p, q].concat());
         DMatrix::from_row_slice(values.len() / q.len().max(1), q.len(), &values)
@@ -194,7 +211,7 @@ impl Loops {
         open.iter().enumerate().all(|(row, open)| open.abs() <= part * size(&slopes, row, q))
     }
 
-    /// True if the slopes of the independent loops are dependent in this pose.
+    /// True if the independent loops lose rank in this pose: their derivatives are linearly dependent.
     pub(in crate::scene) fn is_singular(&self, p: &[f64], q: &[f64]) -> bool {
         if self.independent == 0 {
             return false;
@@ -203,8 +220,8 @@ impl Loops {
         values.min() <= SINGULAR * values.max()
     }
 
-    /// Runs Newton's method with halved steps, along the `free` coordinates alone. If the loops leave some of these
-    /// open, it takes the smallest change.
+    /// Runs Newton's method with halved steps, changing only the coordinates `free`. If the loops do
+    /// not determine all of them, it takes the smallest change.
     pub(in crate::scene) fn newton(&self, p: &[f64], start: &[f64], free: &[usize]) -> FoundPose {
         let mut q = start.to_vec();
         let mut open = DVector::from_vec(self.open(p, &q));
@@ -244,7 +261,8 @@ impl Loops {
     }
 }
 
-/// Sum of the sizes of the terms of a loop: |slope| max(1, |q|), summed over the coordinates.
+/// Sum of the sizes of the terms of the loop `row`: |slope| max(1, |q|), summed over the
+/// coordinates.
 fn size(slopes: &DMatrix<f64>, row: usize, q: &[f64]) -> f64 {
     slopes.row(row).iter().zip(q).map(|(slope, q)| (slope * q).abs().max(slope.abs())).sum()
 }

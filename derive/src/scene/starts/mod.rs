@@ -1,4 +1,5 @@
-//! Start of a scene: coordinates and rates that the scene file states, and those that constraints determine.
+//! Starts of scenes: coordinates and rates that the scene file states, and those computed from
+//! constraints.
 
 pub(super) mod closing;
 pub(super) mod loops;

@@ -1,9 +1,12 @@
-//! Motion at a start: the rates of all coordinates, from stated rates or speeds and from the constraints.
+//! Rates of all coordinates at a start, from stated rates or speeds and from the motion
+//! constraints.
 //!
-//! All conditions are linear in the rates: motion constraints, stated rates, speeds, and rates of variables that
-//! constraints fix. They are solved in doubles by singular values, and then to 32 digits with the same factors. If a
-//! rate is left open, the file has to state more. A speed does not determine the motion at a dead point, nor does the
-//! rate of a coordinate that cannot move.
+//! All conditions are linear in the rates: motion constraints, stated rates, speeds, and rates of
+//! variables that constraints fix. They are solved in doubles by singular values, and then to 32
+//! digits with the same factors.
+//!
+//! If a rate stays open, the file has to state more. A speed does not determine the motion at a
+//! dead point, nor does the rate of a coordinate that cannot move.
 
 use super::start::SolvedVariable;
 use crate::algebra::Expr;
@@ -16,28 +19,30 @@ use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Ratio to the largest singular value below which a singular value leaves a rate open.
+/// Singular value up to which a direction of the rates counts as undetermined, relative to the
+/// largest singular value.
 const RANK: f64 = 1e-9;
-/// Component of a unit direction above which a rate takes part in the direction.
+/// Component of a unit direction above which a rate counts as part of the direction.
 const PART: f64 = 1e-6;
-/// Residual up to which a condition on the rates holds, over the largest rate and the length of its row.
+/// Residual up to which a condition on the rates holds, relative to the largest rate and the length
+/// of its row.
 const RESIDUAL: f64 = 1e-9;
-/// Number of refinements of the rates: each gives sixteen more digits.
+/// Number of refinements of the rates; each adds about sixteen digits.
 const REFINEMENTS: usize = 3;
 
-/// Motion that a start states: values by indices into the lists of the model.
+/// Rates and speeds that a start states, by index in the lists of the model, in SI units.
 #[derive(Default)]
 pub(in crate::scene) struct StatedMotion {
-    /// Stated rates of coordinates, by index of the coordinate.
+    /// Stated rates of coordinates, as (index of the coordinate, rate).
     pub rates: Vec<(usize, DoubleDouble)>,
-    /// Stated rates of variables that constraints fix, by index of the constraint.
+    /// Stated rates of variables that constraints fix, as (index of the constraint, rate).
     pub fixed: Vec<(usize, DoubleDouble)>,
-    /// Stated generalized speeds, by index of the speed.
+    /// Stated generalized speeds, as (index of the speed, value).
     pub speeds: Vec<(usize, DoubleDouble)>,
 }
 
-/// Program of terms that are linear in the rates: motion constraints, generalized speeds, and the rates of variables
-/// that constraints fix. Its inputs are parameters, coordinates and rates.
+/// Program of quantities that are linear in the rates: motion constraints, generalized speeds, and
+/// rates of variables that constraints fix. Its inputs are parameters, coordinates and rates.
 fn linear_in_rates(model: &Model) -> Tape {
     let arena = &mut model.arena.clone();
     let (coordinates, rates) = (model.q(), model.q_dot());
@@ -59,21 +64,28 @@ fn linear_in_rates(model: &Model) -> Tape {
     }
 }
 
-/// A condition on the rates: the quantity `of` must have this `value`. `name` is the quantity's name in messages.
+/// Linear condition on the rates: a quantity must have a given value.
 struct Condition {
+    /// Quantity that the condition restricts.
     of: ConditionTerm,
+    /// Value that the quantity must have, in SI units, to 32 digits.
     value: DoubleDouble,
+    /// Name of the quantity in messages.
     name: String,
 }
 
+/// Quantity of a condition: an output of the program `linear_in_rates`, or the rate of a
+/// coordinate, by index.
 enum ConditionTerm {
+    /// Output of the program `linear_in_rates`, by its index.
     Tape(usize),
+    /// Rate of a coordinate, by the coordinate's index.
     Rate(usize),
 }
 
 impl ValueReader<'_, '_> {
-    /// Solves for the rates of all coordinates, to 32 digits. Reports rates that are left open, and statements that
-    /// contradict one another.
+    /// Solves for the rates of all coordinates, to 32 digits, in SI units. `None` after reporting rates
+    /// that stay undetermined, or statements that contradict one another.
     pub(in crate::scene) fn solve_motion(
         &mut self,
         stated: &StatedMotion,
@@ -132,7 +144,7 @@ impl ValueReader<'_, '_> {
         Some(rates)
     }
 
-    /// Reports coordinates whose rates the constraints and the stated motion leave open.
+    /// Reports coordinates whose rates the constraints and the stated motion leave undetermined.
     fn report_open_rates(&mut self, stated: &StatedMotion, open: &[usize], place: &Range<usize>) {
         let model = &self.model;
         let names: Vec<String> = open.iter().map(|at| format!("`{}'`", model.coordinates[*at].name)).collect();
@@ -158,7 +170,7 @@ impl ValueReader<'_, '_> {
         self.reader.error(place.clone(), message, help);
     }
 
-    /// Rates that the start does not state, as quantities that were solved for.
+    /// Rates that the start does not state, with their solved values.
     pub(in crate::scene) fn solved_rates(&self, stated: &StatedMotion, rates: &[DoubleDouble]) -> Vec<SolvedVariable> {
         let is_stated = |at: usize| stated.rates.iter().any(|(other, _)| *other == at);
         let list = self.model.coordinates.iter().zip(rates).enumerate().filter(|(at, _)| !is_stated(*at));
@@ -168,6 +180,7 @@ impl ValueReader<'_, '_> {
 }
 
 impl Condition {
+    /// Value of the condition's quantity, from the program's outputs and the rates.
     fn at(&self, values: &[DoubleDouble], rates: &[DoubleDouble]) -> DoubleDouble {
         match self.of {
             ConditionTerm::Tape(at) => values[at],
@@ -176,7 +189,7 @@ impl Condition {
     }
 }
 
-/// Conditions on the rates: motion constraints, then stated speeds and rates.
+/// All conditions on the rates: motion constraints, then stated speeds and rates.
 fn conditions(model: &Model, stated: &StatedMotion) -> Vec<Condition> {
     let (ties, speeds) = (model.motion_constraints.len(), model.speeds.len());
     let mut list: Vec<Condition> = Vec::new();
@@ -208,8 +221,8 @@ fn conditions(model: &Model, stated: &StatedMotion) -> Vec<Condition> {
     list
 }
 
-/// Slopes of the conditions along the rates, a row for each condition. Differences are exact, since the conditions are
-/// linear.
+/// Matrix of the conditions' derivatives with respect to the n rates: a row for each condition.
+/// Differences give it exactly, since the conditions are linear.
 fn slopes(list: &[Condition], n: usize, evaluate: impl Fn(&[f64]) -> Vec<f64>) -> DMatrix<f64> {
     let mut along = vec![0.0; n];
     let still = evaluate(&along);
@@ -228,7 +241,8 @@ fn slopes(list: &[Condition], n: usize, evaluate: impl Fn(&[f64]) -> Vec<f64>) -
     matrix
 }
 
-/// Indices of the rates that take part in a direction along which no condition determines the rates.
+/// Indices of the rates that belong to a direction with a singular value up to `least`, which no
+/// condition determines.
 fn open(sizes: &DVector<f64>, directions: &DMatrix<f64>, least: f64) -> Vec<usize> {
     let free: Vec<usize> = (0..sizes.len()).filter(|at| sizes[*at] <= least).collect();
     (0..directions.ncols()).filter(|column| free.iter().any(|row| directions[(*row, *column)].abs() > PART)).collect()

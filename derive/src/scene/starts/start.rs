@@ -1,27 +1,29 @@
-//! Start of a scene, as the scene file states it.
+//! Start of a scene as its file states it, beyond the precision of doubles.
 
 use crate::algebra::Rational;
 use tripos_traits::DoubleDouble;
 
-/// Parameters and start of a scene as its file states them, beyond the precision of a double.
+/// Parameters and start of a scene as its file states them, to 32 digits.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Exact {
-    /// Values of the parameters, in the order of the model, to 32 digits where they are known.
+    /// Values of the parameters in SI units, in the order of the model, to 32 digits if these are
+    /// known.
     pub parameters: Vec<DoubleDouble>,
-    /// Values of the parameters as rational numbers; `None` for a value that is not rational.
+    /// Values of the parameters as rational numbers, in the order of the model; `None` for a value that
+    /// is not known exactly.
     pub rational: Vec<Option<Rational>>,
-    /// Values of the coordinates at the start, to 32 digits where they are known.
+    /// Start values of the coordinates in SI units, to 32 digits if these are known.
     pub q: Vec<DoubleDouble>,
-    /// Speeds or rates at the start, as the file states them.
+    /// Generalized speeds or rates at the start, as the file states them.
     pub motion: InitialMotion,
 }
 
-/// Motion at an instant, as a scene or state file states it.
+/// Motion at an instant as a file states it: generalized speeds, or rates of the coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub enum InitialMotion {
-    /// Values of every generalized speed u, in the order of the model.
+    /// Values of all generalized speeds u in SI units, in the order of the model.
     Speeds(Vec<DoubleDouble>),
-    /// Values of the rate q′ of every coordinate, in the order of the model.
+    /// Values of the rates q′ of all coordinates in SI units, in the order of the model.
     Rates(Vec<DoubleDouble>),
 }
 
@@ -31,13 +33,15 @@ impl Default for InitialMotion {
     }
 }
 
-/// A coordinate, or the rate of one, whose value at the start was solved for.
+/// Coordinate or rate of a coordinate whose start value was solved for, since the file does not
+/// state it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolvedVariable {
-    /// Name of the coordinate, or of its rate.
+    /// Name of the coordinate, or of the rate, such as `q1'`.
     pub name: String,
-    /// Value of the coordinate or rate at the start.
+    /// Start value of the coordinate or rate, in SI units.
     pub value: f64,
-    /// True for a rate, which follows from the motion constraints and the stated motion; false for a coordinate.
+    /// True for a rate, which the motion constraints and the stated motion determine; false for a
+    /// coordinate.
     pub is_rate: bool,
 }

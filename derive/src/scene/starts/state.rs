@@ -1,5 +1,5 @@
-//! States in scene and state files: every coordinate and speed of a model at one instant, with checks of the
-//! constraints.
+//! States in scene and state files: all coordinates and speeds of a model at one instant, checked
+//! against the constraints.
 
 use super::rates::StatedMotion;
 use super::start::{Exact, InitialMotion, SolvedVariable};
@@ -14,57 +14,59 @@ use std::ops::Range;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
 
-/// A state at one instant, in doubles and as the file states it.
+/// State of a mechanism at one instant: in doubles, and as the file states it.
 #[derive(Clone, Debug, Default)]
 pub struct Start {
-    /// Values of the coordinates, in the order of the model.
+    /// Values of the coordinates in SI units, in the order of the model.
     pub q: Vec<f64>,
-    /// Values of the generalized speeds, in the order of the model.
+    /// Values of the generalized speeds in SI units, in the order of the model.
     pub u: Vec<f64>,
     /// Parameters and state to 32 digits, as the file states them.
     pub exact: Exact,
-    /// Coordinates and rates whose values were solved for.
+    /// Coordinates and rates that the file does not state and that were solved for.
     pub closed: Vec<SolvedVariable>,
 }
 
-/// Stated value of a coordinate that a constraint of the model fixes.
+/// Stated value of a variable that a constraint of the model fixes.
 struct ConstrainedValue {
-    /// Index of the constraint.
+    /// Index of the constraint that fixes the variable.
     constraint: usize,
+    /// Stated value, in SI units.
     number: Number,
-    /// Place of the value in the file.
+    /// Byte range of the value in the file.
     span: Range<usize>,
 }
 
-/// Numbers of statements about variables that constraints fix.
+/// Numbers of stated values and rates of variables that constraints fix.
 #[derive(Clone, Copy)]
 struct ConstrainedCounts {
-    /// Number of stated values.
+    /// Number of stated values of variables that constraints fix.
     held: usize,
-    /// Number of stated rates.
+    /// Number of stated rates of variables that constraints fix.
     fixed: usize,
 }
 
-/// Deviation up to which a stated variable satisfies the constraint that fixes it, over one plus the size of its value.
+/// Residual up to which a stated value satisfies its constraint, relative to one plus the size of
+/// the value.
 const RESIDUAL: f64 = 1e-9;
 
-/// Numbers that a list states, to 32 digits, each after its index.
+/// Stated numbers of a list, as (index, value to 32 digits); entries without a number are left out.
 fn by_place(list: &[Option<(Number, Located)>]) -> Vec<(usize, DoubleDouble)> {
     let stated = list.iter().enumerate().filter_map(|(at, stated)| Some((at, stated.as_ref()?.0.extended())));
     stated.collect()
 }
 
-/// Name of the rate of a coordinate in scene and state files, such as `q1'`.
+/// Name of a coordinate's rate in scene and state files, such as `q1'`.
 fn model_rate(model: &Model, at: usize) -> String {
     format!("{}'", model.coordinates[at].name)
 }
 
 impl<'a> ValueReader<'a, '_> {
-    /// Reads a state: every coordinate, and every speed or every q′.
+    /// Reads a state: every coordinate, and every speed or every q′. `None` after an error is reported.
     ///
-    /// The file may leave out coordinates that loops determine, or that follow from stated values of variables that
-    /// constraints fix. Guesses of these coordinates are under the key `guess` of `file`. The file may also leave out
-    /// rates that follow from the others.
+    /// The file may leave out coordinates that loops determine, or that follow from stated values of
+    /// variables that constraints fix. Guesses for these are under the key `guess` of `file`. The file
+    /// may also leave out rates that follow from the other rates.
     pub fn state(&mut self, file: &'a DeTable<'a>, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Start> {
         let before = self.reader.errors.len();
         let (n, p) = (self.model.coordinates.len(), self.model.speeds.len());
@@ -158,7 +160,8 @@ impl<'a> ValueReader<'a, '_> {
         Some(Start { q, u, exact, closed })
     }
 
-    /// Sets time to the first instant of the span. In a state file it is the stated instant, or 0 if none is stated.
+    /// Sets the time coordinate to the first instant of the span. In a state file it is the stated
+    /// instant, or 0 if none is stated. `None` after an error is reported.
     fn now(
         &mut self,
         q: &mut [Option<Number>],
@@ -180,7 +183,8 @@ impl<'a> ValueReader<'a, '_> {
         Some(())
     }
 
-    /// Reports coordinates, speeds and rates that have no value. Speeds and rates must not be mixed.
+    /// Reports coordinates, speeds and rates without a value, and a mixture of speeds and rates. `None`
+    /// after an error is reported.
     fn complete(
         &mut self,
         table: &'a DeTable<'a>,
@@ -205,7 +209,7 @@ impl<'a> ValueReader<'a, '_> {
             return None;
         }
         if by_rate && (model.ties_rates() || fixed > 0) {
-            // Further rates follow from those stated, or are reported later.
+            // Further rates follow from the stated rates, or are reported later.
         } else if by_rate {
             let names = model.coordinates.iter().zip(rates).filter(|(_, x)| x.is_none());
             missing.extend(names.map(|(c, _)| format!("{}'", c.name)));
@@ -221,6 +225,7 @@ impl<'a> ValueReader<'a, '_> {
         None
     }
 
+    /// Reports stated values of variables that violate the constraint that fixes them.
     fn check_constrained(&mut self, stated: &[ConstrainedValue], parameters: &[f64], q: &[f64]) {
         for ConstrainedValue { constraint, number, span } in stated {
             let constraint = self.model.constraints[*constraint].clone();
@@ -242,7 +247,8 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
-    /// Reports rates that a motion constraint does not permit: speeds could not represent them.
+    /// Reports stated rates that violate a motion constraint. Generalized speeds could not represent
+    /// such rates.
     fn check_motion(&mut self, table: &'a DeTable<'a>, parameters: &[f64], q: &[f64], rates: &[f64]) {
         let model = &self.model;
         let symbols = [model.p(), model.q(), model.q_dot()].concat();
@@ -269,6 +275,7 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
+    /// Generalized speeds in SI units, computed from parameters, coordinates and rates.
     pub(in crate::scene) fn speeds_from_rates(&mut self, parameters: &[f64], q: &[f64], rates: &[f64]) -> Vec<f64> {
         let model = &self.model;
         let tape = self.terms.speeds.get_or_insert_with(|| {
@@ -282,7 +289,7 @@ impl<'a> ValueReader<'a, '_> {
         tape.evaluate(&[parameters, q, rates].concat())
     }
 
-    /// Unit of a coordinate, rate or speed by its name; `None` for another name.
+    /// Unit of a coordinate, rate or speed by its name; `None` for any other name.
     fn unit_at_start(&self, name: &str) -> Option<Unit> {
         let model = &self.model;
         let coordinates = model.coordinates.iter();

@@ -1,4 +1,4 @@
-//! States with unknowns: some numbers are held, others are sought near a guess.
+//! States with unknowns: some numbers are held at their values, others are solved for near a guess.
 
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
@@ -11,26 +11,28 @@ use crate::scene::settings::outputs::ENERGIES;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
 
-/// A state with numbers that are sought near a guess, so that conditions hold in the state.
+/// State whose guessed numbers are unknowns, to be solved for so that conditions hold.
 #[derive(Clone, Debug, Default)]
 pub struct Asked {
-    /// Values of the parameters, in the order of the model.
+    /// Values of the parameters in SI units, in the order of the model, to 32 digits.
     pub parameters: Vec<DoubleDouble>,
-    /// Values of the parameters as rational numbers; `None` for a value that is not rational.
+    /// Values of the parameters as rational numbers; `None` for a value that is not known exactly.
     pub rational: Vec<Option<Rational>>,
-    /// Values of the coordinates, then of the generalized speeds: as stated, or as guessed.
+    /// Values of the coordinates, then of the generalized speeds, in SI units: as stated, or as
+    /// guessed.
     pub x: Vec<DoubleDouble>,
-    /// Formula of each coordinate and speed, in parameters and names of the state file.
+    /// Formula of each coordinate and speed, as a term in parameters and names that the state file
+    /// defines.
     pub formulas: Vec<Expr>,
-    /// Indices in `x` of the numbers that are sought: those under `[guess]`.
+    /// Indices in `x` of the unknowns: the numbers under `[guess]`.
     pub sought: Vec<usize>,
-    /// Numbers that the state file names for itself.
+    /// Numbers with names that the state file defines for its own formulas.
     pub names: Vec<NamedNumber<DoubleDouble>>,
     /// Outputs to show; empty if the state file states none.
     pub outputs: Vec<SceneOutput>,
 }
 
-/// Sections that a state file may have. Sections of scene files are permitted and ignored.
+/// Keys that a state file may have. Keys of scene files are permitted and ignored.
 const KEYS: [&str; 19] = [
     "schema",
     "model",
@@ -53,8 +55,8 @@ const KEYS: [&str; 19] = [
     "source",
 ];
 
-/// Reads a state file, or the start of a scene file, with its sought quantities. `given` replaces numbers of the file:
-/// its own names, parameters, and states.
+/// Reads a state file, or the start of a scene file, with its unknowns. `given`, as (name, value),
+/// replaces numbers of the file: its own names, parameters, coordinates and speeds.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the state file.
@@ -100,10 +102,11 @@ pub fn load_asked(source: &Source, model: &mut Model, given: &[(String, f64)]) -
     Ok(asked)
 }
 
-/// Reads an output from a text outside a file, in the words of an output of a scene.
+/// Reads an output from a text outside a file, such as the command line, in the syntax of a scene's
+/// outputs.
 ///
 /// # Errors
-/// [`Diagnostics`] if the text is no formula in the names of the model.
+/// [`Diagnostics`] if the text is no formula in names of the model.
 pub fn load_output(text: &str, model: &mut Model) -> Result<SceneOutput, Diagnostics> {
     let source = Source::from_text("--output", text);
     let mut values = ValueReader::new(Reader::new(&source), model);
@@ -113,30 +116,32 @@ pub fn load_output(text: &str, model: &mut Model) -> Result<SceneOutput, Diagnos
     Ok(SceneOutput { name: text.trim().to_owned(), value: value.expect("reported if missing") })
 }
 
-/// Names of the coordinates, then of the generalized speeds.
+/// Names of the coordinates, followed by the names of the generalized speeds.
 fn state_names(model: &Model) -> impl Iterator<Item = String> {
     model.coordinates.iter().map(|c| c.name.clone()).chain(model.speeds.iter().map(|s| s.name.clone()))
 }
 
-/// Value of a coordinate or speed.
+/// Value of a coordinate or speed in a state file, stated or guessed.
 #[derive(Clone)]
 struct StatedValue {
+    /// Value, in SI units.
     number: Number,
-    /// Formula of the value.
+    /// Term of the value, in parameters and names of the file.
     formula: Expr,
-    /// True if the value is a guess.
+    /// True if the value is a guess, so that the number is an unknown; false if it is held.
     is_guess: bool,
 }
 
 impl<'a> ValueReader<'a, '_> {
-    /// Reads the entries that every state file may have, including its own names.
+    /// Reads the entries that every state file may have: the format version and its own names. Reports
+    /// unknown keys.
     pub(in crate::scene) fn state_file(&mut self, table: &'a DeTable<'a>, given: &[(String, f64)]) {
         self.reader.schema(table);
         self.reader.allow(table, "a state file", &KEYS);
         self.named(table, given);
     }
 
-    /// Reads `[names]`: numbers under names of the state file's own.
+    /// Reads `[names]`: numbers with names that the state file defines. Wrong names are reported.
     fn named(&mut self, table: &'a DeTable<'a>, given: &[(String, f64)]) {
         let Some(section) = self.section(table, "names") else { return };
         for (name, value) in self.reader.entries(section) {
@@ -162,7 +167,7 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
-    /// True if a name has a meaning in formulas of the model's scenes.
+    /// True if a name already has a meaning in formulas of scenes of this model.
     fn is_of_model(&self, name: &str) -> bool {
         let model = &self.model;
         let own = |known: &str| known == name;
@@ -175,13 +180,14 @@ impl<'a> ValueReader<'a, '_> {
             || [TIME, "pi", "deg"].contains(&name)
     }
 
-    /// Reads every coordinate and every speed, from `[state]` or `[start]`, and from `[guess]`.
+    /// Reads all coordinates and speeds, from `[state]` or `[start]`, and from `[guess]`. `None` after
+    /// an error is reported.
     fn states(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Vec<StatedValue>> {
         let names: Vec<String> = state_names(self.model).collect();
         let n = self.model.coordinates.len();
         let mut values: Vec<Option<StatedValue>> = vec![None; names.len()];
         let mut rates: Vec<Option<Number>> = vec![None; n];
-        // Time as a coordinate is judged elsewhere: a state file does not state it here.
+        // Time as a coordinate gets the value 0 here: a state with unknowns does not state it.
         if let Some(at) = self.model.time() {
             values[at] = Some(StatedValue { number: Number::rounded(0.0), formula: Expr::ZERO, is_guess: false });
         }
@@ -230,7 +236,8 @@ impl<'a> ValueReader<'a, '_> {
         values.into_iter().collect()
     }
 
-    /// Computes the speeds of a state that is stated by the rates of all coordinates.
+    /// Computes the speeds of a state that states the rates of all coordinates, and sets them in
+    /// `values`.
     fn speeds_of(&mut self, rates: &[Option<Number>], parameters: &[Number], values: &mut [Option<StatedValue>]) {
         let (places, speeds) = values.split_at_mut(rates.len());
         let rates: Option<Vec<f64>> = rates.iter().map(|rate| rate.as_ref().map(|rate| rate.double)).collect();
@@ -244,7 +251,8 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
-    /// Index of a coordinate or speed in `names`; reports a name that is neither.
+    /// Index of a coordinate or speed in `names`. `None` after reporting any other name, or silently
+    /// for a variable that a constraint fixes.
     fn place_of(&mut self, names: &[String], name: &Located) -> Option<usize> {
         if let Some(at) = names.iter().position(|known| *known == name.text && *known != TIME) {
             return Some(at);

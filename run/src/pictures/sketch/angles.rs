@@ -1,4 +1,5 @@
-//! Arcs that show coordinates that turn frames: from the axis at zero to the axis in the drawn pose.
+//! Arcs for coordinates that turn frames: each leads from an axis at angle zero to the axis in the
+//! drawn pose.
 
 use super::axes::{along_axis, is_drawn};
 use super::drawing::{Mark, Path, Role, SheetPoint, Word, unit};
@@ -8,49 +9,56 @@ use crate::pictures::view::Triple;
 use crate::pictures::view::space::{cross, dot, length, minus, plus, rotated, rotated_back, transposed};
 use std::f64::consts::{PI, TAU};
 
-/// Radius of the first arc about a place, and increase of the radius for each further arc, px.
+/// Radius of the first arc about a place, and increase of the radius for each further arc there,
+/// px.
 const RADIUS: (f64, f64) = (36.0, 14.0);
-/// Angle below which an arc shows only the sense in which the angle grows, rad.
+/// Angle below which an arc shows only the positive sense of an angle, rad.
 const TINY: f64 = 0.12;
-/// Angle of an arc that shows only a sense, rad.
+/// Angle of an arc that shows only the positive sense, rad.
 const SENSE: f64 = 0.9;
 /// Length of the arrow tip of an arc, px.
 const TIP: f64 = 8.0;
-/// Least share of an arm's length that must be across the turn axis.
+/// Least share of a vector's length that must be perpendicular to the axis of an angle, for the
+/// vector to show the angle.
 const ACROSS: f64 = 0.7;
-/// Share of an arm's length along one basis vector above which the arm counts as along that vector.
+/// Share of a vector's length along a basis vector above which the vector counts as parallel to the
+/// basis vector.
 const ALONG: f64 = 0.95;
 
-/// A coordinate that turns a frame about an axis.
+/// Coordinate that is the angle of a frame about an axis of its parent frame.
 pub struct Angle {
-    /// Coordinate, and its place in the formula for the angle of the turn.
+    /// Coordinate with its sign and zero in the formula of the angle.
     pub signed: SignedCoordinate,
-    /// Index of the frame that is turned.
+    /// Index of the frame that the coordinate turns.
     pub frame: usize,
-    /// Index of the frame that the turned frame is turned from.
+    /// Index of the parent frame, from which the frame is turned.
     pub parent: usize,
     /// Index of the turn axis, 0 to 2, which both frames share.
     pub axis: usize,
 }
 
-/// Arm whose turn an arc shows: its apex in the inertial frame, and its direction in the turned frame.
+/// Line whose rotation an arc shows: its origin in the inertial frame, and its direction in the
+/// turned frame.
 struct Arm {
+    /// Origin of the line and centre of the arc, in the inertial frame, m.
     apex: Triple,
+    /// Unit vector along the line, in the turned frame.
     direction: Triple,
 }
 
-/// Part of a vector across the axis of an angle.
+/// Component of a vector perpendicular to the axis of an angle.
 struct Across {
-    /// Nearest basis vector of the turned frame across the axis, with its sign.
+    /// Nearest basis vector of the turned frame perpendicular to the axis, with its sign.
     direction: Triple,
-    /// Length of the vector across the axis, m.
+    /// Length of the component perpendicular to the axis, m.
     length: f64,
-    /// Share of the length of the vector along the basis vector.
+    /// Length of the component along the basis vector divided by the length of the vector.
     share: f64,
 }
 
 impl Angle {
-    /// Finds the turn of a frame whose angle is a coordinate; `None` if the coordinate is no such angle.
+    /// Angle that a coordinate is; `None` if the coordinate is not the angle of a frame about a
+    /// single axis.
     pub fn of(subject: &Subject<'_>, coordinate: usize) -> Option<Self> {
         let frames = 0..subject.pose.rotations.len();
         frames.into_iter().find_map(|frame| {
@@ -60,20 +68,21 @@ impl Angle {
         })
     }
 
-    /// Axis of the turn in the inertial frame, of length 1.
+    /// Unit vector along the axis of the angle, in the inertial frame.
     pub fn about(&self, subject: &Subject<'_>) -> Triple {
         transposed(&subject.pose.rotations[self.parent])[self.axis]
     }
 
-    /// Angle of the turn without whole turns, rad, at least -π and below π.
+    /// Value of the angle without whole turns, rad, from −π to below π.
     pub fn extent(&self) -> f64 {
         let whole = self.signed.now - self.signed.zero;
         whole - TAU * ((whole + PI) / TAU).floor()
     }
 
-    /// Chooses the arm that shows the turn: the vector to a point that is placed in the turned frame, preferably along
-    /// a basis vector. Otherwise it takes the first vector in a frame that turns with the turned frame, if that is
-    /// across the axis. Otherwise it takes the next basis vector, at the mass centre.
+    /// Chooses the line whose rotation the arc shows.
+    /// It is the vector to a point placed in the turned frame, preferably along a basis vector.
+    /// Else it is the first vector in a frame that turns with the turned frame, if it is
+    /// perpendicular to the axis. Else it is the next basis vector, at the mass centre.
     fn arm(&self, subject: &Subject<'_>) -> Arm {
         let ways = |is_own: bool| {
             let list = subject.terms.links.points.iter().enumerate().filter_map(move |(point, link)| {
@@ -107,8 +116,8 @@ impl Angle {
         Arm { apex: subject.pose.points[body.map_or(0, |body| body.centre)], direction: next }
     }
 
-    /// Finds the basis vector of the turned frame across the axis that is nearest to a vector. `None` for a vector that
-    /// is too close to the axis.
+    /// Component of the vector `way` perpendicular to the axis; `None` if `way` is too close to the
+    /// axis.
     fn across(&self, subject: &Subject<'_>, way: Triple) -> Option<Across> {
         let inside = rotated_back(&subject.pose.rotations[self.frame], way);
         let (j, k) = ((self.axis + 1) % 3, (self.axis + 2) % 3);
@@ -124,12 +133,12 @@ impl Angle {
     }
 }
 
-/// Places of the arcs drawn so far.
+/// Centres of the arcs drawn so far, on the sheet, px.
 #[derive(Default)]
 pub struct Arcs(Vec<SheetPoint>);
 
 impl Arcs {
-    /// Radius of the next arc about a spot, px. The spot is added to the list.
+    /// Radius of the next arc about a centre, px; the centre is added to the list.
     fn radius(&mut self, at: SheetPoint) -> f64 {
         let there = self.0.iter().filter(|spot| (spot[0] - at[0]).hypot(spot[1] - at[1]) < 8.0).count();
         self.0.push(at);
@@ -137,8 +146,8 @@ impl Arcs {
     }
 }
 
-/// Puts the arc of an angle on the sheet. Returns true if the arc shows the angle, false if it shows only the sense in
-/// which the angle grows.
+/// Adds the arc of an angle to the sheet.
+/// Returns true if the arc shows the value of the angle, false if it shows only the positive sense.
 pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &Angle) -> bool {
     let (arm, axis, extent) = (angle.arm(subject), angle.about(subject), angle.extent());
     let apex = subject.camera.spot(arm.apex);
@@ -164,8 +173,9 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &A
     is_open
 }
 
-/// Puts the name of the axis that a line of reference is along on the sheet, if the axes of its frame are not drawn.
-/// The line leads from `apex` to the spot `to`, and has the `direction` in the inertial frame.
+/// Adds the name of the axis along which a reference line lies, if the axes of its frame are not
+/// drawn elsewhere.
+/// The line leads from `apex` to `to` on the sheet, and has the `direction` in the inertial frame.
 fn name_axis(subject: &Subject<'_>, sheet: &mut Sheet, frame: usize, direction: Triple, apex: Triple, to: SheetPoint) {
     let is_at_origin = length(minus(apex, subject.pose.points[0])) < 1e-9;
     // In a planar mechanism the inertial axes are easily followed.
@@ -179,8 +189,8 @@ fn name_axis(subject: &Subject<'_>, sheet: &mut Sheet, frame: usize, direction: 
     sheet.may_name(Role::Axis, words, to, Some(unit([to[0] - from[0], to[1] - from[1]])), 3.0);
 }
 
-/// Puts one arc on the sheet, with the names of all coordinates that turn a frame together. The arc leads from an axis
-/// of the parent frame to the same axis of the frame.
+/// Adds one arc with the names of all coordinates that turn a frame together.
+/// The arc leads from an axis of the parent frame to the same axis of the frame.
 pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, frame: usize, names: Vec<Word>) {
     let Some((parent, _)) = subject.terms.links.frames[frame] else { return };
     let [before, after] = [parent, frame].map(|f| transposed(&subject.pose.rotations[f]));

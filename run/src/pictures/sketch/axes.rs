@@ -1,30 +1,34 @@
-//! Marks of frame axes with their names, and of gravity.
+//! Marks for the axes of frames, with their names, and for gravity.
 
 use super::drawing::{Mark, Path, Role, SheetPoint, Word, extent, unit};
 use super::sheet::{Sheet, Subject};
 use crate::pictures::view::space::{IDENTITY, dot, length, minus, rotated, transposed};
 use crate::pictures::view::{Rotation, Triple};
 
-/// Lengths of a drawn axis, px: of the inertial frame, of a body frame, and of a body frame among many.
+/// Lengths of a drawn axis, px: in the inertial frame, in a body frame, and in a body frame if
+/// there are many.
 const LONG: [f64; 3] = [62.0, 46.0, 30.0];
 /// Length of an axis's arrow tip, px.
 const TIP: f64 = 8.0;
-/// Number of body frames from which on axes are short and not all named.
+/// Number of body frames from which on their axes are short and not all named.
 const MANY: usize = 4;
-/// Length of the projection of a unit vector along an axis below which the axis counts as perpendicular to the sheet.
+/// Length of the projection of a unit vector below which its axis counts as perpendicular to the
+/// sheet.
 const HEAD_ON: f64 = 0.12;
-/// Length of the arrow of gravity, and its distance from other marks, px.
+/// Length of the arrow of gravity, and its least distance from other marks, px.
 const FALL: (f64, f64) = (38.0, 16.0);
 
-/// Frame whose axes are drawn, and the place where they are drawn.
+/// Frame whose axes are drawn, with the place of its drawn origin.
 struct Triad {
+    /// Index of the frame whose axes are drawn.
     frame: usize,
+    /// Place of the drawn origin in the inertial frame, m.
     at: Triple,
-    /// Length of a drawn axis, px.
+    /// Length with which each axis is drawn, px.
     long: f64,
 }
 
-/// Puts the axes of the inertial frame and of bodies on the sheet.
+/// Adds the axes of the inertial frame and of the bodies to the sheet.
 pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
     let bodies = of_bodies(subject);
     let is_many = bodies.len() >= MANY;
@@ -42,13 +46,14 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// True if the axes of a frame are drawn.
+/// True if the axes of the frame with this index are drawn.
 pub fn is_drawn(subject: &Subject<'_>, frame: usize) -> bool {
     of_bodies(subject).iter().any(|triad| triad.frame == frame)
 }
 
-/// Frames of rigid bodies whose axes are drawn. If the inertia is given in a frame that does not spin with the body,
-/// that frame is taken.
+/// Axes that are drawn for rigid bodies: those of the body's frame, at the mass centre.
+/// If the inertia is given in a frame that does not spin with the body, the axes of that frame are
+/// drawn.
 fn of_bodies(subject: &Subject<'_>) -> Vec<Triad> {
     let mut list: Vec<Triad> = Vec::new();
     let rigid = subject.mechanism.bodies.iter().filter_map(|body| Some((body.centre, body.rigid.as_ref()?)));
@@ -74,7 +79,8 @@ fn is_unturned(rotation: &Rotation) -> bool {
     rotation.iter().flatten().zip(IDENTITY.iter().flatten()).all(|(a, b)| (a - b).abs() < 1e-12)
 }
 
-/// Puts the axes of a frame on the sheet. `is_needed` tells for each axis if its name must be placed.
+/// Adds the axes of a frame to the sheet. `is_needed` tells for each axis whether its name must be
+/// placed.
 fn triad(subject: &Subject<'_>, sheet: &mut Sheet, triad: &Triad, is_needed: [bool; 3]) {
     let columns = transposed(&subject.pose.rotations[triad.frame]);
     let from = subject.camera.spot(triad.at);
@@ -83,8 +89,8 @@ fn triad(subject: &Subject<'_>, sheet: &mut Sheet, triad: &Triad, is_needed: [bo
         let share = seen[0].hypot(seen[1]);
         let words = vec![subject.basis(triad.frame, axis)];
         if share < HEAD_ON {
-            // An axis out of the sheet is a dot in a circle. In a planar mechanism only the inertial frame shows it,
-            // for all bodies.
+            // An axis out of the sheet is a dot in a circle. In a planar mechanism, only the
+            // inertial frame shows this axis.
             if triad.frame == 0 || !subject.is_planar {
                 let is_out = dot(column, subject.camera.towards) > 0.0;
                 sheet.add(if is_out { towards_viewer(from) } else { away_from_viewer(from) });
@@ -125,7 +131,7 @@ fn away_from_viewer(at: SheetPoint) -> Vec<Mark> {
     marks
 }
 
-/// Puts an arrow of gravity on a free place of the sheet, if there is gravity.
+/// Adds an arrow for gravity at a free place of the sheet, if the mechanism has gravity.
 pub fn gravity(subject: &Subject<'_>, sheet: &mut Sheet) {
     if !subject.has_gravity() {
         return;
@@ -147,7 +153,8 @@ pub fn gravity(subject: &Subject<'_>, sheet: &mut Sheet) {
     sheet.name(Role::Gravity, vec![Word::Name("g".to_owned())], middle, Some([1.0, 0.0]), 5.0);
 }
 
-/// Finds the middle of a free box with the given half size, px: in a corner of the drawing, otherwise beside it.
+/// Middle of a free box with the half size `half`, px: in a corner of the drawing, else beside the
+/// drawing.
 fn free_place(sheet: &Sheet, half: SheetPoint) -> SheetPoint {
     let Some((low, high)) = extent(&sheet.marks, &[]) else { return [0.0; 2] };
     let spots: Vec<SheetPoint> = sheet.marks.iter().flat_map(|mark| mark.path.spots(3.0)).collect();
@@ -161,8 +168,9 @@ fn free_place(sheet: &Sheet, half: SheetPoint) -> SheetPoint {
     corners.into_iter().find(is_free).unwrap_or([high[0] + half[0] + FALL.1, low[1] + half[1]])
 }
 
-/// Finds the axis of a frame that is parallel to a direction of the inertial frame. The flag is true if it has the same
-/// sense. `None` if no axis is parallel.
+/// Index of the axis of a frame that is parallel to a direction of the inertial frame; true if it
+/// has the same sense.
+/// Returns `None` if no axis is parallel.
 pub fn along_axis(subject: &Subject<'_>, frame: usize, direction: Triple) -> Option<(usize, bool)> {
     let components = rotated(&transposed(&subject.pose.rotations[frame]), direction);
     let axis = (0..3).find(|axis| components[*axis].abs() > 1.0 - 1e-9)?;

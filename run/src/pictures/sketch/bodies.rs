@@ -9,23 +9,25 @@ use crate::pictures::view::{Form, Place, Quaternion, Rotation, Solid, Triple};
 const THIN: f64 = 2.2;
 /// Least radius of a drawn particle, px.
 const SMALL: f64 = 6.0;
-/// Radius of a drawn pin, px.
+/// Radius of a drawn pin, px. A pin joins solids.
 const PIN: f64 = 3.6;
-/// Length of a turn of a drawn spring, and half its width, px.
+/// Length of a coil of a drawn spring, and half its width, px.
 const SPRING: (f64, f64) = (11.0, 7.0);
-/// Width of the margin of a ground plane around the solids over it, px.
+/// Width of the margin of a drawn ground plane around the solids above it, px.
 const MARGIN: f64 = 26.0;
 
-/// Solid on the sheet: its marks and their drawing order.
+/// Marks of a solid, with its place in the drawing order.
 struct Drawn {
-    /// Distance towards the viewer, m. In a planar mechanism all solids count as equally near.
+    /// Coordinate of the solid's centre towards the viewer, m. In a planar mechanism it is not
+    /// used.
     depth: f64,
-    /// Drawing order among solids of equal depth: a lower rank is drawn first. The ground has rank 0.
+    /// Rank among solids of equal depth: a lower rank is drawn first. The ground has rank 0.
     rank: u8,
+    /// Marks of the solid: its outlines and areas.
     marks: Vec<Mark>,
 }
 
-/// Puts all solids on the sheet.
+/// Adds all solids to the sheet, from back to front.
 pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
     let mut list: Vec<Drawn> = subject.view.solids.iter().filter_map(|solid| drawn(subject, solid)).collect();
     // Depths are rounded, since their last digits may differ between machines.
@@ -38,12 +40,12 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// True if a solid is a pin that joins other solids.
+/// True if a solid is a pin: a sphere that belongs to no body and joins other solids.
 pub fn is_pin(solid: &Solid) -> bool {
     solid.body.is_none() && matches!(solid.form, Form::Sphere { .. })
 }
 
-/// Makes the marks of a solid; `None` for a ground plane that is not drawn.
+/// Marks of a solid with its depth and rank; `None` for a ground plane that is not drawn.
 fn drawn(subject: &Subject<'_>, solid: &Solid) -> Option<Drawn> {
     let camera = &subject.camera;
     let is_particle = solid.body.is_some_and(|body| subject.mechanism.bodies[body].rigid.is_none());
@@ -86,17 +88,17 @@ fn drawn(subject: &Subject<'_>, solid: &Solid) -> Option<Drawn> {
     Some(Drawn { depth: camera.depth(middle), rank, marks })
 }
 
-/// Centre of a solid in the inertial frame, m.
+/// Position of a solid's centre in the inertial frame, m.
 pub fn middle(subject: &Subject<'_>, at: &Place) -> Triple {
     plus(subject.pose.points[at.point], 1.0, rotated(&subject.pose.rotations[at.frame], at.position))
 }
 
-/// Axes of a solid in the inertial frame, as columns.
+/// Axes of a solid as columns of a rotation matrix, in the inertial frame.
 fn axes(subject: &Subject<'_>, at: &Place) -> Rotation {
     product(&subject.pose.rotations[at.frame], &rotation(at.turned))
 }
 
-/// Rotation matrix of Euler parameters of length 1.
+/// Rotation matrix from Euler parameters (cos θ/2 first) of length 1.
 fn rotation([w, x, y, z]: Quaternion) -> Rotation {
     let column = |v: Triple| {
         // v + 2 w (e × v) + 2 e × (e × v).
@@ -106,8 +108,8 @@ fn rotation([w, x, y, z]: Quaternion) -> Rotation {
     transposed(&[column([1.0, 0.0, 0.0]), column([0.0, 1.0, 0.0]), column([0.0, 0.0, 1.0])])
 }
 
-/// Marks of a cylinder about an axis of length 1: far end, side and near end. Its radius and its length `long` are in
-/// m.
+/// Marks of a cylinder about a unit vector `axis`: far end, side and near end. `radius` and `long`,
+/// the length, are in m.
 fn cylinder(subject: &Subject<'_>, middle: Triple, axis: Triple, radius: f64, long: f64) -> Vec<Mark> {
     let camera = &subject.camera;
     let towards = dot(axis, camera.towards);
@@ -124,12 +126,12 @@ fn cylinder(subject: &Subject<'_>, middle: Triple, axis: Triple, radius: f64, lo
         [(far, 1.0), (near, 1.0), (near, -1.0), (far, -1.0)].map(|(at, side)| camera.spot(plus(at, side, edge)));
     vec![end(far), Mark::solid(Role::Body, Path::polygon(&corners)), end(near)]
         .into_iter()
-        // In a view from the side, the ends are lines and are left out.
+        // In a view from the side, the ends of a cylinder are lines and are left out.
         .filter(|mark| towards.abs() > 0.02 || mark.path.parts.len() == 3)
         .collect()
 }
 
-/// Marks of the visible faces of a box.
+/// Marks of the visible faces of a box with edge lengths `size`, m.
 fn faces(subject: &Subject<'_>, at: &Place, size: Triple) -> Vec<Mark> {
     let camera = &subject.camera;
     let (middle, columns) = (middle(subject, at), transposed(&axes(subject, at)));
@@ -150,7 +152,7 @@ fn faces(subject: &Subject<'_>, at: &Place, size: Triple) -> Vec<Mark> {
     list
 }
 
-/// Path of a coil spring from one spot to another.
+/// Zigzag path of a coil spring from `a` to `b` on the sheet.
 fn coil(a: SheetPoint, b: SheetPoint) -> Path {
     let way = [b[0] - a[0], b[1] - a[1]];
     let across = super::drawing::unit([-way[1], way[0]]);
@@ -167,8 +169,9 @@ fn coil(a: SheetPoint, b: SheetPoint) -> Path {
     Path::line(&spots)
 }
 
-/// Marks of a ground plane under the solids. Edge-on it is a line with hatching, otherwise a piece of the plane. `None`
-/// if nothing touches it, or it is seen from directly above.
+/// Marks of a ground plane: a line with hatching if the plane is seen edge-on, else a rectangle
+/// under the solids.
+/// Returns `None` if no solid touches the plane, or if the plane is seen from directly above.
 fn ground(subject: &Subject<'_>, at: &Place) -> Option<Vec<Mark>> {
     let camera = &subject.camera;
     let is_touched = subject.view.is_stated || subject.view.solids.iter().any(|solid| solid.touches.is_some());
@@ -204,7 +207,8 @@ fn ground(subject: &Subject<'_>, at: &Place) -> Option<Vec<Mark>> {
     Some(vec![Mark::solid(Role::Ground, Path::polygon(&corners))])
 }
 
-/// Least and greatest corner of the solids and points on a sheet whose scale is one px per metre.
+/// Least and greatest corner of the solids and points on the sheet, before it is scaled to its
+/// final size.
 pub fn extent(subject: &Subject<'_>) -> (SheetPoint, SheetPoint) {
     let camera = &subject.camera;
     let mut all: Vec<(SheetPoint, f64)> = Vec::new();

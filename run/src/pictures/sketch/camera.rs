@@ -1,29 +1,32 @@
-//! Orthographic projection of a mechanism onto the sheet, and the choice of its direction.
+//! Orthographic projection of a mechanism onto the sheet, and choice of the direction of view.
 
 use super::drawing::SheetPoint;
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{cross, dot, minus, plus, unit};
 
-/// Directions of an oblique view, degrees: the turn from the first horizontal axis towards the second, and the height
-/// above the horizontal plane. All show the first axis to the lower left and the second to the right.
+/// Directions of an oblique view, degrees: angle about the vertical from the first horizontal axis,
+/// and elevation.
+/// In each of them, the first axis points to the lower left and the second to the right.
 const OBLIQUE: [(f64, f64); 6] = [(32.0, 20.0), (50.0, 20.0), (22.0, 20.0), (60.0, 25.0), (40.0, 32.0), (68.0, 18.0)];
 
 /// Orthographic projection of the inertial frame onto the sheet.
 #[derive(Clone, Debug)]
 pub struct Camera {
-    /// Direction that points to the right on the sheet, of length 1 in the inertial frame.
+    /// Unit vector of the inertial frame that points to the right on the sheet.
     pub right: Triple,
-    /// Direction that points up on the sheet, of length 1 in the inertial frame.
+    /// Unit vector of the inertial frame that points up on the sheet.
     pub up: Triple,
-    /// Direction from the mechanism to the viewer, of length 1 in the inertial frame.
+    /// Unit vector of the inertial frame from the mechanism to the viewer.
     pub towards: Triple,
-    /// Scale of the sheet, px per metre.
+    /// Scale of the projection, px on the sheet per metre.
     pub scale: f64,
 }
 
 impl Camera {
-    /// Camera that looks along the normal of a plane. The component of `up` in the plane points upwards. Without such a
-    /// component, the second axis after that of the normal points upwards.
+    /// Camera that looks along the normal of a plane, with the component of `up` in the plane
+    /// upwards on the sheet.
+    /// If `up` is along the normal, the second axis after that of the normal points upwards. The
+    /// scale is 1.
     pub fn along(normal: Triple, up: Triple) -> Self {
         let inside = plus(up, -dot(up, normal), normal);
         let largest = (0..3).max_by(|a, b| normal[*a].abs().total_cmp(&normal[*b].abs())).unwrap_or(2);
@@ -34,8 +37,9 @@ impl Camera {
         Self { right: cross(up, normal), up, towards: normal, scale: 1.0 }
     }
 
-    /// Oblique camera from the side and above. It shows turns about the axes `turns` as open, and the vectors `ways` as
-    /// long, as possible.
+    /// Oblique camera from the side and above, chosen from six directions.
+    /// It shows rotations about the axes `turns` as open as possible, and the vectors `ways` as
+    /// long as possible.
     pub fn oblique(up: Triple, turns: &[Triple], ways: &[Triple]) -> Self {
         let all = OBLIQUE.map(|(turn, height)| Self::from_aside(up, turn.to_radians(), height.to_radians()));
         let worth = |camera: &Self| {
@@ -54,7 +58,7 @@ impl Camera {
         best
     }
 
-    /// Oblique camera with a turn and a height above the horizontal plane, rad.
+    /// Oblique camera at the angle `turn` about the vertical and the elevation `height`, rad.
     fn from_aside(up: Triple, turn: f64, height: f64) -> Self {
         let axis = (0..3).max_by(|a, b| up[*a].abs().total_cmp(&up[*b].abs())).unwrap_or(2);
         let mut first = [0.0; 3];
@@ -68,7 +72,7 @@ impl Camera {
         Self { right, up: cross(towards, right), towards, scale: 1.0 }
     }
 
-    /// Spot on the sheet of a place in the inertial frame.
+    /// Point on the sheet, px, of a place in the inertial frame, m.
     pub fn spot(&self, place: Triple) -> SheetPoint {
         [self.scale * dot(self.right, place), -self.scale * dot(self.up, place)]
     }
@@ -78,17 +82,17 @@ impl Camera {
         dot(self.towards, place)
     }
 
-    /// Projection of a direction of length 1 onto the sheet, at most of length 1.
+    /// Projection of a unit vector onto the sheet, without scale: its length is at most 1.
     pub fn seen(&self, direction: Triple) -> SheetPoint {
         [dot(self.right, direction), -dot(self.up, direction)]
     }
 
-    /// Projection of the vector from one place to another, px.
+    /// Vector on the sheet, px, between two places in the inertial frame, m.
     pub fn way(&self, from: Triple, to: Triple) -> SheetPoint {
         self.spot(minus(to, from))
     }
 
-    /// Converts a length on the sheet from px to m.
+    /// Converts a length on the sheet, px, to a length of the mechanism, m.
     pub fn metres(&self, px: f64) -> f64 {
         px / self.scale
     }

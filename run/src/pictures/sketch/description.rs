@@ -1,4 +1,4 @@
-//! Description of a sketch in sentences, as its caption and for readers who cannot see it.
+//! Description of a sketch in sentences, for its caption and for readers who cannot see the sketch.
 
 use super::angles::Angle;
 use super::axes::along_axis;
@@ -11,24 +11,25 @@ use crate::pictures::view::{Form, Solid};
 use tripos_derive::model::{TIME, Unit};
 use tripos_derive::plain::significant;
 
-/// Coordinate with the mark that shows it.
+/// Coordinate with the kind of mark that shows it on the sheet.
 pub struct MarkedCoordinate {
-    /// Index of the coordinate.
+    /// Index of the generalized coordinate that is shown.
     pub coordinate: usize,
+    /// Mark that shows the coordinate.
     pub mark: CoordinateMark,
 }
 
-/// Mark that shows a coordinate.
+/// Kinds of marks that show coordinates.
 pub enum CoordinateMark {
-    /// An arc of an angle. The flag is false if the arc shows only the sense in which the angle grows.
+    /// Arc of an angle; false if it shows only the positive sense of the angle.
     Arc(Angle, bool),
-    /// A dimension line of a length. The flag is false if only an arrow shows the sense in which the length grows.
+    /// Dimension line of a length; false if only an arrow shows the positive sense of the length.
     Line(Length, bool),
-    /// A common arc of several coordinates, which shows their turn of the frame with this index.
+    /// Common arc of several coordinates that turn the frame with this index together.
     Together(usize),
-    /// An arrow at the point that the coordinate moves the most.
+    /// Arrow at the point that the coordinate moves the most.
     Arrow,
-    /// The name alone: the coordinate moves nothing that is drawn.
+    /// Name without a mark: the coordinate moves nothing that is drawn.
     Name,
 }
 
@@ -45,7 +46,7 @@ pub fn about(subject: &Subject<'_>, shown: &[MarkedCoordinate]) -> String {
     sentences.join(" ")
 }
 
-/// Sentence that states the direction of view and that of gravity.
+/// Sentence about the direction of view and the direction of gravity.
 fn seen(subject: &Subject<'_>) -> String {
     let towards = subject.camera.towards;
     let gravity = if !subject.has_gravity() {
@@ -61,7 +62,8 @@ fn seen(subject: &Subject<'_>) -> String {
     }
 }
 
-/// Name of the inertial axis along a direction, with its sign; `None` if the direction is along no axis.
+/// Name of the inertial axis along a direction, with its sign; `None` if no axis is parallel to the
+/// direction.
 fn axis_of(subject: &Subject<'_>, direction: Triple) -> Option<String> {
     let (axis, is_along) = along_axis(subject, 0, direction)?;
     let name = subject.mechanism.frames[0].name.to_lowercase();
@@ -93,7 +95,7 @@ fn bodies(subject: &Subject<'_>) -> Option<String> {
     (!all.is_empty()).then(|| format!("Drawn are {}.", all.join(", ")))
 }
 
-/// Sentence that says how each coordinate is shown; `None` without coordinates.
+/// Sentence that tells for each coordinate what its mark shows; `None` without coordinates.
 fn coordinates(subject: &Subject<'_>, shown: &[MarkedCoordinate]) -> Option<String> {
     let one = |shown: &MarkedCoordinate| {
         let coordinate = &subject.mechanism.coordinates[shown.coordinate];
@@ -117,7 +119,9 @@ fn coordinates(subject: &Subject<'_>, shown: &[MarkedCoordinate]) -> Option<Stri
     (!list.is_empty()).then(|| format!("{}.", list.join("; ")))
 }
 
-/// Sentence with the drawn values of the coordinates, and the values of the start if they differ. `of` names the start.
+/// Sentence with the values of the coordinates in the drawn pose, and their original values if they
+/// differ.
+/// `of` names the original pose, such as the start of a scene.
 pub fn drawn(subject: &Subject<'_>, changed: &[Changed], of: &str) -> String {
     let all = subject.mechanism.coordinates.iter().zip(subject.q).enumerate().filter(|(_, (c, _))| c.name != TIME);
     let value = |at: usize, x: f64| {
@@ -142,19 +146,20 @@ pub fn drawn(subject: &Subject<'_>, changed: &[Changed], of: &str) -> String {
     format!("Drawn{at}, to be seen; {of} has {}.", list.join(", "))
 }
 
-/// Unit with a space before it, to follow a number; empty for plain numbers.
+/// Unit as text that follows a number, with a space in front; empty for plain numbers.
 fn unit(unit: &Unit) -> String {
     if unit.is_plain() { String::new() } else { format!(" {unit}") }
 }
 
-/// Writes a number with three significant digits. Rounding errors of 0 are written as 0.
+/// Text of a number with three significant digits; numbers below 1e-9 in size are written as 0.
 fn digits(x: f64) -> String {
     let x = if x.abs() < 1e-9 { 0.0 } else { x };
     // Adding 0 turns -0 into 0.
     significant(x + 0.0, 3)
 }
 
-/// Vectors along rods and springs, m, which a view should show as long as possible.
+/// Vectors along rods and springs in the inertial frame, m; a view should show them as long as
+/// possible.
 pub fn ways(subject: &Subject<'_>) -> Vec<Triple> {
     let ends = subject.view.solids.iter().filter_map(|solid| match solid.form {
         Form::Rod { ends, .. } | Form::Spring { ends } => Some(ends),
@@ -163,7 +168,7 @@ pub fn ways(subject: &Subject<'_>) -> Vec<Triple> {
     ends.map(|[a, b]| crate::pictures::view::space::minus(subject.pose.points[b], subject.pose.points[a])).collect()
 }
 
-/// Axes of the given angles in the inertial frame, of length 1.
+/// Unit vectors along the axes of the given angles, in the inertial frame.
 pub fn turns(subject: &Subject<'_>, angles: &[Angle]) -> Vec<Triple> {
     angles.iter().map(|angle| angle.about(subject)).collect()
 }

@@ -1,52 +1,52 @@
-//! Contents of a sketch's sheet: labels, and paths that each have a role.
+//! Elements of a drawn sheet: labels, and marks, which are paths that each have a role.
 
-/// Place on the sheet: distances to the right and down, px.
+/// Point on the sheet: distances to the right and down, px.
 pub type SheetPoint = [f64; 2];
 
-/// Next part of a path, from the end of the part before.
+/// Straight or curved part of a path; it begins at the end of the part before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Part {
-    /// Straight line to the given spot.
+    /// Straight line to the given point of the sheet.
     Line(SheetPoint),
-    /// Cubic Bézier curve, by its two handles and its end.
+    /// Cubic Bézier curve: its two control points and its end.
     Curve([SheetPoint; 3]),
 }
 
-/// Line on the sheet that is made of straight and curved parts.
+/// Path on the sheet, made of straight and curved parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
-    /// First spot of the path.
+    /// First point of the path on the sheet.
     pub from: SheetPoint,
-    /// Parts of the path, each from the end of the part before.
+    /// Parts of the path; each begins at the end of the part before.
     pub parts: Vec<Part>,
-    /// True if the end of the path is joined to its beginning.
+    /// True if the end of the path is joined to its beginning by a straight line.
     pub is_closed: bool,
 }
 
 /// Meaning of a mark or label. The renderer decides how each role looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Role {
-    /// A plane on which something rolls or slides.
+    /// Plane on which a body rolls or slides.
     Ground,
-    /// A line of the ground, and the hatching behind it.
+    /// Line of the ground, with the hatching behind it.
     Support,
-    /// A rigid body.
+    /// Rigid body of the mechanism.
     Body,
-    /// A particle, or a ball that stands for one.
+    /// Particle, or a ball that represents a particle.
     Mass,
-    /// A spring or damper.
+    /// Spring or damper between two points.
     Spring,
-    /// A pin that joins bodies, or joins a body to the ground.
+    /// Pin that joins bodies, or joins a body to the ground.
     Joint,
     /// Line from which an angle or a length is measured.
     Reference,
-    /// An axis of a frame.
+    /// Axis of a frame, drawn as an arrow.
     Axis,
-    /// A generalized coordinate.
+    /// Generalized coordinate, drawn as an arc, a dimension line or an arrow.
     Coordinate,
-    /// The acceleration of free fall.
+    /// Direction of gravity, drawn as an arrow.
     Gravity,
-    /// A named point.
+    /// Named point of the model.
     Point,
     /// Line from a label to the item that it names.
     Leader,
@@ -70,59 +70,60 @@ impl Role {
     ];
 }
 
-/// Way in which a path of the sheet is drawn.
+/// Ways of drawing a path of the sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Paint {
-    /// The line of the path alone.
+    /// The line is drawn; the enclosed area stays empty.
     Line,
-    /// The enclosed area, in the colour of the line.
+    /// The enclosed area is filled with the colour of the line.
     Filled,
-    /// The line, and the enclosed area in the shade of the role, so that nothing behind it shows.
+    /// The line is drawn, and the enclosed area has the shade of the role, so that it hides marks
+    /// behind it.
     Solid,
 }
 
-/// Path on the sheet with its role and paint.
+/// Path on the sheet, with its role and its way of drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
-    /// Meaning of the mark.
+    /// Role of the mark, on which its colour and line depend.
     pub role: Role,
-    /// Way in which the path is drawn.
+    /// Way in which the path is drawn: as a line, filled, or solid.
     pub paint: Paint,
-    /// Line or outline of the mark.
+    /// Line or outline of the mark on the sheet.
     pub path: Path,
 }
 
-/// A part of a label.
+/// Part of the text of a label.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Word {
-    /// A name of the model, set as mathematics: `q1` as q with a subscript.
+    /// Name of the model, set as mathematics: `q1` becomes q with a subscript.
     Name(String),
-    /// An axis of a frame, counted from 0, as a basis vector.
+    /// Basis vector of a frame: name of the frame, and index of the axis from 0.
     Basis(String, usize),
-    /// Plain words.
+    /// Plain text, not set as mathematics.
     Plain(String),
-    /// A minus sign.
+    /// Minus sign before a basis vector.
     Minus,
 }
 
-/// Text at a place on the sheet.
+/// Label: a text at a place on the sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// Role of the named item.
+    /// Role of the item that the label names.
     pub role: Role,
-    /// Text of the label, part by part.
+    /// Text of the label, as a list of parts.
     pub words: Vec<Word>,
-    /// Middle of the label's box on the sheet.
+    /// Middle of the label's box on the sheet, px.
     pub at: SheetPoint,
     /// Width and height of the label's box, px, estimated because no font is available.
     pub size: SheetPoint,
 }
 
-/// Distance of the handles of a quarter circle of radius 1 from its ends.
+/// Distance of the control points of a quarter circle of radius 1 from its ends.
 const QUARTER: f64 = 0.552_284_749_830_793_4;
 
 impl Path {
-    /// Path of straight lines from spot to spot.
+    /// Path of straight lines through the given points.
     pub(super) fn line(spots: &[SheetPoint]) -> Self {
         let from = spots.first().copied().unwrap_or_default();
         Self { from, parts: spots.iter().skip(1).map(|spot| Part::Line(*spot)).collect(), is_closed: false }
@@ -133,8 +134,10 @@ impl Path {
         Self { is_closed: true, ..Self::line(corners) }
     }
 
-    /// Path of an arc c + cos t a + sin t b from one t to another, rad. It is part of an ellipse with the conjugate
-    /// semi-diameters a and b, which is the projection of a circle in space.
+    /// Arc c + cos t · a + sin t · b of an ellipse, for t between `from` and `to`, rad; lengths in
+    /// px.
+    /// The vectors a and b are conjugate semi-diameters of the ellipse, which is the projection of
+    /// a circle in space.
     pub(super) fn arc(c: SheetPoint, a: SheetPoint, b: SheetPoint, from: f64, to: f64) -> Self {
         let pieces = ((to - from).abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0);
         let step = (to - from) / pieces;
@@ -152,17 +155,17 @@ impl Path {
         Self { from: at(from), parts: parts.collect(), is_closed: false }
     }
 
-    /// Closed path of an ellipse about c with the conjugate semi-diameters a and b.
+    /// Closed path of an ellipse about the centre c, with the conjugate semi-diameters a and b, px.
     pub(super) fn ellipse(c: SheetPoint, a: SheetPoint, b: SheetPoint) -> Self {
         Self { is_closed: true, ..Self::arc(c, a, b, 0.0, std::f64::consts::TAU) }
     }
 
-    /// Closed path of a circle about c.
+    /// Closed path of a circle about the centre c; the radius is in px.
     pub(super) fn circle(c: SheetPoint, radius: f64) -> Self {
         Self::ellipse(c, [radius, 0.0], [0.0, radius])
     }
 
-    /// Closed path around all spots within a radius of the line from a to b.
+    /// Closed path around all points within `radius`, px, of the line from a to b.
     pub(super) fn capsule(a: SheetPoint, b: SheetPoint, radius: f64) -> Self {
         let way = [b[0] - a[0], b[1] - a[1]];
         let long = way[0].hypot(way[1]);
@@ -185,7 +188,7 @@ impl Path {
         Self { from: moved(a, 0.0, 1.0), parts, is_closed: true }
     }
 
-    /// Last spot of the path; the first if it has no parts.
+    /// Last point of the path; the first point if the path has no parts.
     pub(super) fn end(&self) -> SheetPoint {
         match self.parts.last() {
             None => self.from,
@@ -193,7 +196,8 @@ impl Path {
         }
     }
 
-    /// Direction in which the path arrives at its end, of length 1; to the right if the path has no length.
+    /// Unit vector in which the path arrives at its end; it points to the right if the path has no
+    /// length.
     pub(super) fn heading(&self) -> SheetPoint {
         let end = self.end();
         let before = match self.parts.as_slice() {
@@ -204,7 +208,7 @@ impl Path {
         unit([end[0] - before[0], end[1] - before[1]])
     }
 
-    /// Spots along the path, at most a step apart, px.
+    /// Points along the path, at most `step` apart, px.
     #[must_use]
     pub fn spots(&self, step: f64) -> Vec<SheetPoint> {
         let (mut list, mut at) = (vec![self.from], self.from);
@@ -232,7 +236,7 @@ impl Path {
 }
 
 impl Mark {
-    /// Mark of a line without a filled area.
+    /// Mark of a line of the given role, without a filled area.
     pub(super) fn line(role: Role, path: Path) -> Self {
         Self { role, paint: Paint::Line, path }
     }
@@ -242,32 +246,33 @@ impl Mark {
         Self { role, paint: Paint::Solid, path }
     }
 
-    /// Mark of a filled circle about a spot.
+    /// Mark of a filled circle about the point `at` of the sheet; the radius is in px.
     pub(super) fn dot(role: Role, at: SheetPoint, radius: f64) -> Self {
         Self { role, paint: Paint::Filled, path: Path::circle(at, radius) }
     }
 
-    /// Marks of a path and of an arrow tip at its end, of the length `long`, px.
+    /// Marks of a path and of an arrow tip at its end; `long` is the length of the tip, px.
     pub(super) fn arrow(role: Role, path: Path, long: f64) -> [Self; 2] {
         let tip = tip(role, path.end(), path.heading(), long);
         [Self::line(role, path), tip]
     }
 }
 
-/// Mark of an arrow tip that ends at a spot and points in the direction `heading`.
+/// Mark of an arrow tip that ends at `end` and points along the unit vector `heading`; `long` is
+/// its length, px.
 pub(super) fn tip(role: Role, end: SheetPoint, heading: SheetPoint, long: f64) -> Mark {
     let at = |x: f64, y: f64| [end[0] - x * heading[0] - y * heading[1], end[1] - x * heading[1] + y * heading[0]];
     let corners = [end, at(long, 0.32 * long), at(0.8 * long, 0.0), at(long, -0.32 * long)];
     Mark { role, paint: Paint::Filled, path: Path::polygon(&corners) }
 }
 
-/// Direction of a vector on the sheet, of length 1; to the right if the vector is zero.
+/// Unit vector along a vector on the sheet; it points to the right if the vector is zero.
 pub(super) fn unit(way: SheetPoint) -> SheetPoint {
     let long = way[0].hypot(way[1]);
     if long > 1e-9 { way.map(|x| x / long) } else { [1.0, 0.0] }
 }
 
-/// Box around marks and labels: its least and its greatest corner. `None` if there are none.
+/// Least and greatest corner of the box around marks and labels; `None` if there are none.
 pub(super) fn extent<'a>(
     marks: impl IntoIterator<Item = &'a Mark>,
     labels: &[Label],

@@ -1,4 +1,5 @@
-//! Drawn pose of a sketch: a start, with other values for angles and lengths that could not be seen at the start.
+//! Drawn pose of a sketch: a start, in which angles and lengths that could not be seen get other
+//! values.
 
 use super::terms::Terms;
 use crate::code::tape;
@@ -7,38 +8,41 @@ use crate::mechanism::Mechanism;
 use crate::pictures::view::space::length;
 use crate::pictures::view::{Configuration, Pose, Poses, View};
 
-/// Angles that replace values of about 0 at the start, degrees, one after another.
+/// Angles that replace values near 0 at the start, degrees, taken in turn.
 pub(super) const ANGLES: [f64; 6] = [30.0, 40.0, 25.0, 50.0, 35.0, 45.0];
-/// Lengths that replace values of about 0, or values too large for the sheet, as shares of the size of the mechanism.
+/// Lengths that replace values near 0, or values too large for the sheet, relative to the size of
+/// the mechanism.
 const LENGTHS: [f64; 3] = [0.8, 0.65, 0.5];
-/// Angle below which the mark of an angle is not seen, rad.
+/// Angle below which the arc of an angle cannot be seen, rad.
 const UNSEEN_ANGLE: f64 = 0.14;
-/// Share of the mechanism's size below which the mark of a length is not seen.
+/// Length, relative to the mechanism's size, below which its dimension line cannot be seen.
 const UNSEEN_SHARE: f64 = 0.06;
-/// Share of the mechanism's size above which a length makes all else too small.
+/// Length, relative to the mechanism's size, above which the mechanism would be drawn too small.
 const LARGEST_SHARE: f64 = 1.8;
 
 /// Coordinate that is drawn at another value than at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Changed {
-    /// Index of the coordinate.
+    /// Index of the coordinate whose value is changed.
     pub coordinate: usize,
-    /// Value of the coordinate at the start.
+    /// Value of the coordinate at the start, rad or m.
     pub was: f64,
-    /// Value of the coordinate in the drawing.
+    /// Value of the coordinate in the drawing, rad or m.
     pub is: f64,
 }
 
-/// Coordinates by kind: those that turn a frame about an axis, and those that are a component of a vector to a point.
+/// Coordinates sorted by kind: angles that turn a frame about an axis, and lengths that are
+/// components of a position.
 pub struct Kinds {
-    /// Indices of the coordinates that are angles.
+    /// Indices of the coordinates that are the angle of a frame about an axis.
     pub angles: Vec<usize>,
-    /// Indices of the coordinates that are lengths.
+    /// Indices of the coordinates that are a component of a point's position.
     pub lengths: Vec<usize>,
 }
 
 impl Kinds {
-    /// Sorts the coordinates of a mechanism into angles and lengths; others are in neither list.
+    /// Sorts the coordinates of a mechanism into angles and lengths; any other coordinate is in
+    /// neither list.
     pub fn new(mechanism: &Mechanism, terms: &Terms, at: Configuration<'_>) -> Self {
         let told = |term: usize, c: usize| terms.signed_coordinate(mechanism, at.parameters, at.q, term, c).is_some();
         let frames = 0..mechanism.frames.len();
@@ -54,8 +58,8 @@ impl Kinds {
     }
 }
 
-/// Values of the coordinates that are drawn for a start, and their changes from it. Coordinates of a mechanism with
-/// loops stay unchanged.
+/// Values of the coordinates in the drawn pose, and their changes from the start `at`.
+/// The coordinates of a mechanism with loops stay unchanged.
 ///
 /// # Errors
 /// [`Error::Request`] if a shape has a length that is not positive at the given parameters.
@@ -84,7 +88,8 @@ pub fn shown(
     let size = if reaches(&pose) > 1e-9 || view.size.to_bits() != 1.0_f64.to_bits() {
         view.size
     } else {
-        // A particle that only lengths place counts as large as the lengths.
+        // If only lengths place a particle, the size of the mechanism is the largest of these
+        // lengths.
         let largest = kinds.lengths.iter().map(|c| start[*c].abs()).fold(0.0, f64::max);
         if largest > 0.0 { largest } else { 1.0 }
     };
@@ -104,19 +109,20 @@ pub fn shown(
     Ok((q, changed))
 }
 
-/// Angle without whole turns, at least -π and below π, rad.
+/// Angle without whole turns, rad, from −π to below π.
 fn near_turn(angle: f64) -> f64 {
     use std::f64::consts::{PI, TAU};
     angle - TAU * ((angle + PI) / TAU).floor()
 }
 
-/// Rounds a length to two digits.
+/// Rounds a length to two significant digits.
 fn rounded(x: f64) -> f64 {
     format!("{x:.1e}").parse().unwrap_or(x)
 }
 
-/// True if every frame and point has finite values, and the pose is inside the domain of the model. Only conditions on
-/// the pose count.
+/// True if every frame and point has finite values, and the pose satisfies the conditions of the
+/// model's domain.
+/// Conditions that depend on more than the pose are ignored.
 fn is_good(mechanism: &Mechanism, poses: &Poses, p: &[f64], q: &[f64]) -> bool {
     let pose = poses.of(p, q);
     let inputs = [mechanism.p(), mechanism.q()].concat();

@@ -1,5 +1,5 @@
-//! Marks of coordinates that move points. A dimension line shows a length along its axis. An arrow shows a coordinate
-//! that is neither such a length nor an angle.
+//! Marks of coordinates that move points: dimension lines for lengths, and arrows for all other
+//! coordinates.
 
 use super::drawing::{Mark, Path, Role, SheetPoint, Word, tip, unit};
 use super::sheet::{Sheet, Subject};
@@ -7,18 +7,19 @@ use super::terms::{Components, SignedCoordinate};
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{length, minus, plus, transposed};
 
-/// Distance of a dimension line from the measured length, and length of its extension lines beyond it, px.
+/// Distance of a dimension line from the measured length, and length of its extension lines beyond
+/// it, px.
 const AWAY: (f64, f64) = (30.0, 4.0);
 /// Length of the arrow tips of a dimension line, px.
 const TIP: f64 = 8.0;
 /// Length below which an arrow replaces a dimension line, px.
 const TINY: f64 = 9.0;
-/// Length of an arrow that shows only a sense, px.
+/// Length of an arrow that shows only the positive sense of a coordinate, px.
 const SENSE: f64 = 34.0;
 
-/// Coordinate that is a component of the position vector of a point.
+/// Coordinate that is a component of the position vector of a point, with its sign and zero.
 pub struct Length {
-    /// Coordinate, and its place in the formula of the component.
+    /// Coordinate with its sign and zero in the formula of the component.
     pub signed: SignedCoordinate,
     /// Index of the point that the coordinate moves.
     pub point: usize,
@@ -27,7 +28,8 @@ pub struct Length {
 }
 
 impl Length {
-    /// Finds the component of a point's position that a coordinate is; `None` if it is not such a component.
+    /// Length that a coordinate is; `None` if the coordinate is not a component of a point's
+    /// position.
     pub fn of(subject: &Subject<'_>, coordinate: usize) -> Option<Self> {
         (0..subject.pose.points.len()).find_map(|point| {
             let Components { first, .. } = subject.terms.components(point)?;
@@ -39,8 +41,9 @@ impl Length {
         })
     }
 
-    /// Ends of the length in the inertial frame, m, with the earlier components of the position added. `None` if the
-    /// point has no components.
+    /// Ends of the measured length in the inertial frame, m, after the earlier components of the
+    /// position are added.
+    /// Returns `None` if the point has no position components.
     fn ends(&self, subject: &Subject<'_>) -> Option<[Triple; 2]> {
         let Components { from, frame, first } = subject.terms.components(self.point)?;
         let values = subject.terms.values(subject.p, subject.q);
@@ -50,8 +53,8 @@ impl Length {
         Some([self.signed.zero, self.signed.now].map(|value| plus(corner, value, axes[self.component])))
     }
 
-    /// Direction across the length, away from the other components, of length 1. `None` if the line is drawn between
-    /// its ends.
+    /// Unit vector perpendicular to the length, away from the other components of the position.
+    /// Returns `None` if the dimension line is drawn directly between the ends.
     fn aside(&self, subject: &Subject<'_>) -> Option<Triple> {
         if !subject.is_planar {
             return None;
@@ -71,8 +74,8 @@ impl Length {
     }
 }
 
-/// Puts the dimension line of a length on the sheet. Returns true if the line shows the length, and false if only an
-/// arrow shows its sense.
+/// Adds the dimension line of a length to the sheet.
+/// Returns true if the line shows the length, and false if only an arrow shows its positive sense.
 pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, lengths: &Length) -> bool {
     let Some([from, to]) = lengths.ends(subject) else { return false };
     let name = vec![Word::Name(subject.mechanism.coordinates[lengths.signed.coordinate].name.clone())];
@@ -101,7 +104,8 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, lengths: &Length) -> bool 
     true
 }
 
-/// Puts an arrow with a name on the sheet, from a spot in the direction in which a coordinate grows.
+/// Adds an arrow with a name, from a point of the sheet in the direction `seen`, in which a
+/// coordinate grows.
 fn grows(subject: &Subject<'_>, sheet: &mut Sheet, from: SheetPoint, seen: SheetPoint, name: Vec<Word>) {
     let share = seen[0].hypot(seen[1]);
     let way = if share < 0.05 { subject.camera.seen(subject.camera.right) } else { unit(seen) };
@@ -110,7 +114,8 @@ fn grows(subject: &Subject<'_>, sheet: &mut Sheet, from: SheetPoint, seen: Sheet
     sheet.name(Role::Coordinate, name, at(10.0 + 0.6 * SENSE), Some([-way[1], way[0]]), 4.0);
 }
 
-/// Puts an arrow at the point that a coordinate moves the most. Returns true if the coordinate moves a point.
+/// Adds an arrow at the point that a coordinate moves the most. Returns false if the coordinate
+/// moves no point.
 pub fn draw_motion(subject: &Subject<'_>, sheet: &mut Sheet, coordinate: usize) -> bool {
     let step = 1e-6 * (1.0 + subject.q[coordinate].abs());
     let mut q = subject.q.to_vec();

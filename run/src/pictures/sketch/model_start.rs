@@ -1,4 +1,4 @@
-//! Start of a mechanism that is sketched without a scene.
+//! Parameters and pose of a mechanism that is sketched without a scene.
 
 use super::drawn_pose::ANGLES;
 use crate::error::Error;
@@ -7,8 +7,9 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::model::TIME;
 use tripos_derive::scene::load;
 
-/// Start of a mechanism without a scene: the parameter values of the model file, and all coordinates 0. The loops of a
-/// model are closed from a guess in which no coordinate is 0.
+/// Parameters and coordinates of a mechanism without a scene: the values of the model file, and all
+/// coordinates 0.
+/// The loops of a model are closed from a guess in which no coordinate is 0.
 ///
 /// # Errors
 /// [`Error::Request`] if a parameter has no value, or the loops cannot be closed from the guess.

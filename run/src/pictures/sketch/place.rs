@@ -1,47 +1,49 @@
-//! Placement of labels: near the items that they name, clear of other labels, and on as few lines as possible.
+//! Placement of labels: near the items that they name, clear of other labels, and crossing as few
+//! lines as possible.
 //!
-//! Each label has candidate places in rings about its anchor. The labels choose one after another, the needed ones
-//! first, and take the cheapest place. Then each label chooses again, twice. Costs are rounded, so that machines whose
-//! last digits differ give the same places.
+//! Each label has candidate places in rings about its anchor. The labels choose in turn, the needed
+//! ones first, and take the place with the lowest cost. Then each label chooses again, twice. Costs
+//! are rounded, so that machines whose last digits differ give the same places.
 
 use super::drawing::{Label, Mark, Path, Role, SheetPoint, Word, unit};
 use tripos_derive::algebra::text::print::name_parts;
 
-/// Distances of a label's box from its anchor in each ring, px, beyond the wished gap.
+/// Additional distances of a label's box from its anchor, px, one for each ring of candidate
+/// places.
 const RINGS: [f64; 10] = [0.0, 5.0, 11.0, 18.0, 27.0, 38.0, 52.0, 70.0, 92.0, 118.0];
-/// Number of directions in which candidate places lie in a ring.
+/// Number of candidate places in each ring, in equally spaced directions.
 const DIRECTIONS: usize = 24;
-/// Cost of a label that covers another: more than all other costs together.
+/// Cost of a label that covers another label; it exceeds all other costs together.
 const OVERLAP: f64 = 1e5;
-/// Cost above which an optional label is left out.
+/// Cost of its best place above which an optional label is left out.
 const WORTH: f64 = 24.0;
-/// Length from which on a leader line joins a label and its item, px.
+/// Distance between a label and its item from which on a leader line joins them, px.
 const LEADER: f64 = 24.0;
-/// Least distances of a label from another label and from a line, px.
+/// Least distances of a label from another label, and from a line, px.
 const CLEAR: (f64, f64) = (2.0, 1.0);
-/// Distance of the spots that represent a line, px.
+/// Distance between the points by which a line is represented, px.
 const STEP: f64 = 2.5;
 /// Height of a line of text, px.
 const HIGH: f64 = 17.0;
 
-/// Request for a label that is to be placed on the sheet.
+/// Request for a label on the sheet, before its place is chosen.
 #[derive(Clone, Debug)]
 pub struct Wish {
-    /// Role of the named item.
+    /// Role of the item that the label names.
     pub role: Role,
-    /// Text of the label, part by part.
+    /// Text of the label, as a list of parts.
     pub words: Vec<Word>,
-    /// Spot beside which the label stands.
+    /// Point of the sheet beside which the label is placed.
     pub anchor: SheetPoint,
-    /// Preferred direction from the anchor, of length 1; `None` for any direction.
+    /// Preferred direction from the anchor, a unit vector on the sheet; `None` for any direction.
     pub towards: Option<SheetPoint>,
-    /// Least distance from the anchor, px.
+    /// Least distance of the label from the anchor, px.
     pub gap: f64,
     /// True if the label must be placed, false if it may be left out for lack of room.
     pub is_needed: bool,
 }
 
-/// Estimated width of a text, px. It is a little too wide, because no font is available.
+/// Estimated width of a text, px. It is slightly too wide, because no font is available.
 fn width(words: &[Word]) -> f64 {
     let of = |word: &Word| match word {
         Word::Name(name) => {
@@ -55,8 +57,8 @@ fn width(words: &[Word]) -> f64 {
     words.iter().map(of).sum::<f64>() + 1.0
 }
 
-/// Places labels: all that are needed, and the optional ones that find room. Also returns leader lines of distant
-/// labels.
+/// Places all needed labels, and the optional labels that find room. Returns the labels and their
+/// leader lines.
 pub fn placed(wishes: &[Wish], marks: &[Mark]) -> (Vec<Label>, Vec<Mark>) {
     let ink: Vec<(SheetPoint, f64)> = marks.iter().flat_map(ink).collect();
     let sizes: Vec<SheetPoint> = wishes.iter().map(|wish| [width(&wish.words), HIGH]).collect();
@@ -87,7 +89,7 @@ pub fn placed(wishes: &[Wish], marks: &[Mark]) -> (Vec<Label>, Vec<Mark>) {
     (labels, leaders)
 }
 
-/// Spots of a mark's line, each with the cost of a label on it.
+/// Points of a mark's line, each with the cost of a label that covers it.
 fn ink(mark: &Mark) -> Vec<(SheetPoint, f64)> {
     let weight = match mark.role {
         Role::Ground => 0.2,
@@ -100,7 +102,8 @@ fn ink(mark: &Mark) -> Vec<(SheetPoint, f64)> {
     mark.path.spots(STEP).into_iter().map(|spot| (spot, weight)).collect()
 }
 
-/// Candidate places of a label, each with its cost without other labels.
+/// Candidate places of a label, each with its cost without other labels. `size` is the size of its
+/// box, px.
 fn candidates(wish: &Wish, size: SheetPoint, ink: &[(SheetPoint, f64)]) -> Vec<(SheetPoint, f64)> {
     let half = size.map(|x| 0.5 * x);
     let mut list = Vec::with_capacity(RINGS.len() * DIRECTIONS);
@@ -116,7 +119,8 @@ fn candidates(wish: &Wish, size: SheetPoint, ink: &[(SheetPoint, f64)]) -> Vec<(
             // There is more room along the sides of a box than at its corners.
             let slanted = 0.4 * (way[0] * way[1]).abs();
             let on: f64 = ink.iter().filter(|(at, _)| holds(spot, half, *at)).map(|(_, weight)| weight).sum();
-            // A body's name that is far from its body could be taken for that of another.
+            // The name of a body that is far from the body could be taken for the name of another
+            // body.
             let further_cost = if wish.role == Role::Body { 4.0 } else { 2.2 };
             let cost = on + further_cost * ring as f64 + 0.12 * further + 5.0 * turned + slanted;
             list.push((spot, (cost * 1e3).round() / 1e3));
@@ -125,17 +129,18 @@ fn candidates(wish: &Wish, size: SheetPoint, ink: &[(SheetPoint, f64)]) -> Vec<(
     list
 }
 
-/// True if a spot is inside a box with the given middle and half size, or too close to it.
+/// True if a point is inside a box, or too close to it. The box has its middle at `middle` and half
+/// the size `half`.
 fn holds(middle: SheetPoint, half: SheetPoint, at: SheetPoint) -> bool {
     (0..2).all(|i| (at[i] - middle[i]).abs() <= half[i] + CLEAR.1)
 }
 
-/// True if two boxes, by middle and size, overlap or are too close.
+/// True if two boxes overlap or are too close; each box is given by its middle and its size.
 fn overlaps(a: (SheetPoint, SheetPoint), b: (SheetPoint, SheetPoint)) -> bool {
     (0..2).all(|i| (a.0[i] - b.0[i]).abs() < 0.5 * (a.1[i] + b.1[i]) + CLEAR.0)
 }
 
-/// Leader line from a label to its anchor; `None` if the label is near its anchor.
+/// Leader line from a label at `spot` to its anchor; `None` if the label is near its anchor.
 fn leader(wish: &Wish, spot: SheetPoint, size: SheetPoint) -> Option<Mark> {
     let way = [wish.anchor[0] - spot[0], wish.anchor[1] - spot[1]];
     let towards = unit(way);

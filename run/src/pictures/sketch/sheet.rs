@@ -1,4 +1,5 @@
-//! Mechanism and pose that are sketched, the camera, and the sheet with its marks.
+//! Subject of a sketch (mechanism, pose and camera), and the sheet with its marks and requested
+//! labels.
 
 use super::camera::Camera;
 use super::drawing::{Mark, Role, SheetPoint, Word};
@@ -9,21 +10,22 @@ use crate::pictures::view::space::{about, length, minus, product, rotated};
 use crate::pictures::view::{Pose, Poses, Rotation, Triple, View};
 use tripos_derive::algebra::Expr;
 
-/// Mechanism in one pose, with the camera of its sketch.
+/// Mechanism in the drawn pose, with the camera of its sketch.
 pub struct Subject<'a> {
-    /// Mechanism that is sketched.
+    /// Mechanism that is drawn.
     pub mechanism: &'a Mechanism,
-    /// Turns of the mechanism's frames and positions of its points, as numbers.
+    /// Formulas for the rotations of frames and the positions of points.
     pub terms: &'a Terms,
-    /// Poses of the mechanism's model, as a function of parameters and coordinates.
+    /// Function that computes poses from parameters and coordinates.
     pub poses: &'a Poses,
-    /// Values of the parameters.
+    /// Values of the parameters, in the order of the model.
     pub p: &'a [f64],
-    /// Values of the coordinates in the drawn pose.
+    /// Values of the coordinates in the drawn pose, in the order of the model.
     pub q: &'a [f64],
-    /// Frames and points in the drawn pose.
+    /// Attitudes of the frames and positions of the points in the drawn pose.
     pub pose: &'a Pose,
-    /// Poses far from the drawn one and from each other. A point that rests in all of them is fixed.
+    /// Poses far from the drawn pose and from one another. A point with the same place in all of
+    /// them is fixed.
     pub far: &'a [Pose],
     /// Solids of the mechanism, its size and its up direction.
     pub view: &'a View,
@@ -33,12 +35,13 @@ pub struct Subject<'a> {
     pub is_planar: bool,
 }
 
-/// Marks and wishes for labels on the sheet.
+/// Sheet of a sketch: its marks, and the labels that are still to be placed.
 #[derive(Default)]
 pub struct Sheet {
     /// Marks on the sheet, from back to front.
     pub marks: Vec<Mark>,
-    /// Labels to be placed. Needed labels choose their places first, then the others in the order of the list.
+    /// Labels to be placed. Needed labels choose their places first, then the optional ones in the
+    /// order of the list.
     pub wishes: Vec<Wish>,
 }
 
@@ -49,23 +52,25 @@ impl Subject<'_> {
         gravity.is_some_and(|gravity| gravity.acceleration.iter().any(|e| *e != Expr::ZERO))
     }
 
-    /// Spot of a point of the model on the sheet.
+    /// Point of the sheet, px, at which a point of the model is drawn.
     pub fn spot(&self, point: usize) -> SheetPoint {
         self.camera.spot(self.pose.points[point])
     }
 
-    /// True if no coordinate moves a point.
+    /// True if no coordinate moves the point: it has the same place in all poses.
     pub fn is_fixed(&self, point: usize) -> bool {
         let here = self.pose.points[point];
         self.far.iter().all(|pose| length(minus(pose.points[point], here)) <= 1e-9 * self.view.size)
     }
 
-    /// True if two points coincide in this pose.
+    /// True if the points with the indices `a` and `b` coincide in the drawn pose.
     pub fn is_same(&self, a: usize, b: usize) -> bool {
         length(minus(self.pose.points[a], self.pose.points[b])) <= 1e-7 * self.view.size
     }
 
-    /// Name of the body that a joint carries, if the frame belongs to that body and was named after it by the program.
+    /// Name of the body after which a frame was named by the program, because a joint of the model
+    /// file gives the body its frame.
+    /// Returns `None` for any other frame.
     fn named_after(&self, frame: usize) -> Option<&str> {
         let carried = self.mechanism.carried.iter().map(|joint| &self.mechanism.bodies[joint.body]);
         let mut own = carried.filter(|body| body.rigid.as_ref().is_some_and(|rigid| rigid.0 == frame));
@@ -73,19 +78,20 @@ impl Subject<'_> {
         own.find(|body| *name == format!("{}_frame", body.name)).map(|body| body.name.as_str())
     }
 
-    /// True if the program named a frame after a body that a joint carries.
+    /// True if the program named the frame after a body that the model file attaches by a joint.
     pub fn is_generated(&self, frame: usize) -> bool {
         self.named_after(frame).is_some()
     }
 
-    /// Basis vector of a frame as a part of a label. If the frame is named after a body, it has the name of the body.
+    /// Basis vector of a frame, as a part of a label. A frame named after a body has the name of
+    /// the body here.
     pub fn basis(&self, frame: usize, axis: usize) -> Word {
         let name = self.named_after(frame).unwrap_or(&self.mechanism.frames[frame].name);
         Word::Basis(name.to_owned(), axis)
     }
 
-    /// True if the program named a point after a joint: the mass centre of the carried body, or the end of the closed
-    /// loop.
+    /// True if the program named the point after a joint: a body's mass centre, or the closing end
+    /// of a loop.
     pub fn is_of_joint(&self, point: usize) -> bool {
         let name = &self.mechanism.points[point].name;
         let carried = self.mechanism.carried.iter().map(|joint| &self.mechanism.bodies[joint.body]);
@@ -94,13 +100,15 @@ impl Subject<'_> {
         is_centre || self.mechanism.points.iter().any(|joint| *name == format!("{}_closed", joint.name))
     }
 
-    /// Iterates over a frame and the frames that it is turned from, itself first.
+    /// Frames from a frame up to the inertial frame: the frame itself, its parent, and so on.
     pub fn chain(&self, frame: usize) -> impl Iterator<Item = usize> + '_ {
         std::iter::successors(Some(frame), |at| Some(self.terms.links.frames[*at]?.0))
     }
 
-    /// Direction in the inertial frame that a direction of a frame has if the frame is turned about an axis of its
-    /// parent by an angle.
+    /// Direction in the inertial frame of a vector fixed in a frame, if the frame is turned by
+    /// `angle`, rad, from its parent.
+    /// `axis` is the index of the axis of rotation, and `direction` has components in the turned
+    /// frame.
     pub fn turned(&self, parent: usize, axis: usize, angle: f64, direction: Triple) -> Triple {
         let rotation: Rotation = product(&self.pose.rotations[parent], &about(axis, angle));
         rotated(&rotation, direction)
@@ -108,17 +116,21 @@ impl Subject<'_> {
 }
 
 impl Sheet {
-    /// Adds marks in front of those on the sheet.
+    /// Adds marks in front of all marks on the sheet.
     pub fn add(&mut self, marks: impl IntoIterator<Item = Mark>) {
         self.marks.extend(marks);
     }
 
     /// Requests a label that must be placed.
+    /// `anchor` is the named place and `gap` the least distance from it, px. `towards` is a
+    /// preferred direction; `None` for any.
     pub fn name(&mut self, role: Role, words: Vec<Word>, anchor: SheetPoint, towards: Option<SheetPoint>, gap: f64) {
         self.wishes.push(Wish { role, words, anchor, towards, gap, is_needed: true });
     }
 
     /// Requests a label that is placed only if there is room.
+    /// `anchor` is the named place, `towards` a preferred direction, and `gap` the least distance
+    /// in px.
     pub fn may_name(
         &mut self,
         role: Role,

@@ -1,4 +1,5 @@
-//! Marks of the ground at joints: pins on their supports, rails, and walls that hold springs.
+//! Marks of the ground at joints: pins with their supports, rails of sliding points, and walls that
+//! hold springs.
 
 use super::drawing::{Mark, Path, Role, SheetPoint, unit};
 use super::sheet::{Sheet, Subject};
@@ -8,12 +9,12 @@ use tripos_derive::model::ReactionKind;
 
 /// Height of a pin over the ground, and half the width of its support mark, px.
 const STAND: (f64, f64) = (13.0, 15.0);
-/// Distance of the lines of a hatching, and length of each, px.
+/// Distance between the lines of a hatching, and length of each line, px.
 const HATCH: (f64, f64) = (5.5, 6.5);
-/// Length of a rail to each side of the point that runs on it, px.
+/// Length of a rail to each side of the sliding point, px.
 const RAIL: f64 = 62.0;
 
-/// Puts the marks of supports and rails on the sheet.
+/// Adds the marks of supports and rails to the sheet.
 pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
     let mut done: Vec<usize> = Vec::new();
     for point in held(subject) {
@@ -30,7 +31,8 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// Indices of the points at which the ground holds something: joints, reactions, and ends of rods and springs.
+/// Indices of the points at which the ground holds the mechanism: joints, reactions, and fixed ends
+/// of rods and springs.
 fn held(subject: &Subject<'_>) -> Vec<usize> {
     let mechanism = subject.mechanism;
     let hung = mechanism.carried.iter().filter(|joint| joint.on.is_none()).map(|joint| joint.point);
@@ -44,7 +46,7 @@ fn held(subject: &Subject<'_>) -> Vec<usize> {
     hung.chain(pushed).chain(ends).chain(resting).collect()
 }
 
-/// Ends of each rod and each spring, as indices of points.
+/// Indices of the two end points of each rod and each spring.
 fn ways(subject: &Subject<'_>) -> Vec<[usize; 2]> {
     let solids = subject.view.solids.iter();
     solids
@@ -55,7 +57,7 @@ fn ways(subject: &Subject<'_>) -> Vec<[usize; 2]> {
         .collect()
 }
 
-/// Sum of the unit vectors on the sheet from a point along its rods and springs.
+/// Sum of the unit vectors on the sheet from a point along the rods and springs that end in it.
 fn leads(subject: &Subject<'_>, point: usize) -> SheetPoint {
     let mut sum = [0.0; 2];
     for [a, b] in ways(subject) {
@@ -69,8 +71,8 @@ fn leads(subject: &Subject<'_>, point: usize) -> SheetPoint {
     sum
 }
 
-/// Marks of the support of a fixed point, on the side away from its rods. If only a spring is held there, they are a
-/// wall.
+/// Marks of the support of a fixed point, on the side away from its rods; a wall if only springs
+/// end in the point.
 fn stand(subject: &Subject<'_>, point: usize) -> Vec<Mark> {
     let (spot, leads) = (subject.spot(point), leads(subject, point));
     let is_of_spring = |solid: &crate::pictures::view::Solid| match solid.form {
@@ -99,7 +101,8 @@ fn stand(subject: &Subject<'_>, point: usize) -> Vec<Mark> {
     marks
 }
 
-/// Direction of length 1 along which a point moves; `None` unless it moves along one line.
+/// Unit vector along the line on which a point moves; `None` unless the point moves along a single
+/// line.
 fn rail(subject: &Subject<'_>, point: usize) -> Option<Triple> {
     let here = subject.pose.points[point];
     let ways: Vec<Triple> = subject.far.iter().map(|pose| minus(pose.points[point], here)).collect();
@@ -109,7 +112,8 @@ fn rail(subject: &Subject<'_>, point: usize) -> Option<Triple> {
     ways.iter().all(is_along).then_some(way)
 }
 
-/// Marks of a rail beside the point that runs on it; none if the rail is nearly perpendicular to the sheet.
+/// Marks of a rail beside the point that slides on it; empty if the rail is nearly perpendicular to
+/// the sheet.
 fn guide(subject: &Subject<'_>, point: usize, way: Triple) -> Vec<Mark> {
     let camera = &subject.camera;
     let (spot, seen) = (subject.spot(point), camera.seen(way));
@@ -126,7 +130,7 @@ fn guide(subject: &Subject<'_>, point: usize, way: Triple) -> Vec<Mark> {
     wall([at(-RAIL), at(RAIL)], below)
 }
 
-/// Marks of a wall: a line with hatching behind it.
+/// Marks of a wall: a line between two points of the sheet, with hatching on the side `behind`.
 pub fn wall(ends: [SheetPoint; 2], behind: SheetPoint) -> Vec<Mark> {
     let [a, b] = ends;
     let way = [b[0] - a[0], b[1] - a[1]];

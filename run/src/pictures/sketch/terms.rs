@@ -1,5 +1,5 @@
-//! Turns of frames and positions of points as numbers. The angle or length that a coordinate is can be read from their
-//! terms.
+//! Formulas of the frames' rotations and the points' positions, from which the angle or length of a
+//! coordinate is read.
 
 use crate::code::tape;
 use crate::error::Error;
@@ -11,57 +11,58 @@ use tripos_derive::algebra::value::evaluate::Tape;
 /// Relative difference below which two numbers count as equal.
 const SAME: f64 = 1e-9;
 
-/// Terms that give the frames and points of a mechanism, as a tape.
+/// Formulas that place the frames and points of a mechanism, compiled for evaluation.
 pub struct Terms {
+    /// Program that evaluates all formulas from parameters and coordinates.
     tape: Tape,
-    /// Parents of the frames and points, with the terms that place them.
+    /// Parents of the frames and points, with the formulas that place them.
     pub links: Links,
-    /// Index of the first term of each frame.
+    /// Index of the first formula of each frame.
     frames: Vec<usize>,
-    /// Index of the first term of each point.
+    /// Index of the first formula of each point.
     points: Vec<usize>,
 }
 
-/// A term that is a coordinate times 1 or -1, plus a rest that does not depend on the coordinate.
+/// Formula that is ± a coordinate plus a rest that does not depend on the coordinate.
 #[derive(Clone, Copy, Debug)]
 pub struct SignedCoordinate {
-    /// Index of the coordinate.
+    /// Index of the generalized coordinate in the formula.
     pub coordinate: usize,
-    /// Factor of the coordinate, 1 or -1.
+    /// Factor of the coordinate in the formula, 1 or −1.
     pub sign: f64,
-    /// Value of the term at coordinate 0.
+    /// Value of the formula if the coordinate is 0, rad or m.
     pub zero: f64,
-    /// Value of the term in the present pose.
+    /// Value of the formula in the drawn pose, rad or m.
     pub now: f64,
 }
 
-/// Turn of a frame about a single axis of its parent.
+/// Rotation of a frame about a single axis of its parent.
 pub struct Turn {
-    /// Index of the parent frame.
+    /// Index of the parent frame, about whose axis the frame is turned.
     pub parent: usize,
-    /// Index of the axis, from 0 to 2.
+    /// Index of the axis of rotation in the parent frame, from 0 to 2.
     pub axis: usize,
-    /// Index of the term that is the angle.
+    /// Index, among all formulas, of the formula for the angle in rad.
     pub term: usize,
 }
 
-/// Vector to a point in components of a frame.
+/// Vector to a point from another point, in components of a frame.
 #[derive(Default)]
 pub struct Components {
     /// Index of the point from which the vector is measured.
     pub from: usize,
-    /// Index of the frame of the components.
+    /// Index of the frame in which the vector has its components.
     pub frame: usize,
-    /// Index of the term that is the first of the three components.
+    /// Index of the formula of the first component; the other two follow.
     pub first: usize,
 }
 
 impl Terms {
-    /// Compiles the terms of a mechanism.
+    /// Compiles the formulas that place the frames and points of a mechanism.
     ///
     /// # Errors
-    /// [`Error::Request`] if a place depends on a symbol other than parameters and coordinates. No loaded model has
-    /// one.
+    /// [`Error::Request`] if a place depends on a symbol other than parameters and coordinates. No
+    /// loaded model has one.
     pub fn new(mechanism: &Mechanism) -> Result<Self, Error> {
         let links = Links::of(mechanism);
         let inputs = [mechanism.p(), mechanism.q()].concat();
@@ -81,7 +82,8 @@ impl Terms {
         Ok(Self { tape, links, frames, points })
     }
 
-    /// Turn of a frame about a single axis; `None` if the frame does not turn about a single axis.
+    /// Rotation of a frame about a single axis; `None` for a frame with nine cosines and for the
+    /// inertial frame.
     pub fn turn(&self, frame: usize) -> Option<Turn> {
         let (parent, axis) = self.links.frames[frame]?;
         Some(Turn { parent, axis: axis?, term: self.frames[frame] })
@@ -93,12 +95,12 @@ impl Terms {
         Some(Components { from, frame, first: self.points[point] })
     }
 
-    /// True if a term mentions a coordinate.
+    /// True if the formula with the index `term` contains a coordinate.
     pub fn mentions(&self, mechanism: &Mechanism, term: usize, coordinate: usize) -> bool {
         mechanism.arena.mentions(self.links.values[term], mechanism.coordinates[coordinate].symbol)
     }
 
-    /// True if the turn of a frame from its parent mentions a coordinate.
+    /// True if the rotation of a frame from its parent depends on a coordinate.
     pub fn turns_by(&self, mechanism: &Mechanism, frame: usize, coordinate: usize) -> bool {
         let count = match self.links.frames[frame] {
             None => 0,
@@ -108,13 +110,14 @@ impl Terms {
         (self.frames[frame]..self.frames[frame] + count).any(|term| self.mentions(mechanism, term, coordinate))
     }
 
-    /// Values of all terms at parameters and coordinates.
+    /// Values of all formulas at parameters `p` and coordinates `q`.
     pub fn values(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
         self.tape.evaluate(&[p, q].concat())
     }
 
-    /// Reads a coordinate from a term. `None` unless the term is the coordinate or its opposite, plus a rest that does
-    /// not depend on it.
+    /// Reads a coordinate, with its sign, from the formula with the index `term`.
+    /// Returns `None` unless the formula is ± the coordinate plus a rest that does not depend on
+    /// the coordinate.
     pub fn signed_coordinate(
         &self,
         mechanism: &Mechanism,

@@ -1,8 +1,8 @@
-//! Forces as arrows along a motion: weights, forces of the model file such as springs and dampers, and constraint
-//! reactions.
+//! Forces as arrows along a motion: weights, forces of the model file such as springs and dampers,
+//! and reactions.
 //!
-//! Left out on purpose: torques, potentials that are not forces at points, and the forces in closed contacts of a scene
-//! with impacts.
+//! Not shown on purpose: torques, potentials that are not forces at points, and the forces in
+//! closed contacts of a scene with impacts.
 
 use super::pose::Pose;
 use super::space::{Triple, length, rotated};
@@ -23,45 +23,50 @@ use tripos_sim::Dynamics;
 pub enum ArrowKind {
     /// Weight of a body, at its mass centre.
     Weight,
-    /// A force of the model file, or its opposite.
+    /// Force of the model file, or its opposite on the second body.
     Applied,
-    /// A constraint force on the first of the two bodies that the constraint joins; on the other body it is the
-    /// opposite.
+    /// Constraint force on the first of the two bodies that the constraint joins; the second body
+    /// has the opposite force.
     Reaction,
 }
 
-/// Force on a body, without its value.
+/// Force on a body during a motion, without its values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Arrow {
-    /// Source of the force.
+    /// Source of the force: gravity, the model file or a constraint.
     pub kind: ArrowKind,
-    /// Name of the force. A force of the model file has its own name, a weight that of its body. A reaction has the
-    /// names of its components if the model file gives them, otherwise it is named by its body and point.
+    /// Name of the force. A force of the model file has its own name, and a weight has the name of
+    /// its body.
+    /// A reaction has the names of its components if the model file gives them, else the names of
+    /// its body and point.
     pub name: String,
-    /// Index of the body that the force acts on.
+    /// Index of the body on which the force acts.
     pub body: usize,
-    /// Index of the point that the force acts at.
+    /// Index of the point at which the force acts.
     pub point: usize,
-    /// True if the force is the opposite of the force with this name.
+    /// True if the force is the opposite of the force of the model file with this name.
     pub is_opposite: bool,
-    /// Index of the frame in which the force has its components.
+    /// Index of the frame of the components from which the force is computed.
     frame: usize,
 }
 
 /// Forces of a mechanism along a motion, with their values.
 #[derive(Clone, Debug, Default)]
 pub struct Forces {
-    /// Forces that are not always zero: weights in the order of the bodies, each force of the model file and its
-    /// opposite, then reactions.
+    /// Forces that are not zero throughout the motion: weights, forces of the model file and their
+    /// opposites, then reactions.
     pub list: Vec<Arrow>,
-    /// Values of the forces at each instant, N, in the inertial frame, in the order of `list`.
+    /// Force vectors at each instant, N, in the inertial frame; at each instant in the order of
+    /// `list`.
     pub values: Vec<Vec<Triple>>,
-    /// Names of the forces that are left out because they have no value at one of the instants.
+    /// Names of the forces that are left out because they have no finite value at an instant.
     pub unknown: Vec<String>,
-    /// Scale of the forces, N, chosen so that a spike does not make other forces invisible. The largest force exceeds
-    /// it at a tenth of the instants. If that number is 0, the scale is the overall largest force.
+    /// Usual magnitude of the forces, N, for the scale of arrows: the largest force exceeds it at a
+    /// tenth of the instants.
+    /// So a spike does not make other forces invisible. If this magnitude is 0, it is the overall
+    /// largest force.
     pub usual: f64,
-    /// Reason why the reactions of the motion are missing; `None` if they are known or there are none.
+    /// Reason why the reactions are missing; `None` if they are known or if there are none.
     pub without: Option<String>,
 }
 
@@ -69,34 +74,36 @@ impl Forces {
     /// Ratio of the longest drawn arrow to the usual force; longer arrows are cut.
     pub const CUT: f64 = 2.5;
 
-    /// Force as it is drawn, N: at its own length, or cut to [`Self::CUT`] times the usual force.
+    /// Force vector as drawn, N: unchanged, or shortened to [`Self::CUT`] times the usual force.
     #[must_use]
     pub fn drawn(&self, force: Triple) -> Triple {
         let cut = Self::CUT * self.usual / length(force);
         if cut < 1.0 { force.map(|x| cut * x) } else { force }
     }
 
-    /// Magnitude of the largest force, N.
+    /// Magnitude of the largest force at any instant, N.
     #[must_use]
     pub fn largest(&self) -> f64 {
         self.values.iter().flatten().map(|force| length(*force)).fold(0.0, f64::max)
     }
 
-    /// Forces at a selection of the instants, by their indices.
+    /// Copy of the forces that keeps only the instants with the indices `kept`.
     #[must_use]
     pub fn at(&self, kept: &[usize]) -> Self {
         Self { values: kept.iter().map(|at| self.values[*at].clone()).collect(), ..self.clone() }
     }
 }
 
-/// Forces of a mechanism as functions of the states of a scene.
+/// Forces of a mechanism as functions of its state.
 pub(super) struct Arrows {
+    /// Forces whose values are computed, in the order of the program's outputs.
     list: Vec<Arrow>,
-    /// Computes the force components from parameters, q, u and reactions.
+    /// Program for the components of all forces, N, from parameters, q, u and reactions.
     tape: Tape,
-    /// Equations of the force balance; `None` if there are no reactions or they cannot be found.
+    /// Newton–Euler equations, from which reactions follow; `None` if there are no reactions or
+    /// they cannot be found.
     balance: Option<Code>,
-    /// Reason why reactions cannot be found; `None` if they are known or there are none.
+    /// Reason why reactions cannot be found; `None` if they can, or if there are none.
     without: Option<String>,
 }
 
@@ -104,8 +111,8 @@ impl Arrows {
     /// Compiles the weights, the forces of the model file and the reactions of a mechanism.
     ///
     /// # Errors
-    /// [`Error::Input`] if a force divides by a velocity that is zero; [`Error::Request`] if a force depends on a
-    /// symbol that has no value during a run.
+    /// [`Error::Input`] if a force divides by a velocity that is zero; [`Error::Request`] if a
+    /// force depends on a symbol that has no value during a run.
     pub(super) fn new(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let model = &mechanism.model;
         let mut kinematics = Kinematics::new(model).map_err(|error| model.diagnose(&error))?;
@@ -163,7 +170,8 @@ impl Arrows {
         Ok(Self { tape: stepwise(&kinematics.arena, &inputs, &steps, &values, "a force")?, list, balance, without })
     }
 
-    /// Computes the forces at states with their poses. Each state consists of coordinates and generalized speeds.
+    /// Computes the forces at states with their poses; each state is the coordinates q followed by
+    /// the generalized speeds u.
     ///
     /// # Errors
     /// [`Error::Request`] if the number of parameters does not fit the equations.
@@ -177,7 +185,7 @@ impl Arrows {
         let mut at = |state: &[f64], pose: &Pose| {
             let (q, u) = state.split_at(n);
             let unknowns = balance.as_mut().and_then(|balance| balance.unknowns(q, u).ok());
-            // A singular force balance gives no reactions.
+            // If the force balance is singular, the reactions are "not a number".
             let reactions = unknowns.map_or_else(|| vec![f64::NAN; count], |x| x[u.len()..].to_vec());
             let values = self.tape.evaluate(&[p, state, &reactions].concat());
             let own = values.chunks_exact(3).map(|each| [each[0], each[1], each[2]]);
@@ -200,7 +208,8 @@ impl Arrows {
     }
 }
 
-/// Magnitude that the largest force exceeds at a tenth of the instants, N; the overall largest magnitude if that is 0.
+/// Magnitude that the largest force exceeds at a tenth of the instants, N; the overall largest
+/// magnitude if it is 0.
 fn usual(values: &[Vec<Triple>]) -> f64 {
     let largest = |now: &Vec<Triple>| now.iter().map(|force| length(*force)).fold(0.0, f64::max);
     let mut each: Vec<f64> = values.iter().map(largest).collect();
@@ -209,7 +218,8 @@ fn usual(values: &[Vec<Triple>]) -> f64 {
     if tenth > 0.0 { tenth } else { each.last().copied().unwrap_or_default() }
 }
 
-/// Equations of the force balance of a mechanism with reactions. The error says why reactions cannot be found.
+/// Newton–Euler equations of a mechanism with reactions. The error is the reason why reactions
+/// cannot be found.
 fn balance(mechanism: &Mechanism, scene: &Scene) -> Result<Code, String> {
     if !scene.impacts.is_empty() {
         return Err("the forces of closed contacts are not part of the equations".to_owned());
@@ -219,6 +229,8 @@ fn balance(mechanism: &Mechanism, scene: &Scene) -> Result<Code, String> {
 }
 
 /// Groups the components of reaction forces that act between the same two places in the same frame.
+/// Returns the place, the index of the frame and the components of each force; reaction torques are
+/// left out.
 fn joined(reactions: &[Reaction]) -> Vec<(Place, usize, Vec<&Reaction>)> {
     let mut list: Vec<(ReactionKind, usize, Vec<&Reaction>)> = Vec::new();
     for reaction in reactions {

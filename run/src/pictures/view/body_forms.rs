@@ -1,14 +1,17 @@
-//! Forms of solids that represent a body.
+//! Forms of the solids that represent a body.
 
 use super::inertia::Homogeneous;
 use super::solid::{Form, Place};
 use super::space::{Rotation, Triple, along, dot, length, minus, plus, quaternion, transposed, unit};
 
-/// Greatest distance from a line of points that lie on one rod, relative to the rod's length.
+/// Greatest distance of points from a line, relative to the length of the line, at which they count
+/// as on one rod.
 pub const STRAIGHT: f64 = 0.15;
 
-/// Rods that join the points of a body: a single rod if all lie on a line, otherwise a rod from the mass centre to each
-/// point.
+/// Rods that join the points of a body: a single rod if all points lie on a line, else a rod from
+/// the mass centre to each.
+/// `centre` and `points` are indices of points. `places` are the points' positions from the mass
+/// centre, m.
 pub fn rods(centre: usize, points: &[usize], places: &[Triple], radius: f64) -> Vec<Form> {
     let all: Vec<(usize, Triple)> =
         points.iter().copied().zip(places.iter().copied()).chain([(centre, [0.0; 3])]).collect();
@@ -27,7 +30,8 @@ pub fn rods(centre: usize, points: &[usize], places: &[Triple], radius: f64) -> 
     points.iter().map(|point| Form::Rod { ends: [centre, *point], radius }).collect()
 }
 
-/// Form of a homogeneous solid whose principal axes are turned by `axes`, made thick enough to be visible.
+/// Form of a homogeneous solid whose principal axes are the columns of `axes`; it is at least
+/// `thin` (m) thick.
 pub fn homogeneous_form(at: Place, like: &Homogeneous, axes: &Rotation, thin: f64) -> Form {
     match *like {
         Homogeneous::Sphere { radius } => Form::Sphere { at, radius },

@@ -1,9 +1,9 @@
 //! Solids guessed from bodies, points and joints, for models whose file gives no shapes.
 //!
-//! Points that are fixed in a body are found by numbers, in configurations far from each other. The model file's way of
-//! placing them does not matter: a point belongs to every body in which it does not move. Rods join the points that are
-//! fixed in a body. The inertia decides between disks and boxes. A body rolls at a point that moves round it at a
-//! constant distance.
+//! Points that are fixed in a body are found numerically, in configurations far from one another.
+//! The way in which the model file places them does not matter: a point belongs to every body in
+//! which it does not move. Rods join the points that are fixed in a body. The inertia decides
+//! between disks and boxes. A body rolls at a point that moves round it at a constant distance.
 
 use super::View;
 use super::body_forms::{STRAIGHT, homogeneous_form, rods};
@@ -19,43 +19,51 @@ use tripos_derive::model::{Body, Place as Of, ReactionKind};
 
 /// Radius of a guessed rod, relative to the size of the mechanism.
 const ROD: f64 = 0.016;
-/// Tolerance up to which places count as equal, for lengths of order one.
+/// Tolerance up to which positions count as equal, m, for lengths of about 1 m.
 const SAME: f64 = 1e-9;
-/// Greatest number of points that are traced by default.
+/// Greatest number of points whose paths are shown by default.
 const MOST_TRACED: usize = 3;
 
-/// Geometry of a mechanism's bodies, found by numbers.
+/// Geometry of a mechanism's bodies, found numerically from poses.
 pub struct Guess<'a> {
     mechanism: &'a Mechanism,
-    /// Poses far from each other; the first is the start.
+    /// Poses far from one another; the first is the start.
     poses: Vec<Pose>,
+    /// Mass, homogeneous solid, fixed points and contact of each body.
     bodies: Vec<Known>,
 }
 
-/// Mass, shape and fixed points of a body.
+/// Mass, homogeneous solid, fixed points and contact of a body.
 struct Known {
+    /// Mass of the body, kg.
     mass: f64,
-    /// Homogeneous solid with the body's mass and inertia, and the rotation of its principal axes from the body's
-    /// frame. `None` for a particle, and if no such solid exists.
+    /// Homogeneous solid with the body's mass and inertia, and its principal axes as columns in the
+    /// body's frame.
+    /// `None` for a particle, and if no such solid exists.
     like: Option<(Homogeneous, Rotation)>,
     /// Indices of the points that are fixed in the body, other than its mass centre.
     attached: Vec<usize>,
-    /// Contact of the body; `None` if no point runs round the body.
+    /// Contact of a rolling or sliding body; `None` if no point runs round the body.
     rim: Option<Rim>,
 }
 
-/// Contact of a rolling or sliding body: index of the point, its distance from an axis, m, and the position of the
-/// contact's plane along the axis from the mass centre, m.
+/// Contact of a rolling or sliding body with the ground.
 #[derive(Clone, Copy)]
 struct Rim {
+    /// Index of the point at which the body touches the ground.
     point: usize,
+    /// Distance of the contact from the body's axis, or from its centre for a ball, m.
     radius: f64,
+    /// Position of the contact along the body's axis, from the mass centre, m.
     beside: f64,
 }
 
 impl<'a> Guess<'a> {
-    /// Guesses the solids of a mechanism at the parameters of a configuration; `moves` are poses of its motion from
-    /// there.
+    /// Guesses the solids of a mechanism at the parameters of the configuration `at`; `moves` are
+    /// poses of its motion.
+    ///
+    /// # Errors
+    /// `Error::Request` if a mass or an inertia cannot be evaluated.
     pub fn new(mechanism: &'a Mechanism, at: Configuration<'_>, poses: &Poses, moves: &[Pose]) -> Result<Self, Error> {
         let mut far: Vec<Pose> = moves.first().cloned().into_iter().collect();
         far.extend((0..4).map(|away| poses.of(at.parameters, &configuration(at.q, away))));
@@ -73,7 +81,7 @@ impl<'a> Guess<'a> {
         Ok(guess)
     }
 
-    /// Finds the mass, the shape and the fixed points of a body.
+    /// Finds the mass, the homogeneous solid and the fixed points of a body.
     fn known(&self, parameters: &[f64], body: &Body) -> Result<Known, Error> {
         let mass = values(self.mechanism, parameters, &[body.mass], "a mass")?[0];
         let Some((frame, inertia)) = &body.rigid else {
@@ -83,7 +91,8 @@ impl<'a> Guess<'a> {
         let flat = values(self.mechanism, parameters, &terms, "an inertia")?;
         let tensor: Rotation = [0, 1, 2].map(|i| [0, 1, 2].map(|j| flat[3 * i + j]));
         let like = self.poses.first().and_then(|pose| {
-            // Takes components in the frame of the inertia to those in the frame of the body.
+            // The product `turn` converts components in the inertia's frame to components in the
+            // body's frame.
             let turn = product(&transposed(&pose.rotations[*frame]), &pose.rotations[inertia.frame]);
             let (moments, axes) = principal(&product(&product(&turn, &tensor), &transposed(&turn)));
             Some((homogeneous(mass, moments)?, axes))
@@ -93,14 +102,14 @@ impl<'a> Guess<'a> {
         Ok(Known { mass, like, attached, rim: None })
     }
 
-    /// Positions of a point from the mass centre of a body, in the body's frame, m, one for each pose.
+    /// Positions of a point from a body's mass centre, in the body's frame, m, one for each pose.
     fn seen_from(&self, frame: usize, centre: usize, point: usize) -> impl Iterator<Item = Triple> + '_ {
         self.poses
             .iter()
             .map(move |pose| rotated_back(&pose.rotations[frame], minus(pose.points[point], pose.points[centre])))
     }
 
-    /// True if a point is fixed in a body and is not its mass centre.
+    /// True if a point is fixed in a body and does not coincide with its mass centre.
     fn is_attached(&self, frame: usize, centre: usize, point: usize) -> bool {
         let places: Vec<Triple> = self.seen_from(frame, centre, point).collect();
         let Some(first) = places.first() else { return false };
@@ -108,8 +117,9 @@ impl<'a> Guess<'a> {
         point != centre && apart > SAME && places.iter().all(|r| length(minus(*r, *first)) <= SAME * (1.0 + apart))
     }
 
-    /// Removes the points that a body shares with a body that it is turned from, except the nearest one. All of these
-    /// points lie on the common axle.
+    /// Removes points that a body shares with the body from which it is turned, except the nearest
+    /// point.
+    /// All of the shared points lie on the common axle.
     fn leave_out_axle(&mut self, at: usize) {
         let frame_of = |body: &Body| body.rigid.as_ref().map(|(frame, _)| *frame);
         let Some(own) = frame_of(&self.mechanism.bodies[at]) else { return };
@@ -132,8 +142,10 @@ impl<'a> Guess<'a> {
         }
     }
 
-    /// Finds the contact of a rolling or sliding body: a point at which a force acts and that runs round the body at a
-    /// constant distance and height. `None` if there is no such point.
+    /// Finds the contact of a rolling or sliding body: a point where a force acts and that runs
+    /// round the body.
+    /// The point keeps its distance and its height along the axis. `None` if there is no such
+    /// point.
     fn rim(&self, at: usize, body: &Body) -> Option<Rim> {
         let (frame, _) = body.rigid.as_ref()?;
         let (like, axes) = self.bodies[at].like.as_ref()?;
@@ -156,7 +168,7 @@ impl<'a> Guess<'a> {
         })
     }
 
-    /// Indices of the points at which forces and reactions act on a body.
+    /// Indices of the points at which forces and reactions act on the body with the index `body`.
     fn touched(&self, body: usize) -> Vec<usize> {
         let reactions = self.mechanism.reactions.iter().filter_map(|reaction| match reaction.kind {
             ReactionKind::Force { on, against } => Some([Some(on), against]),
@@ -169,8 +181,8 @@ impl<'a> Guess<'a> {
         list
     }
 
-    /// Indices of the points that are visible: those of the stated solids, or those of the bodies and springs if none
-    /// is stated.
+    /// Indices of the visible points: those of the stated solids, or if none are stated, those of
+    /// bodies and springs.
     pub fn seen(&self, stated: &[Solid]) -> Vec<usize> {
         let mut list: Vec<usize> = if stated.is_empty() {
             let of_bodies = self.mechanism.bodies.iter().zip(&self.bodies).flat_map(|(body, known)| {
@@ -187,12 +199,12 @@ impl<'a> Guess<'a> {
         list
     }
 
-    /// Greatest distance from the place of a guessed solid to its surface, m.
+    /// Greatest distance from the centre of a guessed solid to its surface, m.
     pub fn reach(&self) -> f64 {
         self.solids(0.0).iter().map(|solid| solid.form.reach()).fold(0.0, f64::max)
     }
 
-    /// Makes the guessed solids for a mechanism of the given size, m.
+    /// Makes the guessed solids; `size` is the size of the mechanism, m.
     pub fn solids(&self, size: f64) -> Vec<Solid> {
         let mut list = Vec::new();
         for (at, (body, known)) in self.mechanism.bodies.iter().zip(&self.bodies).enumerate() {
@@ -218,8 +230,8 @@ impl<'a> Guess<'a> {
         list
     }
 
-    /// Forms of a particle: a ball, and a rod if the particle keeps a constant distance from the point that it is
-    /// placed from.
+    /// Forms of a particle: a ball, and a rod if the particle keeps its distance from the point
+    /// that places it.
     fn particle(&self, body: &Body, known: &Known, size: f64) -> Vec<Form> {
         let heaviest = self.bodies.iter().map(|known| known.mass).fold(0.0, f64::max);
         let share = if heaviest > 0.0 { (known.mass / heaviest).cbrt().clamp(0.5, 1.0) } else { 1.0 };
@@ -232,7 +244,7 @@ impl<'a> Guess<'a> {
         forms
     }
 
-    /// True if two points keep a constant distance above 0 while the line between them turns.
+    /// True if two points keep a constant non-zero distance while the line between them turns.
     fn is_rigid(&self, a: usize, b: usize) -> bool {
         let ways: Vec<Triple> = self.poses.iter().map(|pose| minus(pose.points[b], pose.points[a])).collect();
         let Some(first) = ways.first() else { return false };
@@ -258,7 +270,8 @@ impl<'a> Guess<'a> {
                 let way = dot(*r, line);
                 length(plus(*r, -way, line)) <= 0.02 * long && way.abs() <= 0.51 * long
             };
-            // A cylinder that is much longer than its fixed points suggest is no rod: its mass is far out.
+            // If a cylinder is much longer than its fixed points suggest, the body is no rod: its
+            // mass is far out.
             let ends = places.iter().map(|r| length(*r)).fold(0.0, f64::max);
             let is_as_long = places.is_empty() || *long <= 2.6 * ends;
             if is_as_long && places.iter().all(on_it) {
@@ -291,7 +304,7 @@ impl<'a> Guess<'a> {
         forms
     }
 
-    /// Balls at the places at which bodies meet each other or the ground.
+    /// Pins (balls) at the points where bodies meet one another or the ground.
     fn pins(&self, size: f64) -> Vec<Solid> {
         let mut list: Vec<usize> = Vec::new();
         for point in 0..self.mechanism.points.len() {
@@ -311,13 +324,14 @@ impl<'a> Guess<'a> {
         list.into_iter().map(ball).collect()
     }
 
-    /// True if no coordinate moves a point.
+    /// True if no coordinate moves the point: it has the same place in all poses.
     fn is_fixed(&self, point: usize) -> bool {
         let first = self.poses.first().map(|pose| pose.points[point]);
         first.is_some_and(|first| self.poses.iter().all(|pose| length(minus(pose.points[point], first)) <= SAME))
     }
 
-    /// Guesses the ground plane, on which bodies roll or above which they swing. `None` without contacts and gravity.
+    /// Guesses the ground plane: bodies roll on it, or swing above it. `None` without contacts and
+    /// without gravity.
     pub fn ground(&self, view: &View, motions: &[&[Pose]]) -> Option<Solid> {
         let pose = motions.first()?.first()?;
         let rims: Vec<Triple> = self.bodies.iter().filter_map(|known| Some(pose.points[known.rim?.point])).collect();
@@ -347,8 +361,8 @@ impl<'a> Guess<'a> {
         Some(Solid { label: "ground".to_owned(), body: None, touches: None, form: Form::Ground { at: place } })
     }
 
-    /// Indices of the points whose paths are worth tracing: points of contact, otherwise particles, otherwise one mass
-    /// centre.
+    /// Indices of the points whose paths are shown: points of contact, else moving particles, else
+    /// a single mass centre.
     pub fn traced(&self) -> Vec<usize> {
         let rims = self.bodies.iter().filter_map(|known| known.rim.map(|rim| rim.point));
         let of = |is_rigid: bool| {
@@ -366,13 +380,13 @@ impl<'a> Guess<'a> {
         list
     }
 
-    /// Index of the frame and of the mass centre of each rigid body.
+    /// Pairs (frame, mass centre) of indices, one for each rigid body.
     pub fn triads(&self) -> Vec<(usize, usize)> {
         self.mechanism.bodies.iter().filter_map(|body| Some((body.rigid.as_ref()?.0, body.centre))).collect()
     }
 }
 
-/// Form of a wheel or a ball with the radius of its contact.
+/// Form of a wheel or a ball whose radius is that of its contact.
 fn wheel(at: Place, known: &Known, rim: Rim) -> Form {
     match &known.like {
         Some((Homogeneous::Cylinder { axis, .. }, axes)) => {
@@ -385,8 +399,8 @@ fn wheel(at: Place, known: &Known, rim: Rim) -> Form {
     }
 }
 
-/// Configuration with the number `at`, far from the start and from the other configurations. It uses multiples of
-/// irrational numbers, so it is the same on every machine.
+/// Coordinates with the number `at`, far from the start and from coordinates with other numbers.
+/// They use multiples of irrational numbers, so that they are the same on every machine.
 fn configuration(start: &[f64], at: usize) -> Vec<f64> {
     let step = |k: usize| ((k + 1) as f64 * 0.754_877_666 + (at + 1) as f64 * 0.569_840_291).fract();
     start.iter().enumerate().map(|(k, q)| q + 0.2 + 1.1 * step(k)).collect()

@@ -1,10 +1,12 @@
-//! Homogeneous solids with a given mass and given principal moments.
+//! Homogeneous solids that have a given mass and given principal moments of inertia.
 
 use super::space::{IDENTITY, Rotation, Triple, product, transposed};
 
-/// Principal moments of a symmetric inertia tensor, ascending, kg m², and the principal axes, as columns of a rotation.
+/// Principal moments of a symmetric inertia tensor, ascending, kg m², and its principal axes as
+/// columns of a rotation.
 ///
-/// The method is Jacobi's rotations (G. H. Golub & C. F. Van Loan, *Matrix Computations*, 4th edition (2013), § 8.5).
+/// The method is Jacobi's rotations (G. H. Golub & C. F. Van Loan, *Matrix Computations*, 4th
+/// edition (2013), § 8.5).
 pub fn principal(tensor: &Rotation) -> (Triple, Rotation) {
     let (mut a, mut axes) = (*tensor, IDENTITY);
     for _ in 0..30 {
@@ -36,30 +38,32 @@ pub fn principal(tensor: &Rotation) -> (Triple, Rotation) {
 /// Homogeneous solid that has a given mass and given principal moments. Lengths are in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Homogeneous {
-    /// Sphere, for three equal moments.
+    /// Homogeneous sphere, for three equal principal moments.
     Sphere {
-        /// Radius, m.
+        /// Radius of the sphere, m.
         radius: f64,
     },
     /// Cylinder about a principal axis, for two equal moments.
     Cylinder {
-        /// Index of the principal axis, 0, 1 or 2.
+        /// Index of the principal axis along the cylinder, 0, 1 or 2.
         axis: usize,
-        /// Radius, m.
+        /// Radius of the cylinder, m.
         radius: f64,
-        /// Length along the axis, m.
+        /// Length of the cylinder along its axis, m.
         length: f64,
     },
     /// Box along the principal axes, for three different moments.
     Box {
-        /// Lengths of the edges along the three axes, m.
+        /// Lengths of the box's edges along the three principal axes, m.
         size: Triple,
     },
 }
 
-/// Finds the homogeneous solid with a given mass, kg, and given principal moments, kg m², ascending. A sphere has 2/5 m
-/// r². A cylinder has ½ m r² about its axis and m (3 r² + l²)/12 across it. A box has m (b² + c²)/12. `None` for a body
-/// without mass or moments.
+/// Finds the homogeneous solid with a given mass, kg, and given principal moments, kg m²,
+/// ascending.
+/// The moments are 2/5 m r² for a sphere. They are ½ m r² about the axis of a cylinder, and m (3 r²
+/// + l²)/12 across it. They are m (b² + c²)/12 for a box. `None` for a body without mass or
+/// moments.
 pub fn homogeneous(mass: f64, [a, b, c]: Triple) -> Option<Homogeneous> {
     if !(mass > 0.0 && c > 0.0 && c.is_finite() && mass.is_finite()) {
         return None;

@@ -1,4 +1,5 @@
-//! Motion of a mechanism for a view: poses at enough instants that no difference from the run is visible.
+//! Motion of a mechanism for a view: poses and forces at so many instants that no difference from
+//! the run is visible.
 
 use super::arrows::{Arrows, Forces};
 use super::pose::{Pose, Poses};
@@ -12,45 +13,46 @@ use std::f64::consts::FRAC_PI_2;
 use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::Method;
 
-/// Number of evenly spaced instants of a run for a view, before the unneeded ones are left out.
+/// Number of evenly spaced instants in a run for a view, before the unneeded ones are left out.
 const SAMPLES: usize = 6000;
-/// Greatest number of samples from one kept instant to the next.
+/// Greatest number of samples between a kept instant and the next.
 const LONGEST: usize = 60;
-/// Greatest error of a place between two instants that is not visible, relative to the mechanism's size.
+/// Greatest invisible error of a position between two instants, relative to the mechanism's size.
 const UNSEEN_PLACE: f64 = 5e-4;
-/// Greatest error of an angle between two instants that is not visible, rad.
+/// Greatest invisible error of an attitude between two instants, rad.
 const UNSEEN_ANGLE: f64 = 4e-3;
-/// Greatest error of a force between two instants that is not visible, relative to the usual force.
+/// Greatest invisible error of a force between two instants, relative to the usual force.
 const UNSEEN_FORCE: f64 = 2e-2;
-/// Angle between drawn and true attitude above which a turn looks wrong, rad.
+/// Angle between drawn and true attitude above which a rotation looks wrong, rad.
 const UNTRUE: f64 = 0.2;
-/// Greatest angle between two attitudes for which the shortest turn is unique despite rounding errors, rad.
+/// Greatest angle between two attitudes at which the shortest rotation is unique despite rounding
+/// errors, rad.
 const ONE_WAY: f64 = 3.0;
 
-/// Motion of a mechanism for a view: poses and forces at instants.
+/// Motion of a mechanism for a view: poses and forces at a list of instants.
 #[derive(Clone, Debug)]
 pub struct Motion {
-    /// Title of the equations that ran, as in a heading.
+    /// Title of the equations that were integrated, for a heading.
     pub title: String,
-    /// Instants of the poses in the order of the run, s.
+    /// Instants of the poses, s, in the order of the run.
     pub t: Vec<f64>,
-    /// Pose of the mechanism at each instant.
+    /// Pose of the mechanism at each instant of `t`.
     pub poses: Vec<Pose>,
-    /// Forces on the bodies at each instant.
+    /// Forces on the bodies at each instant of `t`, N.
     pub forces: Forces,
-    /// Least and largest value of each coordinate, then of each generalized speed.
+    /// Least and greatest value of each coordinate, then of each generalized speed.
     pub ranges: Vec<(f64, f64)>,
     /// Sentence that says when, after how many steps and why the run ended.
     pub ending: String,
-    /// Reasons not to trust the run to its end, one in each string; empty if it can be trusted.
+    /// Reasons not to trust the run to its end, one text for each; empty if the run can be trusted.
     pub objections: Vec<String>,
-    /// True if the run stopped before its end because it could not go on.
+    /// True if the run stopped before its planned end because it could not go on.
     pub failed: bool,
 }
 
 impl Motion {
-    /// Runs a scene by full equations, and makes the motion for a view. Without `by` the first formulation of the
-    /// model is used.
+    /// Runs a scene by full equations, and converts the run to a motion for a view.
+    /// `by` names the equations; `None` takes the first formulation of the model.
     ///
     /// # Errors
     /// Errors of [`crate::simulate()`].
@@ -67,10 +69,10 @@ impl Motion {
         Self::of_run(mechanism, &scene, &run)
     }
 
-    /// Makes the motion for a view from a run that shows every state.
+    /// Converts a run to a motion for a view. The run must show all coordinates and speeds.
     ///
     /// # Errors
-    /// [`Error::Request`] if the run does not show every state.
+    /// [`Error::Request`] if the run does not show all coordinates and speeds.
     pub fn of_run(mechanism: &Mechanism, scene: &Scene, run: &Run) -> Result<Self, Error> {
         let poses = Poses::new(mechanism)?;
         let (n, names) = (mechanism.coordinates.len(), mechanism.coordinates.iter().map(|c| &c.name));
@@ -98,9 +100,10 @@ impl Motion {
         Ok(Self { title: run.by.title(), t, poses, forces, ranges, ending: run.ending.clone(), objections, failed })
     }
 
-    /// Keeps only the instants between which straight paths and even turns look right, for a mechanism of the given
-    /// size, m, and at most `most` instants. Also returns the factor by which the tolerances were widened to reach that
-    /// number.
+    /// Keeps only the instants between which linear interpolation looks right, and at most `most`
+    /// of them.
+    /// `size` is the size of the mechanism, m. The second value is the factor by which tolerances
+    /// were widened to reach this number; 1 if they were not.
     #[must_use]
     pub fn thinned(&self, size: f64, most: usize) -> (Self, f64) {
         let turns = self.poses.iter().map(|pose| pose.rotations.iter().map(quaternion).collect()).collect();
@@ -111,7 +114,7 @@ impl Motion {
             looser *= 2.0;
             kept = self.kept(&scale, looser);
         }
-        // If there are too many instants even then, the motion is thinned evenly.
+        // If there are still too many instants, every n-th is kept.
         let step = kept.len().div_ceil(most.max(2)).max(1);
         let last = kept.last().copied();
         let kept: Vec<usize> = kept.into_iter().step_by(step).filter(|at| Some(*at) != last).chain(last).collect();
@@ -121,8 +124,9 @@ impl Motion {
         (Self { t, poses, forces, ..self.clone() }, looser)
     }
 
-    /// Indices of the kept instants. Each is followed by the last instant up to which all instants between the two stay
-    /// close to straight paths and even turns.
+    /// Indices of the kept instants, with tolerances multiplied by `looser`.
+    /// Each is followed by the last instant up to which linear interpolation is close to all
+    /// instants between them.
     fn kept(&self, scale: &Scale, looser: f64) -> Vec<usize> {
         let last = self.t.len().saturating_sub(1);
         let mut kept: Vec<usize> = (!self.t.is_empty()).then_some(0).into_iter().collect();
@@ -138,8 +142,8 @@ impl Motion {
         kept
     }
 
-    /// True if straight paths, even turns and evenly growing forces between two instants come close to all instants
-    /// between them.
+    /// True if linear interpolation of places, attitudes and forces between two instants is close
+    /// to all instants between.
     fn is_near(&self, Scale { turns, size }: &Scale, from: usize, to: usize, looser: f64) -> bool {
         let (a, b) = (&self.poses[from], &self.poses[to]);
         let span = self.t[to] - self.t[from];
@@ -162,9 +166,10 @@ impl Motion {
             })
     }
 
-    /// True if every frame turns correctly in `thin`, which has only some of the instants of this motion. This motion
-    /// itself must turn no frame by more than a quarter turn between instants. The left-out attitudes must be near the
-    /// even turns between the kept ones.
+    /// True if every frame turns correctly in `thin`, which has only some of the instants of this
+    /// motion.
+    /// In this motion, no frame may turn by more than a quarter turn between instants. The left-out
+    /// attitudes must be close to the uniform rotations between the kept ones.
     #[must_use]
     pub fn turns_truly(&self, thin: &Self) -> bool {
         let turns: Vec<Vec<Quaternion>> =
@@ -186,13 +191,15 @@ impl Motion {
     }
 }
 
-/// Attitudes of the frames at each instant, and size of the mechanism, to measure differences by.
+/// Scales for measuring differences: attitudes of the frames, and size of the mechanism.
 struct Scale {
+    /// Attitude of each frame at each instant, as Euler parameters: one list for each instant.
     turns: Vec<Vec<Quaternion>>,
+    /// Size of the mechanism, m, to which position errors are relative.
     size: f64,
 }
 
-/// Least and largest value of each component of a list of states.
+/// Least and greatest finite value of each component in a list of states.
 fn ranges(states: &[Vec<f64>]) -> Vec<(f64, f64)> {
     let count = states.first().map_or(0, Vec::len);
     let of = |at: usize| {
@@ -202,12 +209,13 @@ fn ranges(states: &[Vec<f64>]) -> Vec<(f64, f64)> {
     (0..count).map(of).collect()
 }
 
-/// True if every frame and point of a pose has finite values. A run may end at a state at which a formula has no value.
+/// True if every frame and point of a pose has finite values.
+/// They may be missing if a run ends at a state in which a formula has no value.
 fn is_somewhere(pose: &Pose) -> bool {
     pose.points.iter().flatten().chain(pose.rotations.iter().flatten().flatten()).all(|x| x.is_finite())
 }
 
-/// Place at a share of the straight way from a to b.
+/// Place on the straight line from a to b; `share` is 0 at a and 1 at b.
 fn between(a: Triple, b: Triple, share: f64) -> Triple {
     plus(a, share, minus(b, a))
 }
@@ -218,9 +226,11 @@ fn angle(a: Quaternion, b: Quaternion) -> f64 {
     2.0 * cos.abs().min(1.0).acos()
 }
 
-/// Angle between an attitude x and the attitude at a share of the even turn from a to b, rad.
+/// Angle, rad, between the attitude x and the attitude at `share` (0 to 1) of the uniform rotation
+/// from a to b.
 ///
-/// Source: K. Shoemake, Animating rotation with quaternion curves, *Computer Graphics* 19 (1985) 245-254, § 3.3.
+/// Source: K. Shoemake, Animating rotation with quaternion curves, *Computer Graphics* 19 (1985)
+/// 245-254, § 3.3.
 fn apart(a: Quaternion, b: Quaternion, share: f64, x: Quaternion) -> f64 {
     let cos: f64 = a.iter().zip(b).map(|(x, y)| x * y).sum();
     let b = if cos < 0.0 { b.map(|x| -x) } else { b };

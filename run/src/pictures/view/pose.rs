@@ -20,28 +20,33 @@ pub struct Configuration<'a> {
 /// Attitudes and positions at one instant, relative to the inertial frame and its origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
-    /// Rotation matrix of each frame of the model: (components in the inertial frame) = rotation · (components in the
-    /// frame).
+    /// Rotation matrix of each frame of the model: components in the inertial frame = rotation ·
+    /// components in the frame.
     pub rotations: Vec<Rotation>,
     /// Position of each point of the model in the inertial frame, m.
     pub points: Vec<Triple>,
 }
 
-/// Tree of frames and points of a model, with its terms unchanged. Each frame is turned from its parent, and each point
-/// is placed from its parent. Nothing is multiplied out, so the cost of a long chain is the sum of its links' costs.
+/// Tree of the frames and points of a model, with the formulas that place each relative to its
+/// parent.
+/// Formulas are not multiplied out, so the cost of a long chain is the sum of the costs of its
+/// links.
 #[derive(Clone, Debug)]
 pub struct Links {
-    /// Terms in parameters and coordinates: first those of the frames, then those of the points, in order.
+    /// Formulas in parameters and coordinates: first those of the frames, then those of the points,
+    /// in order.
     pub values: Vec<Expr>,
-    /// Parent of each frame, and the axis of its turn, whose angle is one term. Without an axis, the terms are nine
-    /// cosines by rows. `None` for the inertial frame.
+    /// Parent of each frame, and the index of the axis of its rotation; `None` for the inertial
+    /// frame.
+    /// With an axis, the frame has one formula, the angle. Without an axis, it has nine cosines,
+    /// row by row.
     pub frames: Vec<Option<(usize, Option<usize>)>>,
-    /// Parent of each point, and the frame of its three components. `None` for the origin.
+    /// Parent of each point, and the frame of its three position components; `None` for the origin.
     pub points: Vec<Option<(usize, usize)>>,
 }
 
 impl Links {
-    /// Collects the links of a model.
+    /// Collects the parents and formulas of the frames and points of a model.
     #[must_use]
     pub fn of(model: &Model) -> Self {
         let mut values: Vec<Expr> = Vec::new();
@@ -69,10 +74,12 @@ impl Links {
     }
 }
 
-/// Poses of a model as a function of parameters and coordinates.
+/// Compiled function that computes the poses of a model from parameters and coordinates.
 #[derive(Clone)]
 pub struct Poses {
+    /// Program for all formulas that place frames and points.
     tape: Tape,
+    /// Parents of the frames and points, in the order of the formulas.
     links: Links,
 }
 

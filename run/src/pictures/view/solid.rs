@@ -2,62 +2,63 @@
 
 use super::space::{Quaternion, Triple};
 
-/// Drawn solid of a single colour.
+/// Solid of a single colour that represents a body, a pin, a spring or the ground.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
     /// Name of the shape in the model file, or of the body.
     pub label: String,
-    /// Index of the body that the solid belongs to, from 0. The solids of a body have one colour. `None` for a solid of
-    /// no body.
+    /// Index of the body to which the solid belongs, from 0; `None` for a solid of no body. Solids
+    /// of a body share a colour.
     pub body: Option<usize>,
-    /// Index of the point at which the solid rolls or slides, if the distance of that point determines the solid's
-    /// radius. `None` if the model file states the radius.
+    /// Index of the point of contact whose distance determines the solid's radius, if the solid
+    /// rolls or slides.
+    /// `None` for any other solid, and if the model file states the radius.
     pub touches: Option<usize>,
-    /// Shape and place of the solid.
+    /// Shape of the solid, with its place and size.
     pub form: Form,
 }
 
-/// Shape and place of a solid. Lengths are in m.
+/// Shape, place and size of a drawn solid. Lengths are in m.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Form {
-    /// A ball about a point, fixed in a frame so that its turning can be seen.
+    /// Ball about a point, fixed in a frame so that its rotation can be seen.
     Sphere {
-        /// Place of the centre and the axes.
+        /// Place of the sphere's centre and of the axes that turn with it.
         at: Place,
-        /// Radius, m.
+        /// Radius of the sphere, m.
         radius: f64,
     },
-    /// A cylinder about axis 3 of its place.
+    /// Cylinder (or disk) about axis 3 of its place.
     Cylinder {
-        /// Place of the centre and the axes.
+        /// Place of the cylinder's centre and axes.
         at: Place,
-        /// Radius, m.
+        /// Radius of the cylinder, m.
         radius: f64,
-        /// Length along the axis, m.
+        /// Length of the cylinder along its axis, m.
         length: f64,
     },
-    /// A box along the axes of its place.
+    /// Rectangular box along the axes of its place.
     Box {
-        /// Place of the centre and the axes.
+        /// Place of the box's centre and axes.
         at: Place,
-        /// Lengths of the edges along the three axes, m.
+        /// Lengths of the box's edges along the three axes, m.
         size: Triple,
     },
-    /// A rod from one point to another, also if their distance changes.
+    /// Rod from one point to another; it follows them if their distance changes.
     Rod {
-        /// Indices of the two points.
+        /// Indices of the two points that the rod joins.
         ends: [usize; 2],
-        /// Radius, m.
+        /// Radius of the rod, m.
         radius: f64,
     },
-    /// A coil from one point to another, as long as their distance.
+    /// Coil spring from one point to another, as long as their distance.
     Spring {
-        /// Indices of the two points.
+        /// Indices of the two points that the spring joins.
         ends: [usize; 2],
     },
-    /// An unbounded plane, perpendicular to axis 3 of its place.
+    /// Unbounded plane, perpendicular to axis 3 of its place.
     Ground {
-        /// Place of a point of the plane and of its axes.
+        /// Place of a point of the plane, with its axes.
         at: Place,
     },
 }
@@ -71,12 +72,12 @@ pub struct Place {
     pub point: usize,
     /// Position of the solid's centre from the point, in the frame, m.
     pub position: Triple,
-    /// Rotation of the solid's axes from those of the frame.
+    /// Rotation of the solid's axes from the axes of the frame, as Euler parameters.
     pub turned: Quaternion,
 }
 
 impl Place {
-    /// Makes a place with its centre in a point and along the axes of a frame.
+    /// Place with its centre in a point, and its axes along those of a frame.
     #[must_use]
     pub fn at(frame: usize, point: usize) -> Self {
         Self { frame, point, position: [0.0; 3], turned: [1.0, 0.0, 0.0, 0.0] }
@@ -84,7 +85,7 @@ impl Place {
 }
 
 impl Form {
-    /// Indices of the points that the form is placed from or ends in.
+    /// Indices of the points at which the form is placed or ends.
     #[must_use]
     pub fn points(&self) -> Vec<usize> {
         match self {
@@ -95,7 +96,7 @@ impl Form {
         }
     }
 
-    /// English noun for the form, for a sentence.
+    /// English noun for the form, for use in a sentence.
     #[must_use]
     pub fn noun(&self) -> &'static str {
         match self {
@@ -110,8 +111,8 @@ impl Form {
         }
     }
 
-    /// Greatest distance from the centre of the form to its surface, m. A rod counts by its radius, a spring or the
-    /// ground by 0.
+    /// Greatest distance from the centre of the form to its surface, m: for a rod its radius, for a
+    /// spring or the ground 0.
     #[must_use]
     pub fn reach(&self) -> f64 {
         match self {

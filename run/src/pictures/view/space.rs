@@ -1,21 +1,24 @@
-//! Vectors and rotations in space.
+//! Arithmetic of vectors and rotations in three dimensions.
 
-/// Three components of a vector, in m or without a unit.
+/// Vector with three components, in m or without a unit.
 pub type Triple = [f64; 3];
 
-/// Rows of a rotation matrix: (components in one frame) = rotation · (components in another frame).
+/// Rotation matrix by rows: components in one frame = rotation · components in another frame.
 pub type Rotation = [Triple; 3];
 
-/// Euler parameters of a rotation: cos θ/2 first, then the axis times sin θ/2.
+/// Euler parameters of a rotation by θ about a unit vector e: cos θ/2, then the three components of
+/// e sin θ/2.
 pub type Quaternion = [f64; 4];
 
-/// Rotation matrix without a turn.
+/// Identity matrix: the rotation that changes nothing.
 pub(crate) const IDENTITY: Rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
+/// Scalar product a · b.
 pub(crate) fn dot(a: Triple, b: Triple) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+/// Vector product a × b.
 pub(crate) fn cross(a: Triple, b: Triple) -> Triple {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
@@ -30,39 +33,41 @@ pub(crate) fn plus(a: Triple, k: f64, b: Triple) -> Triple {
     [a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]]
 }
 
+/// Length of a vector.
 pub(crate) fn length(a: Triple) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// Direction of a vector, of length 1; `None` for a vector of length zero.
+/// Unit vector along a vector; `None` for a vector of length zero or with a component that is not
+/// finite.
 pub(crate) fn unit(a: Triple) -> Option<Triple> {
     let size = length(a);
     (size > 0.0 && size.is_finite()).then(|| a.map(|x| x / size))
 }
 
-/// Product R v of a rotation and a vector.
+/// Product R v of a rotation matrix and a vector.
 pub(crate) fn rotated(r: &Rotation, v: Triple) -> Triple {
     [dot(r[0], v), dot(r[1], v), dot(r[2], v)]
 }
 
-/// Product Rᵀ v of the inverse rotation and a vector.
+/// Product Rᵀ v of the inverse of a rotation matrix and a vector.
 pub(crate) fn rotated_back(r: &Rotation, v: Triple) -> Triple {
     rotated(&transposed(r), v)
 }
 
-/// Transposed matrix, which is the inverse of a rotation.
+/// Transpose of a matrix; for a rotation matrix it is the inverse.
 pub(crate) fn transposed(r: &Rotation) -> Rotation {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| r[j][i]))
 }
 
-/// Matrix product A B.
+/// Product A B of two matrices.
 pub(crate) fn product(a: &Rotation, b: &Rotation) -> Rotation {
     let columns = transposed(b);
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| dot(a[i], columns[j])))
 }
 
-/// Rotation matrix of a turn about an axis, 0, 1 or 2, by an angle, rad. It takes components after the turn to those
-/// before.
+/// Rotation matrix about a coordinate axis (0, 1 or 2) by an angle, rad.
+/// It converts components in the turned frame to components in the original frame.
 pub(crate) fn about(axis: usize, angle: f64) -> Rotation {
     let (sin, cos) = angle.sin_cos();
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -71,10 +76,10 @@ pub(crate) fn about(axis: usize, angle: f64) -> Rotation {
     r
 }
 
-/// Euler parameters of a rotation, the first of them not negative.
+/// Euler parameters of a rotation matrix; the first is not negative.
 ///
-/// The method divides by the largest of the four parameters (S. W. Shepperd, Quaternion from rotation matrix, *Journal
-/// of Guidance and Control* 1 (1978) 223-224).
+/// The method divides by the largest of the four parameters (S. W. Shepperd, Quaternion from
+/// rotation matrix, *Journal of Guidance and Control* 1 (1978) 223-224).
 #[must_use]
 pub fn quaternion(r: &Rotation) -> Quaternion {
     let trace = r[0][0] + r[1][1] + r[2][2];
@@ -96,7 +101,7 @@ pub fn quaternion(r: &Rotation) -> Quaternion {
     q.map(|x| x / sign)
 }
 
-/// Rotation whose third column is the given direction, of length 1.
+/// Rotation matrix whose third column is the unit vector `axis`.
 pub(crate) fn along(axis: Triple) -> Rotation {
     let least = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs())).unwrap_or(0);
     let first = unit(cross(IDENTITY[least], axis)).unwrap_or(IDENTITY[0]);

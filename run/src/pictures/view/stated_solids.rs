@@ -1,4 +1,4 @@
-//! Solids of a mechanism as the model file states them.
+//! Solids of a mechanism that its model file states in the table `[shapes]`.
 
 use super::solid::{Form, Place, Solid};
 use super::space::{Rotation, quaternion};
@@ -8,7 +8,7 @@ use crate::mechanism::Mechanism;
 use tripos_derive::algebra::Expr;
 use tripos_derive::model::{Shape, ShapeForm};
 
-/// Thickness of a disk without a stated one, relative to its radius.
+/// Thickness of a disk whose thickness is not stated, relative to its radius.
 const THIN: f64 = 0.04;
 
 /// Makes the solids of the table `[shapes]` of the model file, at given parameters.
@@ -28,8 +28,9 @@ pub fn solids(mechanism: &Mechanism, parameters: &[f64]) -> Result<Vec<Solid>, E
     Ok(list)
 }
 
-/// Terms that place and size each solid of `[shapes]`, each with its key. The keys `position` and `size` occur three
-/// times each, `radius` and `length` once. Values that the model file does not give are left out.
+/// Terms for the position and size of each solid of `[shapes]`, each with its key.
+/// The keys `position` and `size` occur three times, `radius` and `length` once. Values that the
+/// model file does not state are left out.
 #[must_use]
 pub fn lengths(mechanism: &Mechanism) -> Vec<Vec<(&'static str, Expr)>> {
     let of = |shape: &Shape| {
@@ -47,7 +48,7 @@ pub fn lengths(mechanism: &Mechanism) -> Vec<Vec<(&'static str, Expr)>> {
     mechanism.shapes.iter().flat_map(of).collect()
 }
 
-/// Refuses a shape with a length that is not positive and finite.
+/// Checks that every length of a shape is positive and finite; else returns an `Error::Request`.
 fn check(mechanism: &Mechanism, parameters: &[f64], shape: &Shape) -> Result<(), Error> {
     for (key, length) in shape.form.lengths() {
         let value = values(mechanism, parameters, &[length], "a shape")?[0];
@@ -59,7 +60,10 @@ fn check(mechanism: &Mechanism, parameters: &[f64], shape: &Shape) -> Result<(),
     Ok(())
 }
 
-/// Forms of a shape at given parameters: one, or a rod for each piece of a line.
+/// Forms of a shape at given parameters: a rod for each piece of a line, else a single form.
+///
+/// # Errors
+/// `Error::Request` if a size of the shape cannot be evaluated.
 fn forms(mechanism: &Mechanism, parameters: &[f64], shape: &Shape, at: Place) -> Result<Vec<Form>, Error> {
     let number = |e: Expr| Ok::<f64, Error>(values(mechanism, parameters, &[e], "a shape")?[0]);
     Ok(match &shape.form {
@@ -83,7 +87,8 @@ fn forms(mechanism: &Mechanism, parameters: &[f64], shape: &Shape, at: Place) ->
     })
 }
 
-/// Turns a place so that its axis 3 is along an axis of the frame, 0 to 2. The axes keep their cyclic order.
+/// Place turned so that its axis 3 lies along an axis (0 to 2) of the frame; the axes keep their
+/// cyclic order.
 fn turned(at: Place, axis: usize) -> Place {
     let mut columns: Rotation = [[0.0; 3]; 3];
     for (column, row) in [(0, (axis + 1) % 3), (1, (axis + 2) % 3), (2, axis)] {

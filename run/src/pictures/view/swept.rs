@@ -1,9 +1,11 @@
-//! Measures of many poses: the greatest distance of points, and the plane in which points stay.
+//! Measures over many poses: the greatest distance between points, and the plane in which points
+//! stay.
 
 use super::pose::Pose;
 use super::space::{IDENTITY, Triple, length, minus};
 
-/// Greatest distance of two of the given points at one instant, m, over a selection of the poses.
+/// Greatest distance between two of the given points at one instant, m, over at most 16 of the
+/// poses.
 pub(super) fn diameter(poses: &[Pose], points: &[usize]) -> f64 {
     let mut most: f64 = 0.0;
     for pose in spread(poses, 16) {
@@ -17,12 +19,14 @@ pub(super) fn diameter(poses: &[Pose], points: &[usize]) -> f64 {
     most
 }
 
-/// Selects at most `count` poses, evenly spaced, the first among them.
+/// Selects at most `count` evenly spaced poses; the first pose is always selected.
 pub(super) fn spread(poses: &[Pose], count: usize) -> impl Iterator<Item = &Pose> {
     poses.iter().step_by(poses.len().div_ceil(count).max(1))
 }
 
-/// Normal of a plane across an inertial axis in which each of the given points stays; `None` if there is no such plane.
+/// Normal of a coordinate plane of the inertial frame parallel to which all given points move;
+/// `None` if there is none.
+/// `size` is the size of the mechanism, m.
 pub(super) fn plane(poses: &[Pose], points: &[usize], size: f64) -> Option<Triple> {
     let stays = |axis: usize| {
         let moves = |point: &usize| {

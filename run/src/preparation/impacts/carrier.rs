@@ -1,6 +1,8 @@
-//! Kinds of numbers in which a run with contacts is computed: plain doubles, or numbers with slopes.
+//! Kinds of numbers in which a run with contacts is computed: plain doubles, or numbers with
+//! derivatives ("slopes").
 //!
-//! Values alone decide which contacts close, push and open. Slopes accompany the values and decide nothing.
+//! The values alone decide which contacts close, push and open. Slopes accompany the values and
+//! decide nothing.
 
 use super::contact_change::ContactChange;
 use super::contacts::Contacts;
@@ -9,61 +11,70 @@ use super::held_motion::Held;
 use super::meeting::After;
 use tripos_sim::{RightHandSide, SimError};
 
-/// Function that makes the equations of a run, anew for each use.
+/// Function that makes the right-hand side of the equations of motion, without contact forces and
+/// new at each call.
 pub type Equations<'a> = dyn Fn() -> Result<Box<dyn RightHandSide<f64> + 'a>, SimError> + 'a;
 
-/// A state at which velocities jump, or from which contacts are held or released.
+/// Instant of a run at which velocities jump, or the set of closed contacts changes, with the
+/// states on both sides.
 pub struct Crossing<'c> {
     /// Instant of the crossing, s.
     pub t: f64,
-    /// Change of a contact that caused the crossing; `None` at the start of the run.
+    /// Change of a contact that ended the last part of the run; `None` at the start of the run.
     pub contact_change: Option<ContactChange>,
-    /// Values of the state just before the crossing.
+    /// Values of the state (q, v) just before the crossing.
     pub before: &'c [f64],
-    /// Contacts that were held before the crossing, each with its mode.
+    /// Contacts that were held closed before the crossing, each with its mode, such as sticking.
     pub kept: &'c HeldContacts,
-    /// State after the event, with the impact and the contacts that are closed after it.
+    /// State just after the crossing, the impact if there was one, and the contacts that are held
+    /// closed from then on.
     pub after: &'c After,
 }
 
-/// A minimum of a gap that stays open but comes close to zero.
+/// Minimum in time of a contact's gap that stays open but comes close to zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Approach {
-    /// Index of the contact whose gap has the minimum.
+    /// Index of the contact in the scene, from 0.
     pub contact: usize,
     /// Instant of the minimum, s.
     pub t: f64,
-    /// State at the minimum.
+    /// State (q, v) at the minimum of the gap.
     pub y: Vec<f64>,
 }
 
-/// Operations that a run with contacts needs of the numbers in which it is computed.
+/// Operations that a run with contacts needs of the number type `S` in which it is computed.
 pub trait Carrier<S> {
-    /// Makes the equations of motion with the forces of the held contacts `kept`.
+    /// Makes the right-hand side of the equations of motion, with the forces of the held contacts
+    /// `kept`.
     ///
     /// # Errors
-    /// [`SimError`] if the equations of motion cannot be made.
+    /// [`SimError`] if the right-hand side cannot be made.
     fn equations<'e>(&'e self, kept: &'e HeldContacts) -> Result<Box<dyn RightHandSide<S> + 'e>, SimError>;
 
-    /// Receives the instant, s, at which each step inside a part of the run ends, except the last step.
+    /// Receives the instant, s, at which a step inside a part of the run ends; the last step of a part
+    /// is left out.
     fn stepped(&self, _t: f64) {}
 
-    /// Gap below which a minimum of the gap is reported, relative to the size of the gap's terms. `None` if no minima
-    /// are reported.
+    /// Upper limit of the minima of open gaps that are reported, relative to the size of the gap's
+    /// terms. `None` if no minima are reported.
     fn near(&self) -> Option<f64> {
         None
     }
 
-    /// Receives a minimum of an open gap that is below [`Self::near`]. Derivatives of the run may end at that instant.
+    /// Receives a minimum of an open gap that is below the limit [`Self::near`]. Derivatives may not
+    /// exist beyond it.
     fn nears(&self, _approach: &Approach) {}
 
-    /// State after a crossing: its values, and the slopes that accompany the values, if any.
+    /// Returns the state just after a crossing, from the state `before` it: values, and slopes if the
+    /// numbers have them.
     fn across(&self, crossing: &Crossing<'_>, before: &[S]) -> Vec<S>;
 }
 
-/// Carrier of plain doubles, which have no slopes.
+/// Carrier of plain doubles, which have no derivatives.
 pub struct Doubles<'a> {
+    /// Contacts of the scene, prepared for the integrated variables.
     pub contacts: &'a Contacts<'a>,
+    /// Function that makes the right-hand side without contact forces.
     pub equations: &'a Equations<'a>,
 }
 

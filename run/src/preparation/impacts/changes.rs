@@ -1,4 +1,4 @@
-//! Event records of contacts with friction that begin to stick, slip, reverse or open.
+//! Event records of contacts with friction that begin to stick, slip, reverse their slip or open.
 
 use super::contact_change::ContactChange;
 use super::held_contacts::HeldContacts;
@@ -7,16 +7,18 @@ use tripos_sim::{EventRecord, Kind, Mode, Solution};
 use tripos_traits::Real;
 
 impl Bouncing<'_> {
-    /// Events at the start of a run, at `t` s in the state `y`: one for each held contact, and one for each held
-    /// contact that slips or sticks.
+    /// Makes the events at the start of a run, `t` in s, in the state `y`. Each held contact gives an
+    /// event. Each held contact with friction gives another event that tells if it slips or sticks.
+    /// `base` is the number of other events.
     pub(super) fn at_start(&self, base: usize, kept: &HeldContacts, t: f64, y: &[f64]) -> Vec<EventRecord> {
         let closed = kept.which.iter().map(|at| ContactChange::Closes(*at));
         let rough = kept.iter().filter_map(|(at, mode)| begun(at, None, Some(mode)));
         closed.chain(rough).map(|contact_change| self.record(base, contact_change, t, y, Kind::AtStart)).collect()
     }
 
-    /// Replaces the events of contacts with friction that ended a part of a run by events for the modes that begin at
-    /// that instant.
+    /// Replaces the events of contacts with friction that ended a part of a run. The new events tell
+    /// which modes, such as sticking, begin at that instant. `base` is the number of events that belong
+    /// to no contact.
     pub(super) fn tell<S: Real>(
         &self,
         whole: &mut Solution<S>,
@@ -40,7 +42,8 @@ impl Bouncing<'_> {
         }
     }
 
-    /// Makes the event record of a change of a contact.
+    /// Makes the event record of a contact's change at `t` s in the state `y`. `base` is the number of
+    /// other events.
     fn record(&self, base: usize, contact_change: ContactChange, t: f64, y: &[f64], kind: Kind) -> EventRecord {
         let event = base + contact_change.event(self.contacts.impacts.len());
         let name = contact_change.name(self.contacts.impacts);
@@ -48,8 +51,9 @@ impl Bouncing<'_> {
     }
 }
 
-/// Change of a contact with friction between its modes before and after; `None` if nothing new begins. A mode is `None`
-/// while the contact is not held.
+/// Compares the modes of a contact with friction before and after an instant, and returns the
+/// change that begins. `None` if the mode stays the same. A mode is `None` while the contact is not
+/// held closed.
 fn begun(contact: usize, before: Option<Mode>, after: Option<Mode>) -> Option<ContactChange> {
     match (before, after) {
         (Some(_), None) => Some(ContactChange::Opens(contact)),

@@ -1,28 +1,31 @@
-//! Changes of contacts, and the events by which they are reported.
+//! Changes of contacts, such as closing or slipping, and the numbers of the events that report
+//! them.
 
 use tripos_derive::scene::Impact;
 
-/// Change of a contact that ends a part of a run, or that begins there. It holds the index of the contact.
+/// Change of a contact that ends a part of a run, or that begins at its end. The value is the index
+/// of the contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ContactChange {
-    /// The gap of the contact closed.
+    /// The gap of the contact falls to zero, so that the contact closes.
     Closes(usize),
-    /// The normal force of the contact no longer pushes.
+    /// The normal force of the contact falls to zero, so that the contact opens.
     Opens(usize),
-    /// The force along the sticking contact exceeds its friction limit.
+    /// The tangential force of the sticking contact exceeds its friction limit.
     Slips(usize),
-    /// The contact no longer slips. It may slip the other way in the next part of the run.
+    /// The slip velocity of the contact reaches zero. The contact may slip the other way in the next
+    /// part of the run.
     Sticks(usize),
-    /// The contact slips in the opposite direction.
+    /// The slip velocity of the contact changes its sign.
     Reverses(usize),
-    /// The forces of the slipping contact are no longer determined.
+    /// The forces of the slipping contact are no longer determined (Painlevé's paradox).
     Jams(usize),
-    /// The gap of the contact is at its minimum and grows again: no contact changes.
+    /// The gap of the open contact has a minimum above zero. The contact itself does not change.
     Nears(usize),
 }
 
 impl ContactChange {
-    /// Index of the contact, and index of the kind of change.
+    /// Index of the contact, and index of the kind of change from 0 (closes) to 6 (nears).
     fn parts(self) -> (usize, usize) {
         match self {
             Self::Closes(at) => (at, 0),
@@ -35,18 +38,20 @@ impl ContactChange {
         }
     }
 
-    /// Index of the contact that changes.
+    /// Index in the scene of the contact that changes, from 0.
     pub fn contact(self) -> usize {
         self.parts().0
     }
 
-    /// Event number of this change, in a scene with `contacts` contacts.
+    /// Event number of the change, counted from 0 after the user's events, in a scene with `contacts`
+    /// contacts.
     pub fn event(self, contacts: usize) -> usize {
         let (at, what) = self.parts();
         what * contacts + at
     }
 
-    /// Change that has the given event number, in a scene with `contacts` contacts; `None` if no change has this
+    /// Finds the change that has the given event number, counted from 0 after the user's events.
+    /// `contacts` is the number of contacts in the scene, above zero. `None` if no change has this
     /// number.
     pub fn of_event(event: usize, contacts: usize) -> Option<Self> {
         let at = event % contacts;
@@ -54,7 +59,8 @@ impl ContactChange {
         what.get(event / contacts).map(|what| what(at))
     }
 
-    /// Name of the event that reports this change: the name of the contact, then the kind of change.
+    /// Name of the event that reports the change: the contact's name, followed by the kind of change
+    /// unless it closes.
     pub fn name(self, impacts: &[Impact]) -> String {
         let name = &impacts[self.contact()].name;
         let what = match self {

@@ -1,5 +1,5 @@
-//! Events at which parts of a run end: gaps that close, forces that no longer push, forces that exceed friction, and
-//! slips that end.
+//! Events that end the parts of a run with contacts. Gaps close, normal forces fall to zero,
+//! tangential forces exceed friction, or slips end.
 
 use super::Bouncing;
 use super::contact_change::ContactChange;
@@ -8,16 +8,17 @@ use super::held_motion::Held;
 use tripos_sim::{Direction, Effect, Event, InRanges, Mode, SimError};
 use tripos_traits::{Enclosure, Scalar};
 
-/// Least determinant of the system for contact forces that can be told from rounding, relative to its value without
-/// slip.
+/// Absolute determinant above which the system for contact forces counts as regular, relative to
+/// its value without slip. Smaller determinants are rounding.
 const TOLD: f64 = 1e-9;
 
 impl Bouncing<'_> {
-    /// Lists the events to watch while contacts are held, each with the change that it reports. `anew` makes the
-    /// equations for each event of forces.
+    /// Lists the events to watch from the state `y` on while the contacts `kept` are held closed, each
+    /// with the change that it reports. `anew` makes the equations of motion with contact forces, once
+    /// for each event of a force.
     ///
     /// # Errors
-    /// Errors of `anew`.
+    /// `SimError` if `anew` cannot make the equations.
     pub(super) fn watched<'e>(
         &'e self,
         kept: &'e HeldContacts,
@@ -51,7 +52,8 @@ impl Bouncing<'_> {
         Ok(list)
     }
 
-    /// Events for the minima of open gaps, one for each contact that is not held.
+    /// Makes the events for the minima of open gaps, for each contact that is not held closed. They
+    /// record and do not stop.
     pub(super) fn approaches(&self, kept: &HeldContacts) -> Vec<(ContactChange, Event<'_>)> {
         let contacts = self.contacts;
         let free = (0..contacts.impacts.len()).filter(|contact| kept.mode(*contact).is_none());
@@ -64,7 +66,8 @@ impl Bouncing<'_> {
         free.map(event).collect()
     }
 
-    /// Event for the closing of a contact's gap.
+    /// Makes the event for the closing of a contact's gap, with enclosures, so that no closing inside a
+    /// step is missed.
     fn closing(&self, contact: usize) -> Event<'_> {
         let contacts = self.contacts;
         let p = contacts.parameters;
@@ -93,7 +96,8 @@ impl Bouncing<'_> {
         }
     }
 
-    /// Event for the end of a contact's slip in the direction `way`; `None` if the contact has no friction.
+    /// Makes the event for the end of a contact's slip; `way` is the sign of the slip velocity. `None`
+    /// without friction.
     fn stopping(&self, contact: usize, way: f64) -> Option<(ContactChange, Event<'_>)> {
         let p = self.contacts.parameters;
         let (numbers, ranges) = self.contacts.slips[contact].as_ref()?;
@@ -116,7 +120,8 @@ impl Bouncing<'_> {
         Some((contact_change, Event { ranges, ..event }))
     }
 
-    /// Event for a function that falls below 0, with the change of a contact that it reports.
+    /// Makes the event that ends a part of a run when a function falls below zero, and pairs it with
+    /// the change it reports.
     fn falling<'e>(
         &self,
         contact_change: ContactChange,
@@ -127,7 +132,8 @@ impl Bouncing<'_> {
     }
 }
 
-/// Lends an event of the caller to one part of a run.
+/// Lends an event of the caller to one part of a run, so that it can be used again in the next
+/// part.
 pub fn passed_on<'e>(event: &'e mut Event<'_>) -> Event<'e> {
     let function = &mut event.function;
     let ranges = event.ranges.as_mut().map(|ranges| {

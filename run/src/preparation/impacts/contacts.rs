@@ -1,8 +1,11 @@
-//! The contacts of a scene as numbers: gaps, velocities along the contacts, and the responses to impulses and forces.
+//! The contacts of a scene as numbers: gaps, velocities along the contacts, and the responses to
+//! impulses and forces.
 //!
-//! All quantities refer to the permitted motions, q̇ = W u + w. Impulses and forces act along the slopes of velocities
-//! in u, and change u by the inverse of the kinetic energy's matrix in u. So the constraints of the mechanism, such as
-//! loops and rolling, hold after an impact as before it, whichever variables are integrated.
+//! Each contact has one velocity of its gap, and may have slip velocities along it. These
+//! velocities are the rows of the contacts. All quantities refer to the permitted motions
+//! `q̇ = W u + w`. Impulses and forces act along the slopes of the row velocities in u. They change
+//! u by the inverse of the kinetic energy's matrix in u. So the constraints of the mechanism, such
+//! as loops and rolling, hold after an impact as before it, whichever variables are integrated.
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use tripos_derive::Model;
@@ -17,65 +20,75 @@ use tripos_traits::{Enclosure, Interval, Lengths, System};
 /// Gap up to which a contact counts as closed, relative to the size of the gap's terms.
 const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 
-/// Least height of a flight that can be told from rounding, relative to the size of the gap's terms.
+/// Least height of a flight between two closings that exceeds rounding, relative to the size of the
+/// gap's terms.
 const TOLD: f64 = 4096.0 * f64::EPSILON;
 
-/// The contacts of a scene in the variables that are integrated. A contact has one row for the velocity of its gap, and
-/// one for each slip along it.
+/// Contacts of a scene in the variables that are integrated. Each contact has a row for the
+/// velocity of its gap, and a row for each slip velocity along it.
 pub struct Contacts<'a> {
+    /// Equations of motion of the mechanism without contact forces.
     pub system: &'a dyn System<f64>,
+    /// Values of the parameters, in the order of the model file.
     pub parameters: &'a [f64],
+    /// Contacts as the scene file describes them.
     pub impacts: &'a [Impact],
-    /// Tapes of the gap of each contact, in numbers and in ranges. Inputs: parameters, then coordinates.
+    /// Tapes of the gap of each contact, in doubles and in enclosures. Inputs: parameters, then
+    /// coordinates.
     pub gaps: Vec<(Tape, Tape<Enclosure>)>,
-    /// Tape of ∂gap/∂q, one row for each contact. Inputs: parameters, then coordinates.
+    /// Tape of ∂gap/∂q, a row of n values for each contact. Inputs: parameters, then coordinates.
     slopes: Tape,
-    /// Tape of the velocities along all rows, then of their slopes along q and v, row by row. Inputs: parameters, then
-    /// state.
+    /// Tape of the gap and slip velocities of all contacts, followed by their slopes along the state
+    /// (q, v), row by row. Inputs: parameters, then state.
     pub rates: Tape,
-    /// Indices of the rows of each contact: first the row of its gap, then the rows of its slips. A contact with
-    /// friction has one slip.
+    /// Indices of the rows of each contact: the row of its gap velocity, followed by those of its slip
+    /// velocities. A contact with friction has one slip velocity.
     pub rows: Vec<Vec<usize>>,
-    /// Number of rows of all contacts.
+    /// Number of rows of all contacts: of gap and slip velocities together.
     pub count: usize,
-    /// Tapes of the slip velocity of each contact, in numbers and in ranges; `None` without friction. Inputs:
-    /// parameters, then state.
+    /// Tapes of the slip velocity of each contact, in doubles and in enclosures; `None` without
+    /// friction. Inputs: parameters, then state.
     pub slips: Vec<Option<(Tape, Tape<Enclosure>)>>,
 }
 
-/// Velocities along the rows of all contacts at a state, with their slopes.
+/// Gap and slip velocities of all contacts at a state, with their slopes.
 pub struct Rates {
-    /// Velocities along all rows of contacts.
+    /// Velocities in the order of the contact rows: a gap velocity and its slip velocities for each
+    /// contact.
     pub values: DVector<f64>,
-    /// Partial derivatives of the velocities with respect to the state, one matrix row for each velocity.
+    /// Partial derivatives of the velocities by the state (q, v): a matrix row for each velocity.
     pub slopes: DMatrix<f64>,
 }
 
-/// Matrices that relate speeds, impulses and the kinetic energy at a state.
+/// Matrices at a state that relate generalized speeds, impulses of contacts and the kinetic energy.
 pub struct Operators {
-    /// Motion variables per unit of each generalized speed alone, one column for each speed.
+    /// Change of the motion variables v per unit of each generalized speed, a column for each speed.
     pub basis: DMatrix<f64>,
-    /// Velocities along all rows of contacts per unit of each generalized speed, W.
+    /// Matrix W: gap and slip velocities per unit of each generalized speed, a row for each velocity.
     pub of_u: DMatrix<f64>,
-    /// M, the matrix of the kinetic energy in generalized speeds, factored.
+    /// Cholesky factor of M, the matrix of the kinetic energy in the generalized speeds.
     pub inertia: Cholesky<f64, Dyn>,
 }
 
-/// Response of the velocities to impulses at a state.
+/// Response of velocities at a state to impulses along the contacts. A row is a gap or slip
+/// velocity of a contact.
 pub struct Response {
-    /// Velocities along all rows of contacts before the impulses.
+    /// Gap and slip velocities of all contacts before the impulses.
     pub velocities: DVector<f64>,
-    /// Parts of the velocities along all rows that remain if all generalized speeds are zero: those of moving
-    /// obstacles.
+    /// Parts of the gap and slip velocities that remain if all generalized speeds are zero. Moving
+    /// obstacles cause them.
     pub driven: DVector<f64>,
-    /// Change of the motion variables per unit of impulse along each row, one column for each row.
+    /// Change of the motion variables v per unit of impulse along each gap or slip direction, a column
+    /// for each direction.
     pub changes: DMatrix<f64>,
-    /// Change of the velocities along all rows per unit of impulse along each row, G; one column for each impulse.
+    /// Matrix G: change of the gap and slip velocities per unit of impulse along each of their
+    /// directions; square.
     pub compliance: DMatrix<f64>,
 }
 
 impl<'a> Contacts<'a> {
-    /// Prepares the contacts of a scene of this model, for equations in the given motion variables.
+    /// Prepares the contacts of a scene for equations in the given kind of motion variables, speeds or
+    /// rates.
     pub fn new(
         model: &Model,
         impacts: &'a [Impact],
@@ -121,33 +134,35 @@ impl<'a> Contacts<'a> {
         Self { system, parameters, impacts, gaps, slopes, rates, rows, count: velocities.len(), slips }
     }
 
-    /// Coefficient of friction of a contact; `None` if it has no friction.
+    /// Coefficient of friction of a contact, without unit; `None` if the contact has no friction law.
     pub fn friction(&self, contact: usize) -> Option<f64> {
         self.impacts[contact].friction.as_ref().map(|friction| friction.coefficient)
     }
 
-    /// True if the coefficient of friction of a contact is above zero. A contact without friction force slips either
-    /// way.
+    /// True if the coefficient of friction of a contact is above zero. With a coefficient of zero, the
+    /// direction of slip does not matter.
     pub fn is_rough(&self, contact: usize) -> bool {
         self.friction(contact).is_some_and(|mu| mu > 0.0)
     }
 
-    /// Mode of a contact that is held and does not slip.
+    /// Mode of a contact that is held closed and does not slip: sticking with a friction law, pushing
+    /// without it.
     pub fn firm(&self, contact: usize) -> Mode {
         if self.impacts[contact].friction.is_some() { Mode::Sticks } else { Mode::Pushes }
     }
 
-    /// Coefficient of restitution by which Newton's law reverses the velocity of a gap; zero for a gap that opens.
+    /// Coefficient of restitution that Newton's law of impact applies to a contact. It is zero if its
+    /// gap opens at these gap and slip `velocities`.
     pub fn turns(&self, contact: usize, velocities: &DVector<f64>) -> f64 {
         if velocities[self.rows[contact][0]] < 0.0 { self.impacts[contact].restitution } else { 0.0 }
     }
 
-    /// Inputs of a tape: the parameters, then a state.
+    /// Joins the parameters and a state, the inputs of a tape.
     fn inputs(&self, y: &[f64]) -> Vec<f64> {
         [self.parameters, y].concat()
     }
 
-    /// Number of coordinates in a state.
+    /// Number of generalized coordinates in a state (q, v).
     fn coordinates(&self) -> usize {
         self.system.lengths().coordinates
     }
@@ -157,13 +172,15 @@ impl<'a> Contacts<'a> {
         self.gaps[contact].0.evaluate(&self.inputs(&y[..self.coordinates()]))[0]
     }
 
-    /// ∂gap/∂q at a state, one matrix row for each contact.
+    /// Slopes ∂gap/∂q at a state: a matrix with a row for each contact and a column for each
+    /// coordinate.
     pub fn gap_slopes(&self, y: &[f64]) -> DMatrix<f64> {
         let n = self.coordinates();
         DMatrix::from_row_slice(self.impacts.len(), n, &self.slopes.evaluate(&self.inputs(&y[..n])))
     }
 
-    /// Computes the velocities along the rows of all contacts, and the slopes of these velocities.
+    /// Computes the gap and slip velocities of all contacts at a state, and the slopes of these
+    /// velocities.
     pub fn rates(&self, y: &[f64]) -> Rates {
         let out = self.rates.evaluate(&self.inputs(y));
         let (values, slopes) = out.split_at(self.count);
@@ -173,8 +190,9 @@ impl<'a> Contacts<'a> {
         }
     }
 
-    /// Size of the terms that a gap is computed from, relative to which the rounding of the gap is measured. It adds
-    /// the terms of the coordinates and those of the computation, such as lengths that cancel.
+    /// Size of the terms of which a gap is the sum, in the unit of the gap. Rounding errors of the gap
+    /// are fractions of it. It adds the terms of the coordinates and those of the computation, such as
+    /// lengths that cancel.
     pub fn made_of(&self, contact: usize, y: &[f64]) -> f64 {
         let of_coordinates: f64 =
             self.gap_slopes(y).row(contact).iter().zip(y).map(|(slope, q)| (slope * q).abs()).sum();
@@ -186,28 +204,31 @@ impl<'a> Contacts<'a> {
         if on_the_way.is_finite() { of_coordinates + on_the_way } else { of_coordinates }
     }
 
-    /// Gap up to which a contact counts as closed: rounding, or a gap that closes within `instant` s.
+    /// Largest gap at which a contact counts as closed: the rounding of the gap, plus its change within
+    /// `instant` s.
     pub fn closing_gap(&self, contact: usize, y: &[f64], rates: &Rates, instant: f64) -> f64 {
         ROUNDINGS * self.made_of(contact, y) + rates.values[self.rows[contact][0]].abs() * instant
     }
 
-    /// Velocity of a gap below which a flight under the given acceleration is too short. Such a flight takes at most
-    /// `least` s, or rises no higher than rounding.
+    /// Velocity of a gap below which a flight under the given acceleration of the gap is too short.
+    /// Such a flight lasts at most `least` s, or rises no higher than the rounding of the gap.
     pub fn slow(&self, contact: usize, y: &[f64], acceleration: f64, least: f64) -> f64 {
         let (height, a) = (TOLD * self.made_of(contact, y), acceleration.abs());
         (0.5 * least * a).max((2.0 * a * height).sqrt())
     }
 
-    /// The kinetic energy of a state, J.
+    /// Kinetic energy of a state, J.
     pub fn kinetic_energy(&self, y: &[f64]) -> f64 {
         let (q, v) = y.split_at(self.coordinates());
         self.system.kinetic_energy(self.parameters, q, v)
     }
 
-    /// Computes the matrices that relate speeds, impulses and the kinetic energy at a state.
+    /// Computes the matrices that relate generalized speeds, impulses and the kinetic energy at a
+    /// state.
     ///
     /// # Errors
-    /// [`Failure`] where a permitted motion has no inertia.
+    /// [`Failure`] if the kinetic energy is not positive definite: a permitted motion then has no
+    /// inertia.
     pub fn operators(&self, y: &[f64], rates: &Rates) -> Result<Operators, Failure> {
         let n = self.coordinates();
         let q = &y[..n];
@@ -231,10 +252,11 @@ impl<'a> Contacts<'a> {
         Ok(Operators { basis, of_u, inertia })
     }
 
-    /// Computes the response of the velocities to impulses along the rows of contacts.
+    /// Computes the response of the velocities at a state to impulses along the gap and slip directions
+    /// of all contacts.
     ///
     /// # Errors
-    /// [`Failure`] where a permitted motion has no inertia.
+    /// [`Failure`] if a permitted motion has no inertia.
     pub fn response(&self, y: &[f64], rates: &Rates) -> Result<Response, Failure> {
         let Operators { basis, of_u, inertia } = self.operators(y, rates)?;
         let (q, v) = y.split_at(self.coordinates());
@@ -245,15 +267,15 @@ impl<'a> Contacts<'a> {
         Ok(Response { velocities: rates.values.clone(), driven, changes: &basis * &moved, compliance: &of_u * moved })
     }
 
-    /// Motion variables that belong to the generalized speeds `u` at the coordinates `q`.
+    /// Computes the motion variables v from the generalized speeds `u` at the coordinates `q`.
     fn variables(&self, q: &[f64], u: &[f64]) -> DVector<f64> {
         let mut v = vec![0.0; self.system.lengths().variables];
         self.system.motion_variables(self.parameters, q, u, &mut v);
         DVector::from_vec(v)
     }
 
-    /// Matrix of the kinetic energy T in the generalized speeds, by second differences of T. These are exact except for
-    /// rounding, since T is a quadratic form.
+    /// Matrix of the kinetic energy T in the generalized speeds, by second differences of T. T is
+    /// quadratic, so these are exact up to rounding. `rest` are the motion variables at zero speeds.
     fn inertia(&self, q: &[f64], basis: &DMatrix<f64>, rest: &DVector<f64>) -> DMatrix<f64> {
         let energy = |shift: DVector<f64>| self.system.kinetic_energy(self.parameters, q, (rest + shift).as_slice());
         let still = energy(DVector::zeros(rest.len()));
@@ -261,7 +283,8 @@ impl<'a> Contacts<'a> {
         let diagonal: Vec<f64> = (0..speeds)
             .map(|i| energy(basis.column(i).into_owned()) + energy(-basis.column(i)) - 2.0 * still)
             .collect();
-        // Scales the directions to one energy, so that no speed drowns in the unit of another.
+        // Scales the directions to equal energy, so that no speed is lost in the rounding of another with a
+        // larger unit.
         let unit: Vec<DVector<f64>> = (0..speeds).map(|i| basis.column(i) / diagonal[i].sqrt()).collect();
         DMatrix::from_fn(speeds, speeds, |i, j| {
             if i == j {
@@ -273,7 +296,8 @@ impl<'a> Contacts<'a> {
         })
     }
 
-    /// System of the given contacts, which are closed at one instant, and the indices of their rows among all rows.
+    /// Builds the linear system of the given contacts, closed at one instant. Also returns the indices
+    /// of their rows (gap and slip velocities) among the rows of all contacts.
     pub fn closed(&self, response: &Response, contacts: &[usize]) -> (ClosedContacts, Vec<usize>) {
         let all: Vec<usize> = contacts.iter().flat_map(|at| self.rows[*at].clone()).collect();
         let mut next = 0..;
@@ -283,16 +307,17 @@ impl<'a> Contacts<'a> {
         (ClosedContacts { compliance, rows, friction }, all)
     }
 
-    /// True if the scene has Poisson's law of impact; otherwise it has Newton's.
+    /// True if the scene uses Poisson's law of impact; false if it uses Newton's law.
     pub fn is_poisson(&self) -> bool {
         self.impacts.first().is_some_and(|impact| impact.law == ImpactLaw::Poisson)
     }
 
-    /// Impulses along all rows, for contacts that are closed together. The scene's law of impact computes them from the
-    /// velocities along all rows before the impact.
+    /// Computes the impulses along the rows of all contacts, for `contacts` that are closed together.
+    /// The scene's law of impact determines them from `velocities`, those of all rows before the
+    /// impact. Rows of other contacts get 0.
     ///
     /// # Errors
-    /// [`Undecided`] if no impulses part the contacts, or several do.
+    /// [`Undecided`] if no impulses separate the contacts, or if several sets of impulses do.
     pub fn impulses(
         &self,
         response: &Response,
@@ -310,7 +335,8 @@ impl<'a> Contacts<'a> {
         Ok(self.spread(&some?, &rows))
     }
 
-    /// Spreads the values of the given rows over all rows; every other row is 0.
+    /// Spreads the values `some` of the rows `rows` over the rows of all contacts; every other row is
+    /// 0.
     pub fn spread(&self, some: &DVector<f64>, rows: &[usize]) -> DVector<f64> {
         let mut all = DVector::zeros(self.count);
         for (row, value) in rows.iter().zip(some.iter()) {
@@ -320,7 +346,7 @@ impl<'a> Contacts<'a> {
     }
 }
 
-/// Partial derivatives of a term by symbols.
+/// Partial derivatives of a term by each symbol of a list.
 fn along(arena: &mut Arena, e: Expr, symbols: &[Expr]) -> Vec<Expr> {
     symbols.iter().map(|symbol| Differential::partial(*symbol).apply(arena, e)).collect()
 }

@@ -1,4 +1,4 @@
-//! Modes of contacts with friction: which contacts stick and which slip.
+//! Modes of closed contacts with friction: which contacts stick, slip or open.
 
 use super::Bouncing;
 use super::NOTHING;
@@ -9,12 +9,17 @@ use nalgebra::DVector;
 use tripos_derive::plain::within;
 use tripos_sim::{ContactSolution, Failure, Mode, Undecided};
 
-/// Time ahead, in durations of the shortest flight, at which modes that are all possible at an instant are compared.
+/// Interval after an instant at which several possible modes are compared, in durations of the
+/// shortest flight.
 const AHEAD: f64 = 16384.0;
 
 impl Bouncing<'_> {
-    /// Accelerations along all rows just before a meeting, with the forces of the contacts held until then; zeros if
-    /// none of these has friction.
+    /// Accelerations along the gap and slip directions of all contacts just before an impact or change.
+    /// The forces of the contacts that were held closed are included. All are zero if none of these
+    /// contacts has friction.
+    ///
+    /// # Errors
+    /// `Failure` if the equations or the contact forces have no value.
     pub(super) fn approach(&self, held: &mut Held<'_>, t: f64, y: &[f64]) -> Result<DVector<f64>, Failure> {
         if held.kept.which.iter().all(|at| self.contacts.friction(*at).is_none()) {
             return Ok(DVector::zeros(self.contacts.count));
@@ -24,7 +29,8 @@ impl Bouncing<'_> {
         Ok(free.accelerations + free.response.compliance * forces)
     }
 
-    /// Sign of the velocity at which a contact with friction slips; `None` if it does not slip.
+    /// Sign of the velocity at which a closed contact with friction slips after a meeting; `None` if it
+    /// does not slip or has no friction. `velocities` are the gap and slip velocities of all contacts.
     pub(super) fn slips(&self, contact: usize, velocities: &DVector<f64>, met: &SettledMeeting<'_>) -> Option<f64> {
         self.contacts.friction(contact)?;
         let row = self.contacts.rows[contact][1];
@@ -32,16 +38,18 @@ impl Bouncing<'_> {
         let rests = !met.is_hit(&self.contacts.rows[contact])
             && (met.meeting.contact_change == Some(ContactChange::Sticks(contact))
                 || met.meeting.kept.mode(contact) == Some(Mode::Sticks)
-                // Contacts that came to rest at this instant as well.
+                // A contact counts as sticking too if its slip ended at the same instant by rounding.
                 || velocity.abs() <= met.before[row].abs() * self.least);
         let is_still = rests || velocity.abs() <= (NOTHING * met.scale[row]).max(met.slowest[row]);
         (!is_still).then(|| velocity.signum())
     }
 
-    /// Finds the modes of contacts that are closed and at rest along their gaps, and their forces along all rows.
+    /// Finds the modes of the contacts `rest`, which are closed with no gap velocity. Also returns the
+    /// contact forces along the gap and slip directions of all contacts. Of several possible modes,
+    /// those that last are chosen.
     ///
     /// # Errors
-    /// [`Failure`] where Coulomb's law allows no mode, or more than one.
+    /// [`Failure`] if Coulomb's law allows no mode, or modes with different motions.
     pub(super) fn modes(
         &self,
         free: &mut Held<'_>,
@@ -76,8 +84,8 @@ impl Bouncing<'_> {
         Ok((one.modes, self.contacts.spread(&one.forces, &rows)))
     }
 
-    /// Instant shortly after another, by this many times the shortest interval that can be told from rounding, and the
-    /// state there under forces along all rows, to first order.
+    /// Extrapolates the state shortly after the instant `t`, to first order, under the given contact
+    /// forces. Returns the later instant, s, and the state there. `times` multiplies the interval.
     pub(super) fn ahead(&self, t: f64, y: &[f64], now: &Free, forces: &DVector<f64>, times: f64) -> (f64, Vec<f64>) {
         let changes = &now.response.changes * forces;
         let mut rates = now.rates.clone();
@@ -87,17 +95,17 @@ impl Bouncing<'_> {
         (t + ahead, y.iter().zip(&rates).map(|(y, rate)| y + ahead * rate).collect())
     }
 
-    /// Index of the first combination of modes that still satisfies the laws of contact shortly after the instant,
-    /// under the accelerations `then`. Zero, the firmest combination, if none does. `slips` has a sign for each contact
-    /// of `rest` that slips.
+    /// Index of the first combination of modes in `found` that still satisfies the laws of contact
+    /// shortly later, under the accelerations in `then`. It is 0, the combination with the least
+    /// freedom, if none does. `slips` has the sign of slip for each contact of `rest`, or `None`.
     fn lasting(&self, then: &Free, rest: &[usize], slips: &[Option<f64>], found: &[ContactSolution]) -> usize {
         let (system, rows) = self.contacts.closed(&then.response, rest);
         let accelerations = then.accelerations.select_rows(&rows);
         found.iter().position(|found| system.allows(&accelerations, slips, &found.modes)).unwrap_or(0)
     }
 
-    /// Failure that reports closed contacts whose modes are undecided. `what` is the message where no contact has
-    /// friction.
+    /// Failure for closed contacts whose modes or impulses are undecided at `t` s. `what` is the
+    /// message if no contact has friction.
     pub(super) fn undecided(&self, t: f64, contacts: &[usize], what: &str, why: &Undecided) -> Failure {
         let name = |at: &usize| format!("`{}`", self.contacts.impacts[*at].name);
         let names = contacts.iter().map(name).collect::<Vec<_>>().join(", ");

@@ -1,9 +1,9 @@
-//! Contacts that are held closed, and the mode of each held contact.
+//! List of the contacts that are held closed, with the mode of each: pushing, sticking or slipping.
 
 use super::contacts::Contacts;
 use tripos_sim::Mode;
 
-/// Contacts that are held, each with its mode: it pushes, sticks or slips.
+/// Contacts that are held closed, each with its mode: it pushes, sticks or slips.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct HeldContacts {
     /// Indices of the held contacts among the contacts of the scene.
@@ -12,11 +12,11 @@ pub struct HeldContacts {
     pub modes: Vec<Mode>,
 }
 
-/// Empty list of held contacts.
+/// Empty list of held contacts, for a motion without contact.
 pub static NONE: HeldContacts = HeldContacts { which: Vec::new(), modes: Vec::new() };
 
 impl HeldContacts {
-    /// True if no contact is held.
+    /// True if no contact is held closed.
     pub fn is_empty(&self) -> bool {
         self.which.is_empty()
     }
@@ -31,13 +31,13 @@ impl HeldContacts {
         self.iter().find(|(at, _)| *at == contact).map(|(_, mode)| mode)
     }
 
-    /// Adds a held contact with its mode.
+    /// Adds a contact that is held closed, with its mode.
     pub fn push(&mut self, contact: usize, mode: Mode) {
         self.which.push(contact);
         self.modes.push(mode);
     }
 
-    /// Removes a contact.
+    /// Removes a contact from the held ones; does nothing if it is not held.
     pub fn remove(&mut self, contact: usize) {
         if let Some(at) = self.which.iter().position(|held| *held == contact) {
             self.which.remove(at);
@@ -45,7 +45,8 @@ impl HeldContacts {
         }
     }
 
-    /// Iterates over the held contacts that slip, each with the sign of its slip velocity.
+    /// Iterates over the held contacts that slip: the index of the contact, and the sign of its slip
+    /// velocity.
     pub fn slipping(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         self.iter().filter_map(|(at, mode)| match mode {
             Mode::Slips(way) => Some((at, way)),
@@ -53,7 +54,8 @@ impl HeldContacts {
         })
     }
 
-    /// Indices of the rows whose velocity is held at zero; for a slipping contact only the row of its gap.
+    /// Indices of the gap and slip velocities that are held at zero. For a slipping contact, this is
+    /// only the gap velocity.
     pub fn rows(&self, contacts: &Contacts<'_>) -> Vec<usize> {
         let held = |(at, mode): (usize, Mode)| {
             let rows = &contacts.rows[at];

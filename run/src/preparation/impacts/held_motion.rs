@@ -1,40 +1,46 @@
-//! Motions in which contacts are held closed.
+//! Motions in which contacts are held closed by contact forces.
 //!
-//! The forces λ of held contacts keep the velocities along their rows at zero: G λ + a = 0, where a are the
-//! accelerations along the rows without these forces. Where a contact slips, its row along the slip is released.
-//! Friction enters the same system: −μ s times the force along the gap, with s the sign of the slip. The forces join
-//! any equations, as v̇ + M⁻¹ Wᵀ λ. Each step ends on the contacts, as on any constraint.
+//! The forces λ of held contacts keep the gap and slip velocities of these contacts (their rows) at
+//! zero: G λ + a = 0. Here a are the accelerations of the rows without these forces. If a contact
+//! slips, its slip velocity is free. Friction enters the same system: −μ s times the normal force,
+//! with s the sign of the slip. The forces are added to the equations of motion as v̇ + M⁻¹ Wᵀ λ.
+//! Each step is corrected onto the closed gaps, like onto other constraints.
 
 use super::contacts::{Contacts, Rates, Response};
 use super::held_contacts::HeldContacts;
 use nalgebra::DVector;
 use tripos_sim::{Failure, RightHandSide};
 
-/// Equations of motion with the forces of contacts that are held.
+/// Equations of motion with the forces of contacts that are held closed.
 pub struct Held<'a> {
-    /// Equations of motion without the forces of contacts.
+    /// Right-hand side of the equations of motion without contact forces.
     pub rhs: Box<dyn RightHandSide<f64> + 'a>,
+    /// All contacts of the scene.
     pub contacts: &'a Contacts<'a>,
-    /// Contacts that are held, with the mode of each.
+    /// Contacts that are held closed, each with its mode, such as sticking.
     pub kept: &'a HeldContacts,
 }
 
-/// Motion of the contacts at a state without the forces of held contacts, and the response to forces.
+/// Accelerations at a state without contact forces, and the response to such forces.
 pub struct Free {
-    /// Rates of the state, ẏ, without the forces of contacts.
+    /// Rates of the state, ẏ = (q̇, v̇), without contact forces.
     pub rates: Vec<f64>,
-    /// Accelerations along all rows of contacts, without the forces of contacts.
+    /// Accelerations along the gap and slip directions of all contacts, without contact forces.
     pub accelerations: DVector<f64>,
-    /// Sizes of the terms of each acceleration, added: a small fraction of this sum counts as zero.
+    /// Sum of the absolute terms of each acceleration. An acceleration far below this sum counts as
+    /// zero.
     pub sizes: DVector<f64>,
+    /// Response of the velocities to impulses, and of the accelerations to forces, along the contacts.
     pub response: Response,
 }
 
-/// Forces below this fraction of [`Free::force_of_size`] count as rounding.
+/// Fraction of the reference force [`Free::force_of_size`] below which a contact force counts as
+/// rounding.
 pub(super) const ROUNDED: f64 = 1e-12;
 
 impl Free {
-    /// Force that would cancel all terms of the acceleration along a row if the terms had one sign.
+    /// Reference force of a gap or slip direction: the force that cancels the acceleration if all its
+    /// terms had one sign.
     pub fn force_of_size(&self, row: usize) -> f64 {
         let g = self.response.compliance[(row, row)];
         if g > 0.0 { self.sizes[row] / g } else { 0.0 }
@@ -42,10 +48,11 @@ impl Free {
 }
 
 impl Held<'_> {
-    /// Computes the motion of the contacts without their forces.
+    /// Computes the accelerations at an instant and a state without contact forces, and the response to
+    /// such forces.
     ///
     /// # Errors
-    /// [`Failure`] where the equations have no value.
+    /// [`Failure`] if the equations have no value at the state, or a permitted motion has no inertia.
     pub fn free(&mut self, t: f64, y: &[f64]) -> Result<Free, Failure> {
         let mut rates = vec![0.0; y.len()];
         self.rhs.rhs(t, y, &mut rates)?;
@@ -56,18 +63,19 @@ impl Held<'_> {
         Ok(Free { rates, accelerations, sizes, response })
     }
 
-    /// The forces of the held contacts along all rows.
+    /// Computes the forces of the held contacts along the gap and slip directions of all contacts.
     ///
     /// # Errors
-    /// [`Failure`] where the forces are not finite.
+    /// [`Failure`] if a force is not finite.
     pub fn forces(&self, free: &Free) -> Result<DVector<f64>, Failure> {
         self.forces_of(free, self.kept)
     }
 
-    /// The forces along all rows if these contacts are held.
+    /// Computes the forces along the gap and slip directions of all contacts, for the held contacts
+    /// `kept`.
     ///
     /// # Errors
-    /// [`Failure`] where the forces are not finite.
+    /// [`Failure`] if a force is not finite.
     pub fn forces_of(&self, free: &Free, kept: &HeldContacts) -> Result<DVector<f64>, Failure> {
         let (closed, rows) = self.contacts.closed(&free.response, &kept.which);
         let some = closed.hold(&free.accelerations.select_rows(&rows), &kept.modes).ok_or_else(|| Failure {
@@ -77,16 +85,16 @@ impl Held<'_> {
         Ok(self.contacts.spread(&some, &rows))
     }
 
-    /// Force along the gap of a contact plus a margin for rounding, in N where the gap is in m. NaN where no force can
-    /// be computed.
+    /// Normal force of a held contact plus a margin for rounding, in N if the gap is in m; negative if
+    /// the contact would pull. NaN if no force can be computed.
     pub fn normal(&mut self, contact: usize, t: f64, y: &[f64]) -> f64 {
         let row = self.contacts.rows[contact][0];
         let force = self.free(t, y).and_then(|free| Ok(self.forces(&free)?[row] + ROUNDED * free.force_of_size(row)));
         force.unwrap_or(f64::NAN)
     }
 
-    /// Friction limit of a sticking contact minus the size of its force along the slip. NaN where no force can be
-    /// computed.
+    /// Friction limit μ N of a sticking contact minus the size of its tangential force; negative if the
+    /// contact must slip. NaN if no force can be computed.
     pub fn margin(&mut self, contact: usize, t: f64, y: &[f64]) -> f64 {
         let mu = self.contacts.friction(contact).unwrap_or(0.0);
         let forces = self.free(t, y).and_then(|free| self.forces(&free));
@@ -94,15 +102,16 @@ impl Held<'_> {
         forces.map_or(f64::NAN, |forces| mu * forces[rows[0]] - forces[rows[1]].abs())
     }
 
-    /// Determinant of the linear system for the forces of held contacts, relative to its value without slip. NaN where
-    /// the system cannot be computed.
+    /// Determinant of the linear system for the forces of the held contacts, relative to its value
+    /// without slip. NaN if the system cannot be computed.
     pub fn determinant(&self, y: &[f64]) -> f64 {
         let response = self.contacts.response(y, &self.contacts.rates(y));
         let of = |response: Response| self.contacts.closed(&response, &self.kept.which).0.determinant(&self.kept.modes);
         response.map_or(f64::NAN, of)
     }
 
-    /// Power of the forces of moving obstacles and of friction at a state, W. NaN where no force can be computed.
+    /// Power of the contact forces at a state, W: of moving obstacles and of friction. NaN if no force
+    /// can be computed.
     pub fn power(&mut self, t: f64, y: &[f64]) -> f64 {
         let power = self.free(t, y).and_then(|free| {
             let forces = self.forces(&free)?;
@@ -113,7 +122,7 @@ impl Held<'_> {
         power.unwrap_or(f64::NAN)
     }
 
-    /// Indices of the rows of contacts whose velocity is held at zero.
+    /// Indices of the gap and slip velocities that the contact forces hold at zero.
     pub fn rows(&self) -> Vec<usize> {
         self.kept.rows(self.contacts)
     }

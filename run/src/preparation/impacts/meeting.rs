@@ -1,4 +1,5 @@
-//! Impacts of contacts that are closed together, and the contacts that are held afterwards.
+//! Impacts of contacts that are closed together at one instant, and the contacts that are held
+//! closed afterwards.
 
 use super::contact_change::ContactChange;
 use super::contacts::Response;
@@ -10,18 +11,21 @@ use nalgebra::DVector;
 use tripos_derive::plain::{significant, within};
 use tripos_sim::{Failure, ImpactRecord, Mode, SimError};
 
-/// Contacts that are closed at one instant, the contacts that were held before it, and the change of a contact that
-/// caused it.
+/// Instant at which contacts are closed and an impact or a change of held contacts is due, with its
+/// cause.
 pub struct Meeting<'m> {
     /// Instant of the meeting, s.
     pub t: f64,
+    /// Indices of all contacts that are closed at this instant.
     pub closed: &'m [usize],
+    /// Contacts that were held closed until this instant, each with its mode.
     pub kept: &'m HeldContacts,
+    /// Change of a contact that caused the meeting; `None` at the start of the run.
     pub contact_change: Option<ContactChange>,
 }
 
 impl Meeting<'_> {
-    /// Contact that opens at the instant of the meeting; `None` if no contact opens.
+    /// Index of the contact that opens at the instant of the meeting; `None` if no contact opens.
     fn opens(&self) -> Option<usize> {
         match self.contact_change {
             Some(ContactChange::Opens(contact)) => Some(contact),
@@ -30,100 +34,118 @@ impl Meeting<'_> {
     }
 }
 
-/// A meeting of contacts after its impact, if there was one.
+/// Meeting of contacts after the impact, if there was one, with the reference speeds for decisions.
 pub struct SettledMeeting<'m> {
+    /// The meeting itself: instant, closed contacts and cause.
     pub meeting: &'m Meeting<'m>,
-    /// Change of the velocity along each row of contacts by the impacts; `None` without an impact.
+    /// Change of each gap and slip velocity by the impacts, for all contacts; `None` without an impact.
     pub changes: Option<&'m DVector<f64>>,
-    /// Reference speed of each row of contacts: a velocity far below it counts as zero.
+    /// Reference speed of each gap and slip velocity: a velocity far below it counts as zero.
     pub scale: &'m DVector<f64>,
-    /// Velocity along each row of contacts that accelerations remove within the shortest flight.
+    /// Size of each gap and slip velocity that accelerations remove within the shortest flight.
     pub slowest: &'m DVector<f64>,
-    /// Accelerations along the rows of contacts before the meeting.
+    /// Accelerations along the gap and slip directions of all contacts before the meeting.
     pub before: &'m DVector<f64>,
     /// True if the forces of slipping contacts were about to grow without bound before the meeting.
     pub is_jamming: bool,
 }
 
 impl SettledMeeting<'_> {
-    /// True if an impact changed the motion of a contact with these rows. An impact elsewhere changes nothing here.
+    /// True if an impact changed a gap or slip velocity of the contact that has these rows.
     pub fn is_hit(&self, rows: &[usize]) -> bool {
         self.changes.is_some_and(|changes| rows.iter().any(|row| changes[*row] != 0.0))
     }
 }
 
-/// Contacts that are held after a meeting, and contacts whose next flight would be too short.
+/// Contacts that are held closed after a meeting, and contacts whose next flight would be too short
+/// to resolve.
 struct Settled {
+    /// Contacts that are held closed, each with its mode.
     kept: HeldContacts,
-    /// Indices of the contacts whose next flight would be too short.
+    /// Indices of the contacts whose next flight would be too short to resolve.
     short: Vec<usize>,
-    /// Contacts whose next flight would be too short and that are not held, each with the mode that it would have.
+    /// Contacts whose next flight would be too short and that no force holds closed, each with the mode
+    /// that it would have.
     more: HeldContacts,
 }
 
-/// Largest number of impacts that may follow one another at one instant.
+/// Largest number of impacts that may follow one another at one instant; more are an error.
 const MOST: usize = 1_000;
 
-/// State after a meeting, where velocities may have jumped, and the contacts that are held from that instant on.
+/// State after an instant at which contacts were closed and velocities may have jumped, and the
+/// contacts that are held.
 #[derive(Clone, Debug)]
 pub struct After {
-    /// State after all impacts of the instant.
+    /// State (q, v) after all impacts of the instant.
     pub y: Vec<f64>,
     /// Record of the impact; `None` if there was no impact.
     pub record: Option<ImpactRecord>,
-    /// Contacts that are held from this instant on, each with its mode.
+    /// Contacts that are held closed from this instant on, each with its mode.
     pub kept: HeldContacts,
-    /// Contacts that were closed at the instant of the meeting.
+    /// Indices of the contacts that were closed at the instant.
     pub closed: Vec<usize>,
-    /// Contacts that had impulses together by the law of impact, one list for each impact of the instant. A further
-    /// impact follows where an impact closes a contact that had opened. Empty if there was no impact.
+    /// Contacts that had impulses together by the law of impact, a list for each impact of the instant.
+    /// An impact that closes a contact again causes a further impact. Empty if there was no impact.
     pub hits: Vec<Vec<usize>>,
-    /// Contacts that impulses brought to rest after the impacts, each with its mode during these impulses.
+    /// Contacts whose last velocities were removed by impulses after the impacts, each with its mode in
+    /// these impulses.
     pub rested: HeldContacts,
 }
 
 impl After {
-    /// Result at a state at which no contact is closed: the state stays as it is.
+    /// Result for a state at which no contact is closed: the state is unchanged, and no contact is
+    /// held.
     pub fn unchanged(y: &[f64]) -> Self {
         let none = HeldContacts::default;
         Self { y: y.to_vec(), record: None, kept: none(), closed: Vec::new(), hits: Vec::new(), rested: none() }
     }
 }
 
-/// An impact, and the contacts that it hit.
+/// Impacts at one instant: their total effect, and the contacts that took part.
 struct Hit {
+    /// State after the impacts, with the total impulses and energies.
     blow: Blow,
-    /// Contacts that took part, one list for each impact of the instant, as in [`After::hits`].
+    /// Indices of the contacts that took part, a list for each impact of the instant, as in
+    /// [`After::hits`].
     hits: Vec<Vec<usize>>,
-    /// Reference speed of each row of contacts: the sizes of its parts before the impact, plus the sizes of its changes
-    /// by each impulse.
+    /// Reference speed of each gap and slip velocity: the sizes of its terms before the impact, plus
+    /// the sizes of its changes by each impulse.
     scale: DVector<f64>,
-    /// Change of the velocity along each row of contacts by all impulses.
+    /// Change of each gap and slip velocity of all contacts by all impulses.
     changes: DVector<f64>,
 }
 
-/// Impulses along all rows together, and their effects.
+/// Impulses along all contacts at one instant, and their effect on state and energy.
 struct Blow {
+    /// State (q, v) after the impulses.
     y: Vec<f64>,
-    /// Impulse along each row of contacts.
+    /// Impulse along each gap and slip direction of all contacts, N s if the gap is in m.
     impulses: DVector<f64>,
     /// Energy lost in the impact, J.
     loss: f64,
-    /// Work of moving obstacles in the impact, J.
+    /// Work that moving obstacles do in the impact, J.
     work: f64,
 }
 
 impl Bouncing<'_> {
-    /// Handles contacts that are closed at an instant, in the state `y`: an impact if one of them closes further, then
-    /// the holding.
+    /// Handles the contacts that are closed at an instant, in the state `y`. If a gap would close
+    /// further, there is an impact. Then the contacts that stay closed are found. The inner `Failure`
+    /// says why the run cannot go on.
+    ///
+    /// # Errors
+    /// `SimError` if the equations of motion cannot be made.
     pub(super) fn meet(&self, y: &[f64], meeting: &Meeting<'_>) -> Result<Result<After, Failure>, SimError> {
         let mut free = Held { rhs: (self.equations)()?, contacts: self.contacts, kept: &NONE };
         let mut held = Held { rhs: (self.equations)()?, contacts: self.contacts, kept: meeting.kept };
         Ok(self.met(&mut free, &mut held, y, meeting))
     }
 
-    /// Handles contacts that are closed at an instant, in the state `y`. `free` are the equations without forces of
-    /// contacts, `held` those with the forces of the contacts held until then.
+    /// Handles the contacts that are closed at an instant, in the state `y`. `free` are the equations
+    /// without contact forces. `held` are those with the forces of the contacts that were held closed
+    /// until then.
+    ///
+    /// # Errors
+    /// `Failure` if impulses or forces are undecided or not finite, or an impact would create energy.
     fn met(
         &self,
         free: &mut Held<'_>,
@@ -165,10 +187,13 @@ impl Bouncing<'_> {
         Ok(After { y: blow.y, record, kept, closed, hits, rested })
     }
 
-    /// Removes the contacts whose forces do not push from an instant on. The event of an opening is a force that falls
-    /// to zero. A force that is zero already, as where two contacts open at one instant, gives no event, and the
-    /// contact would pull. So the forces are computed at two instants shortly after: where one pulls there, ever
-    /// harder, the contact opens now.
+    /// Removes from `kept` the contacts whose forces would pull just after the instant `t`. An opening
+    /// is found as a force that falls to zero. A force that is zero already gives no such event, as
+    /// when two contacts open at one instant. So the forces are computed at two instants shortly later.
+    /// A contact opens now if its force is negative and growing.
+    ///
+    /// # Errors
+    /// `Failure` if the forces at `t` cannot be computed.
     fn pushing(&self, free: &mut Held<'_>, t: f64, y: &[f64], mut kept: HeldContacts) -> Result<HeldContacts, Failure> {
         while !kept.is_empty() {
             let now = free.free(t, y)?;
@@ -177,7 +202,7 @@ impl Bouncing<'_> {
                 let (ahead, later) = self.ahead(t, y, &now, &forces, times);
                 free.free(ahead, &later).and_then(|then| free.forces_of(&then, &kept))
             };
-            // A state without forces shortly after is met by the run itself.
+            // If the forces have no value shortly later, the run itself will report it.
             let (Ok(soon), Ok(later)) = (shortly(1.0), shortly(2.0)) else { break };
             let row = |contact: usize| self.contacts.rows[contact][0];
             let least = |at: usize| ROUNDED * forces.amax().max(now.force_of_size(row(at)));
@@ -189,7 +214,7 @@ impl Bouncing<'_> {
         Ok(kept)
     }
 
-    /// Failure that reports an impact that would create energy.
+    /// Failure for an impact at `t` s that would create energy; `gained` is this energy, J.
     fn gains(&self, t: f64, meeting: &Meeting<'_>, gained: f64) -> Failure {
         let has_friction = meeting.closed.iter().any(|at| self.contacts.friction(*at).is_some());
         let why = if has_friction {
@@ -202,11 +227,15 @@ impl Bouncing<'_> {
         Failure { code: "impact", message: format!("the impact at t = {t} s would create energy, {gained} J: {why}") }
     }
 
-    /// Computes the impact of contacts that are closed together, with a list of the contacts hit in each impact. All
-    /// impulses are zero if no contact closes.
+    /// Computes the impacts of contacts that are closed together at an instant, in the state `y`. All
+    /// impulses are zero if no gap closes. `slowest` are velocities that accelerations remove within
+    /// the shortest flight.
     ///
-    /// By Newton's law, which reverses velocities, an opening contact takes no part. If an impact closes such a
-    /// contact, another impact follows at the same instant.
+    /// By Newton's law, which reverses velocities, an opening contact takes no part. If an impact
+    /// closes such a contact, another impact follows at the same instant.
+    ///
+    /// # Errors
+    /// `Failure` if the impulses are undecided, never end, or would create energy.
     fn hit(&self, y: &[f64], meeting: &Meeting<'_>, slowest: &DVector<f64>) -> Result<Hit, Failure> {
         let t = meeting.t;
         let rates = self.contacts.rates(y);
@@ -223,13 +252,14 @@ impl Bouncing<'_> {
             );
             return Err(Failure { code: "impact", message });
         }
-        // The velocity of a contact that was held is rounding and starts no impact: where everything comes to rest, the
-        // reference speed is as small.
+        // The gap velocity of a contact that was held closed is rounding and starts no impact. If
+        // everything comes to rest, the reference speed is as small as this rounding.
         let (mut all, mut hits) = (DVector::zeros(self.contacts.count), Vec::<Vec<usize>>::new());
         while meeting.opens().is_none() {
             let now = &response.velocities + &response.compliance * &all;
             let is_new = |at: &usize| !hits.is_empty() || meeting.kept.mode(*at).is_none();
-            // The velocity of a contact that was held is rounding, also where nothing else moves it.
+            // The gap velocity of a contact that was held closed is rounding, also if no other motion gives a
+            // reference speed.
             let held = |at: &usize| if meeting.kept.mode(*at).is_some() { slowest[normal(at)] } else { 0.0 };
             let closes = |at: &usize| now[normal(at)] < -(NOTHING * scale[normal(at)]).max(held(at));
             if !closed.iter().any(|at| is_new(at) && closes(at)) {
@@ -243,7 +273,7 @@ impl Bouncing<'_> {
             let hit: Vec<usize> = closed.iter().copied().filter(takes_part).collect();
             let impulses = self.contacts.impulses(&response, &now, &hit);
             let impulses = impulses.map_err(|why| self.undecided(t, &hit, "no impulses part what closes", &why))?;
-            // Impulses that cancel one another leave rounding as well.
+            // Impulses that cancel one another leave rounding errors of their own size.
             scale += response.compliance.abs() * impulses.abs();
             all += impulses;
             hits.push(hit);
@@ -258,7 +288,7 @@ impl Bouncing<'_> {
         }
     }
 
-    /// Failure that reports impacts of closed contacts that follow one another without end.
+    /// Failure for impacts of the closed contacts that follow one another at `t` s without end.
     fn unending(&self, t: f64, closed: &[usize]) -> Failure {
         let names: Vec<String> = closed.iter().map(|at| format!("`{}`", self.contacts.impacts[*at].name)).collect();
         let message = format!(
@@ -269,8 +299,11 @@ impl Bouncing<'_> {
         Failure { code: "impact", message }
     }
 
-    /// Finds the closed contacts that are at rest and stay pushed together, and the further contacts whose next flight
-    /// would be too short.
+    /// Finds the closed contacts that have no gap velocity and stay pushed together after an impact, in
+    /// the state `y`. Also finds the contacts whose next flight would be too short to resolve.
+    ///
+    /// # Errors
+    /// `Failure` if the contact forces are undecided or not determined.
     fn settle(&self, free: &mut Held<'_>, y: &[f64], met: &SettledMeeting<'_>) -> Result<Settled, Failure> {
         let (meeting, scale, t) = (met.meeting, met.scale, met.meeting.t);
         let now = free.free(t, y)?;
@@ -280,7 +313,7 @@ impl Bouncing<'_> {
             let rests = !met.is_hit(&self.contacts.rows[*at]) && meeting.kept.mode(*at).is_some();
             rests || velocity(at).abs() <= NOTHING * scale[normal(at)]
         };
-        // Largest velocity of a gap whose flight is too short.
+        // Largest gap velocity at which the next flight is too short to resolve.
         let slow = |at: &usize, accelerations: &DVector<f64>| {
             self.contacts.slow(*at, y, accelerations[normal(at)], self.least)
         };
@@ -290,13 +323,15 @@ impl Bouncing<'_> {
             meeting.closed.iter().copied().filter(stays).partition(|at| is_still(at) || is_slow(at));
         let (modes, forces) = self.modes(free, y, &now, &rest, met)?;
         let accelerations = &now.accelerations + &now.response.compliance * &forces;
-        // Where friction adds as much pressure as causes it, a force passes infinity and the contact does not open.
+        // If friction increases the pressure as much as it is caused by it, the force grows without bound:
+        // no opening.
         let closes = |at: &usize| accelerations[normal(at)] < -NOTHING.sqrt() * now.accelerations.amax();
         if let Some(contact) = meeting.opens().filter(|at| met.is_jamming && closes(at)) {
             return Err(self.jams(contact, t));
         }
         let nothing = |at: &usize| NOTHING * now.accelerations.amax().max(now.sizes[normal(at)]);
-        // A contact that neither pushes nor opens stays held as well, if that takes no friction.
+        // A contact that neither pushes nor opens is held closed too, if it has no slip velocity to
+        // restrain.
         let lies = |at: &usize| self.contacts.rows[*at].len() == 1 && accelerations[normal(at)] <= nothing(at);
         let mut kept = HeldContacts::default();
         for (at, mode) in rest.iter().zip(modes) {
@@ -322,8 +357,12 @@ impl Bouncing<'_> {
         Ok(Settled { kept, short, more })
     }
 
-    /// Computes the impulses that remove the last velocities of contacts that are to be held. The flag is true if a
-    /// contact slips that must not slip. `None` if these velocities are zero already.
+    /// Computes the impulses that remove the remaining velocities of the contacts `kept`, in the state
+    /// `y`. The flag is true if a contact slips that must not slip. `None` if these velocities are zero
+    /// already.
+    ///
+    /// # Errors
+    /// `Failure` if the impulses are not finite.
     fn bring_to_rest(
         &self,
         y: &[f64],
@@ -349,8 +388,11 @@ impl Bouncing<'_> {
         Ok(Some((struck(y, &response, self.contacts.spread(&some, &rows)), slipping)))
     }
 
-    /// Reference speeds of the rows of contacts: the sizes of the parts by each motion variable, added, and the size of
-    /// the part of moving obstacles.
+    /// Reference speed of each gap and slip velocity in the state `y`: the sum of the absolute parts by
+    /// each motion variable and by moving obstacles.
+    ///
+    /// # Errors
+    /// `Failure` if a permitted motion has no inertia.
     fn speeds(&self, y: &[f64]) -> Result<DVector<f64>, Failure> {
         let rates = self.contacts.rates(y);
         let driven = self.contacts.response(y, &rates)?.driven;
@@ -363,7 +405,8 @@ impl Bouncing<'_> {
     }
 }
 
-/// Applies impulses along all rows to a state.
+/// Applies impulses along the gap and slip directions of all contacts to a state, and computes the
+/// energies.
 fn struck(y: &[f64], response: &Response, impulses: DVector<f64>) -> Blow {
     let mut after = y.to_vec();
     let changes = &response.changes * &impulses;
@@ -371,16 +414,17 @@ fn struck(y: &[f64], response: &Response, impulses: DVector<f64>) -> Blow {
     for (v, change) in after[first..].iter_mut().zip(changes.iter()) {
         *v += change;
     }
-    // Thomson and Tait: impulses work on the mean of the velocities before and after.
+    // Theorem of Thomson and Tait: the work of an impulse is the impulse times the mean of the
+    // velocities before and after.
     let velocities = &response.velocities * 2.0 + &response.compliance * &impulses;
     let loss = -0.5 * impulses.dot(&velocities);
     let work = -impulses.dot(&response.driven);
     Blow { y: after, impulses, loss, work }
 }
 
-/// Least energy that impulses must add to be told from rounding, J. The terms of the sum are impulses times a small
-/// fraction of the velocities before and after. Each impulse times a velocity that is rounding is added. Velocities
-/// before and after may cancel: an elastic impact reverses each velocity and adds no energy.
+/// Least energy, J, that impulses must add to a motion so that the gain is no rounding. It sums
+/// each impulse times a small fraction of the sizes of its velocities before and after. An elastic
+/// impact reverses velocities and gains nothing, so the sizes are added.
 fn least_gain(response: &Response, impulses: &DVector<f64>, scale: &DVector<f64>) -> f64 {
     let (before, after) = (&response.velocities, &response.velocities + &response.compliance * impulses);
     let of = |row: usize| NOTHING.sqrt() * (before[row].abs() + after[row].abs()) + NOTHING * scale[row];

@@ -1,4 +1,4 @@
-//! Checks of a finished part of a run for changes of contacts that the events missed.
+//! Checks of a finished part of a run for changes of contacts that its events missed.
 
 use super::held_contacts::HeldContacts;
 use super::held_motion::Held;
@@ -7,12 +7,13 @@ use tripos_derive::plain::{significant, within};
 use tripos_sim::{Failure, Mode, Solution, Stop};
 use tripos_traits::Real;
 
-/// Determinant of the system for contact forces, relative to its value without slip, below which the forces grow
-/// without bound.
+/// Determinant of the system for contact forces, relative to its value without slip, below which
+/// the forces count as growing without bound.
 pub const NEARLY: f64 = 1e-3;
 
 impl Bouncing<'_> {
-    /// Failure if a gap is negative at the end of a part of a run whose events missed the closing; otherwise `None`.
+    /// Failure if a gap that should be open is negative at the end of a part of a run, so that events
+    /// missed its closing. `None` if no gap is.
     pub(super) fn overlapping<S: Real>(&self, part: &Solution<S>, kept: &HeldContacts) -> Option<Failure> {
         let y_end = values(&part.y_end);
         let rates = self.contacts.rates(&y_end);
@@ -23,7 +24,7 @@ impl Bouncing<'_> {
             OVERLAP * sizes.fold(0.0, f64::max) + velocity * self.least
         };
         let free = (0..self.contacts.impacts.len()).filter(|contact| kept.mode(*contact).is_none());
-        // A contact that opened at the start of the part may have begun with the rounding of its gap.
+        // A gap that opened at the start of the part may have begun with a rounding error.
         let begun = |contact: usize| part.y.first().map_or(0.0, |y| self.contacts.gap(contact, &values(y)).min(0.0));
         let is_below = |contact: &usize| gap(*contact) < (2.0 * begun(*contact)).min(-least(*contact));
         let below = free.into_iter().find(|contact| gap(*contact) < 0.0 && is_below(contact))?;
@@ -35,8 +36,9 @@ impl Bouncing<'_> {
         Some(Failure { code: "contact", message })
     }
 
-    /// Failure if a contact with friction left its mode within a part of a run whose events missed the change;
-    /// otherwise `None`.
+    /// Failure if a held contact with friction has left its mode at the end of a part, so that events
+    /// missed the change. Also the failure of its forces, if they cannot be computed. `None` if all
+    /// modes are kept.
     pub(super) fn unseen<S: Real>(&self, part: &Solution<S>, forces: &mut Held<'_>) -> Option<Failure> {
         let kept = forces.kept;
         if kept.which.iter().all(|at| self.contacts.friction(*at).is_none()) {
@@ -50,8 +52,8 @@ impl Bouncing<'_> {
         };
         let accelerations = &free.accelerations + &free.response.compliance * &along;
         let rows = |contact: usize| (self.contacts.rows[contact][0], self.contacts.rows[contact][1]);
-        // A slip no faster than `least` counts as rest: a small fraction of its largest speed in this part of the run,
-        // or of the speed that all the energy would give it.
+        // A slip velocity up to `least` counts as zero. `least` is a small fraction of the largest slip
+        // velocity in this part, or of the slip velocity that all the kinetic energy could give.
         let energy = self.contacts.kinetic_energy(&y);
         let largest = |row: usize| {
             let most = (2.0 * energy * free.response.compliance[(row, row)]).max(0.0).sqrt();
@@ -83,8 +85,8 @@ impl Bouncing<'_> {
         Some(Failure { code: "contact", message })
     }
 
-    /// Failure if a part of a run ended early because the forces of slipping contacts grow without bound; otherwise
-    /// `None`.
+    /// Failure if a part of a run stopped early because the forces of slipping contacts grow without
+    /// bound. `None` if it stopped for another reason.
     pub(super) fn jammed<S: Real>(&self, part: &Solution<S>, forces: &Held<'_>) -> Option<Failure> {
         let ends = matches!(part.stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. } | Stop::NotConverged { .. });
         let (first, _) = forces.kept.slipping().next().filter(|_| ends)?;
@@ -92,7 +94,8 @@ impl Bouncing<'_> {
         (determinant.abs() < NEARLY).then(|| self.jams(first, part.t_end))
     }
 
-    /// Failure that reports a slipping contact whose forces are no longer determined.
+    /// Failure for a slipping contact whose forces are no longer determined from `t` s on (Painlevé's
+    /// paradox).
     pub(super) fn jams(&self, contact: usize, t: f64) -> Failure {
         let (name, t) = (&self.contacts.impacts[contact].name, within(t, None));
         let message = format!(

@@ -1,15 +1,18 @@
-//! Runs of scenes with contacts: bodies meet, bounce, stay together and part again.
+//! Runs of scenes with contacts: bodies meet, bounce, stay in contact and separate again.
 //!
-//! A run consists of parts. Each part ends at the root of a gap that closes, or of a force that no longer pushes. The
-//! next part begins at that instant with the velocities that the law of impact leaves: no step crosses a jump. The
-//! effect of an impact follows from all contacts that are closed at its instant together ([`tripos_sim::Closed`]).
-//! Closed contacts that would be pushed together are held ([`held_motion`]). A contact with friction is held along its
-//! gap, and along its slip while it sticks ([`friction_modes`]). Another part begins where it begins or ceases to slip.
+//! A run consists of parts. Each part ends at an event: a gap closes, or a normal force falls to
+//! zero. The next part begins at that instant with the velocities that the law of impact gives, so
+//! no step crosses a jump. All contacts that are closed at one instant are solved together
+//! (`tripos_sim::ClosedContacts`). Closed contacts that would be pushed together are held closed by
+//! forces ([`held_motion`]). A contact with friction is also held along its slip direction while it
+//! sticks ([`friction_modes`]). A new part begins when it starts or stops slipping.
 //!
-//! Bounces that become ever shorter have no end in numbers. So the contact is held if its next flight would be shorter
-//! than [`LEAST`] of the time scale, or no higher than the rounding of its gap.
+//! Ever shorter bounces would never end. So a contact is held closed if its next flight would be
+//! too short or too low. The limits are the fraction [`LEAST`] of the time scale, and the rounding
+//! of the gap.
 //!
-//! The work of impacts is part of the work of the run, so that T + V less the work is constant across them.
+//! The energy that impacts take is part of the work of the run, so T + V less the work is constant
+//! across them.
 
 mod carrier;
 mod changes;
@@ -42,33 +45,38 @@ use tripos_sim::{
 };
 use tripos_traits::{Method, Real};
 
-/// Function that gives the power at an instant and a state, W.
+/// Function that computes the power of the loads, W, from an instant, s, and a state (q, v).
 type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
-/// Duration of the shortest flight, 2⁻³⁸, relative to the time scale, which is the later of the ends of the span.
-/// Instants are known to some 2⁻⁵⁰ of the time scale.
+/// Duration of the shortest flight, 2⁻³⁸, as a fraction of the time scale, the larger absolute end
+/// of the span. Instants are known to about 2⁻⁵⁰ of the time scale.
 pub const LEAST: f64 = 1.0 / 274_877_906_944.0;
-/// Duration of a flight, relative to the rest of the span, below which the run begins with a shorter step. The
-/// height of a flight is then above the rounding of the solution inside the step.
+/// Duration of a flight below which a part begins with a shorter step, as a fraction of the rest of
+/// the span. The height of the flight then exceeds the rounding of the solution inside the step.
 const SHORT: f64 = 1e-3;
-/// Ratio to its reference value up to which a velocity or an acceleration along a contact counts as zero.
+/// Fraction of its reference value up to which a velocity or an acceleration along a contact counts
+/// as zero.
 const NOTHING: f64 = 1e-10;
-/// Time after the opening of a gap within which a minimum counts as rounding, over the larger of the instant and 1 s.
+/// Interval after the opening of a gap in which a minimum of the gap counts as rounding. It is a
+/// fraction of the instant or of 1 s, whichever is larger.
 const OPENED: f64 = 1e-3;
-/// Overlap up to which a gap does not count as negative, relative to the size of the gap's terms.
+/// Overlap of two bodies that a run tolerates, relative to the size of the gap's terms.
 const OVERLAP: f64 = 1e-8;
 
-/// A run with contacts under way.
+/// Integration of a scene with contacts, in parts from impact to impact.
 pub struct Bouncing<'a> {
+    /// Contacts of the scene, prepared for the integrated variables.
     pub contacts: &'a Contacts<'a>,
+    /// Function that makes the equations of motion without contact forces.
     pub equations: &'a Equations<'a>,
     /// Duration of the shortest flight, s.
     pub least: f64,
 }
 
 impl Bouncing<'_> {
-    /// Integrates from a start over its span, which goes forward in time, in the numbers of a carrier. Passes from one
-    /// part of the run to the next at each change of a contact.
+    /// Integrates from a start over its span, forward in time, in the number type `S` of the carrier. A
+    /// new part of the run begins at each change of a contact. A run that cannot continue stops with
+    /// the reason in its solution.
     ///
     /// # Errors
     /// [`SimError`] if the run cannot begin: an empty span, or an option out of range.
@@ -139,7 +147,11 @@ impl Bouncing<'_> {
         Ok(whole)
     }
 
-    /// Handles the start of a run: refuses bodies that overlap. Bodies that touch may hit, be held or part.
+    /// Handles the contacts at the start of a run, at `t` s in the state `y`. The inner `Failure`
+    /// refuses bodies that overlap. Bodies that touch may have an impact, be held together or separate.
+    ///
+    /// # Errors
+    /// `SimError` if the equations of motion cannot be made.
     fn begin(&self, t: f64, y: &[f64]) -> Result<Result<After, Failure>, SimError> {
         let rates = self.contacts.rates(y);
         let mut closed = Vec::new();
@@ -164,7 +176,11 @@ impl Bouncing<'_> {
         self.meet(y, &Meeting { t, closed: &closed, kept: &NONE, contact_change: None })
     }
 
-    /// Finds the state and the held contacts after the end of a part of the run.
+    /// Finds the state and the held contacts after a part of the run that ended with the given change,
+    /// at `t` s in `y`. The inner `Failure` says why the run cannot go on.
+    ///
+    /// # Errors
+    /// `SimError` if the equations of motion cannot be made.
     fn next(
         &self,
         contact_change: ContactChange,
@@ -186,7 +202,11 @@ impl Bouncing<'_> {
         self.meet(y, &Meeting { t, closed: &closed, kept, contact_change: Some(contact_change) })
     }
 
-    /// Integrates a part of the run in which the contacts `kept` are held.
+    /// Integrates a part of the run from a start, while the contacts `kept` are held closed, up to the
+    /// next change of a contact.
+    ///
+    /// # Errors
+    /// `SimError` if the options or the start do not fit the equations.
     fn part<S: Real>(
         &self,
         carrier: &dyn Carrier<S>,
@@ -230,8 +250,9 @@ impl Bouncing<'_> {
             over: Some(&mut stepped),
             yields: None,
         };
-        // Long steps on a smooth solution would hide a flight that is far shorter: of any method in the rounding of the
-        // solution inside the step, of Taylor's method between the places at which it is looked at.
+        // Long steps on a smooth solution would hide a flight that is far shorter. Most methods lose it in
+        // the rounding of the solution inside the step. Taylor's method loses it between the instants at
+        // which events are evaluated.
         if options.step.is_none() {
             let flight = self.first_flight(&mut anew()?, span.0, &values(y));
             let first = flight.and_then(|flight| match options.method {
@@ -253,9 +274,9 @@ impl Bouncing<'_> {
         Ok(part)
     }
 
-    /// Reports minima of gaps that are close to zero to the carrier, and removes the events of all minima from a part
-    /// of a run. The part began at `begun`, s, in the state `y`. `base` is the number of events that belong to no
-    /// contact.
+    /// Reports minima of gaps that are close to zero to the carrier, and removes the events of all
+    /// minima from a part of a run. The part began at `begun`, s, in the state `y`. `base` is the
+    /// number of events that belong to no contact.
     fn tell_approaches<S: Real>(
         &self,
         carrier: &dyn Carrier<S>,
@@ -284,8 +305,9 @@ impl Bouncing<'_> {
         part.events.retain(|event| nears(event).is_none());
     }
 
-    /// Duration of the shortest flight, from opening to closing, of the contacts that open at the start of a part of
-    /// the run, s. `None` if no contact opens.
+    /// Duration, s, of the shortest flight of the contacts that open at the start `t` of a part of the
+    /// run. A flight lasts from opening to closing. `None` if no contact opens, or the equations have
+    /// no value there.
     fn first_flight(&self, motion: &mut Held<'_>, t: f64, y: &[f64]) -> Option<f64> {
         let mut slopes = vec![0.0; y.len()];
         // The run itself reports equations that fail at its start.
@@ -302,12 +324,13 @@ impl Bouncing<'_> {
         free.filter_map(flight).reduce(f64::min)
     }
 
-    /// Removes the events and projections of the contacts from a part of a run. The part fails if its state could not
-    /// be kept on the held contacts. `base` is the number of events that belong to no contact, `own` the number of
-    /// constraints that belong to none.
+    /// Removes the contacts' own events and projections from a part of a run. The part fails if a
+    /// contact changed unseen, or its state could not be kept on the held contacts. `base` is the
+    /// number of events that belong to no contact, `own` the number of constraints that belong to none.
     fn tidy<S: Real>(&self, part: &mut Solution<S>, base: usize, own: usize, forces: &mut Held<'_>) {
         let kept = forces.kept;
-        // A function that starts on a contact begins at 0, and a force that grows without bound does not cross 0.
+        // A function of a contact that is zero at the start gives no event, nor does a force that grows
+        // without bound.
         part.events.retain(|event| event.event < base || !matches!(event.kind, Kind::AtStart | Kind::Pole));
         let failure = if part.stop.is_failure() {
             self.jammed(part, forces)
@@ -328,23 +351,23 @@ impl Bouncing<'_> {
         }
     }
 
-    /// Change of a contact that ended the latest part of a run; `None` if the part ended for another reason. `base` is
-    /// the number of events that belong to no contact.
+    /// Finds the change of a contact that ended the latest part of a run; `None` if it ended for
+    /// another reason. `base` is the number of events that belong to no contact.
     fn contact_change<S>(&self, whole: &Solution<S>, base: usize) -> Option<ContactChange> {
         let Stop::Event { .. } = whole.stop else { return None };
-        // The first event of an instant counts: other events come before contacts.
+        // The first event of an instant decides, and the user's events are listed before those of contacts.
         let first = whole.events.iter().find(|event| event.terminal)?;
         ContactChange::of_event(first.event.checked_sub(base)?, self.contacts.impacts.len())
     }
 }
 
-/// Rounds a state to doubles.
+/// Rounds a state to doubles; derivatives that accompany its numbers are dropped.
 fn values<S: Real>(y: &[S]) -> Vec<f64> {
     y.iter().map(|y| y.to_f64()).collect()
 }
 
-/// Adds an impact at the end of a run to its impacts and its work. The sample at that instant shows the state after the
-/// impact.
+/// Adds the record of an impact at the end of the run `whole` to its impacts, and the energy of the
+/// impact to its work.
 fn count<S>(whole: &mut Solution<S>, record: ImpactRecord) {
     let gained = record.work - record.loss;
     whole.impacts.push(record);
@@ -359,7 +382,8 @@ fn count<S>(whole: &mut Solution<S>, record: ImpactRecord) {
     }
 }
 
-/// Sets the end of a run, and the sample at its end if there is one, to the state after velocities jumped.
+/// Replaces the state at the end of the run `whole`, and its sample there if it has one, by the
+/// state `y` after a jump.
 fn jumped<S: Real>(whole: &mut Solution<S>, y: &[S]) {
     if whole.t.last().is_some_and(|t| t.total_cmp(&whole.t_end).is_eq())
         && let Some(last) = whole.y.last_mut()

@@ -1,11 +1,11 @@
-//! Notes to the user about contacts that a run holds because their bounces became too short.
+//! Notes to the user about contacts that a run holds closed because their bounces became too short.
 
 use tripos_derive::plain::within;
 use tripos_derive::scene::Impact;
 use tripos_sim::Solution;
 
-/// Notes to the user: contacts that are held because their bounces became too short, and the instant from which each is
-/// held.
+/// Writes a note to the user for each set of contacts that are held closed because their bounces
+/// became too short. The note names the contacts and the instant, s, from which they are held.
 pub fn notes_on_short_bounces(impacts: &[Impact], solution: &Solution) -> Vec<String> {
     let mut notes = Vec::new();
     let mut known: Vec<&[usize]> = Vec::new();

@@ -1,25 +1,29 @@
-//! Parts of a run that are computed in the rates of all coordinates, and the notes on them.
+//! Record of the parts of a run that are computed in the rates of all coordinates, and notes on
+//! them for the user.
 
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::plain::{significant, within};
 
-/// Part of a run that is computed in the rates of all coordinates instead of the chosen speeds.
+/// Part of a run that is computed in the rates of all coordinates, because the chosen speeds do not
+/// determine the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change {
     /// Instant at which the part begins, s.
     pub from: f64,
     /// Instant at which the part ends, s; `None` if it lasts to the end of the run.
     pub to: Option<f64>,
-    /// True if the constraints were nearly dependent in this part.
+    /// True if the constraints were nearly dependent in this part, as in a singular pose of the
+    /// mechanism.
     pub is_singular: bool,
-    /// Factor by which the tolerances were widened in this part; 1 if they were not.
+    /// Factor of at least 1 by which the tolerances were widened in this part.
     pub coarser: f64,
 }
 
-/// Notes to the user on the parts of a run in all rates, the most important first. `speeds` are the names of the chosen
-/// speeds, `by` the equations in them.
+/// Writes notes to the user about the parts of a run in the rates of all coordinates, the most
+/// important note first. `speeds` are the names of the chosen speeds; `by` names the equations in
+/// these speeds.
 pub fn notes_on_changes(changes: &[Change], speeds: &[String], by: &EquationsOrigin) -> Vec<String> {
-    /// Greatest number of changes that are listed one by one.
+    /// Greatest number of parts that the first note lists.
     const MOST: usize = 3;
     let list = speeds.join(", ");
     let do_not = if speeds.len() == 1 { "does not" } else { "do not" };

@@ -1,15 +1,15 @@
-//! Options of the parts of a run, and the joining of their solutions.
+//! Integration options for the parts of a run, and the joining of their solutions.
 
 use tripos_sim::projection::ProjectionReport;
 use tripos_sim::{Kind, Options, Output, Solution};
 use tripos_traits::{AbsoluteTolerance, Method, System};
 
-/// Coarsest relative tolerance to which smaller tolerances are widened.
+/// Largest relative tolerance to which a smaller tolerance is widened.
 const COARSEST: f64 = 1e-3;
 
-/// Options of a part of a run in the rates of all coordinates, for n coordinates. Without chosen speeds neither series
-/// nor Jacobians are known, so DOP853 replaces methods that need them. The absolute tolerance of each rate is the least
-/// of those of the speeds.
+/// Makes the options of a part of a run in the rates of all n coordinates. The absolute tolerance
+/// of each rate is the smallest tolerance of the speeds. DOP853 replaces methods that need Taylor
+/// series or Jacobians, which the equations in all rates do not have.
 pub(super) fn options_in_rates(options: &Options, n: usize) -> Options {
     let mut options = options.clone();
     if let AbsoluteTolerance::Each(list) = &options.atol {
@@ -23,7 +23,8 @@ pub(super) fn options_in_rates(options: &Options, n: usize) -> Options {
     options
 }
 
-/// Options with tolerances that are `times` times as coarse, up to the limit `COARSEST`.
+/// Multiplies the tolerances of integration options by `times`. The relative tolerance is widened
+/// to 1e-3 at most.
 pub(super) fn coarsened(options: &Options, times: f64) -> Options {
     let atol = match &options.atol {
         AbsoluteTolerance::Uniform(atol) => AbsoluteTolerance::Uniform(times * atol),
@@ -32,7 +33,8 @@ pub(super) fn coarsened(options: &Options, times: f64) -> Options {
     Options { rtol: options.rtol.max((times * options.rtol).min(COARSEST)), atol, ..options.clone() }
 }
 
-/// Options for the rest of a run over `span` after the solution `done`.
+/// Makes the options for the rest of a run over `span`, after the part `done`: the instants still
+/// to come, and the steps that are left.
 #[must_use]
 pub fn rest<S>(options: &Options, done: &Solution<S>, span: (f64, f64)) -> Options {
     let output = match &options.output {
@@ -47,7 +49,9 @@ pub fn rest<S>(options: &Options, done: &Solution<S>, span: (f64, f64)) -> Optio
     Options { output, step_limit, initial_step: None, ..options.clone() }
 }
 
-/// Joins the solution of a run so far with the solution of its next part.
+/// Appends the solution `leg` of the next part of a run to the solution `all` of the run so far.
+/// Times, states, work, events, warnings and counts are joined; the end and the reason of the stop
+/// are those of `leg`.
 #[must_use]
 pub fn joined<S>(mut all: Solution<S>, mut leg: Solution<S>, options: &Options) -> Solution<S> {
     let skipped = usize::from(!matches!(options.output, Output::At(_)));
@@ -88,8 +92,9 @@ pub fn joined<S>(mut all: Solution<S>, mut leg: Solution<S>, options: &Options) 
     }
 }
 
-/// Extends the projection report of a run by chosen speeds to all rates. Both sets of constraints begin with the same
-/// ones, and both states begin with the same coordinates.
+/// Extends the projection report of a part in chosen speeds to the state and the constraints in all
+/// rates, with zeros. Both states begin with the same coordinates, and both lists of constraints
+/// begin alike.
 pub(super) fn widened(report: &ProjectionReport, rates: &dyn System<f64>) -> ProjectionReport {
     let wide = |list: &[f64], kept: usize, count: usize| {
         let mut list = list[..kept].to_vec();

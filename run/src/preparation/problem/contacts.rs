@@ -1,4 +1,5 @@
-//! Runs of scenes with contacts.
+//! Runs of a problem whose scene has contacts, and the refusal of equations that do not allow
+//! contacts.
 
 use super::{Power, Problem};
 use crate::error::Error;
@@ -10,14 +11,17 @@ use tripos_sim::{Event, Failure, Options, RightHandSide, SimError, Solution};
 use tripos_traits::Real;
 
 impl Problem<'_> {
-    /// Prepares the contacts of the scene in the variables of the equations.
+    /// Prepares the contacts of the scene in the coordinates and motion variables of the equations.
     #[must_use]
     pub(crate) fn contacts(&self) -> Contacts<'_> {
         let variables = self.by.formulation().map_or(MotionVariables::Speeds, |by| by.method().variables);
         Contacts::new(self.model, &self.scene.impacts, self.system(), &self.scene.parameters, variables)
     }
 
-    /// Runs a scene with contacts in parts, from impact to impact, in doubles.
+    /// Runs a scene with contacts in double precision, in parts from impact to impact.
+    ///
+    /// # Errors
+    /// `SimError` if the options or the start do not fit the equations.
     pub(super) fn bouncing(
         &self,
         start: InitialState<'_>,
@@ -31,10 +35,11 @@ impl Problem<'_> {
         self.bounce(&contacts, &doubles, start, options, events, power)
     }
 
-    /// Runs a scene with contacts in parts, from impact to impact, in the numbers of a carrier.
+    /// Runs a scene with contacts in parts from impact to impact. `carrier` integrates the parts in its
+    /// number type `S`.
     ///
     /// # Errors
-    /// [`SimError`] if the request is invalid.
+    /// [`SimError`] if the options or the start do not fit the equations.
     pub(crate) fn bounce<S: Real>(
         &self,
         contacts: &Contacts<'_>,
@@ -51,10 +56,11 @@ impl Problem<'_> {
         bouncing.solve(carrier, start, options, events, power)
     }
 
-    /// Derivative of the state with respect to time, y′, while the contacts `kept` are held.
+    /// Derivative of the integrated state with respect to time, y′, while the contacts in `kept` remain
+    /// closed.
     ///
     /// # Errors
-    /// [`Failure`] where the equations or the forces of contacts have no value.
+    /// [`Failure`] if the equations or the contact forces have no value at this state.
     pub(crate) fn flow(
         &self,
         contacts: &Contacts<'_>,
@@ -70,10 +76,11 @@ impl Problem<'_> {
     }
 }
 
-/// Refuses a scene with contacts if its equations or its way of integration do not allow contacts.
+/// Checks that the equations and the way of integration allow the contacts of a scene. A scene
+/// without contacts passes.
 ///
 /// # Errors
-/// [`Error::Request`] with advice on what to change.
+/// [`Error::Request`] with advice if they do not allow contacts.
 pub(super) fn check(scene: &Scene, by: &EquationsOrigin) -> Result<(), Error> {
     let how = &scene.integration;
     let (what, help) = if scene.impacts.is_empty() {

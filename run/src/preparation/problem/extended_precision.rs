@@ -1,4 +1,4 @@
-//! Starts and states of a problem in twice the precision of a double.
+//! Starts and states of a problem in twice the precision of a double, about 32 digits.
 
 use super::{ExtendedStart, Origin, Problem};
 use crate::error::Error;
@@ -8,10 +8,12 @@ use tripos_derive::scene::InitialMotion;
 use tripos_traits::{DoubleDouble, Scalar};
 
 impl Problem<'_> {
-    /// Parameters and the integrated state at the start, to 32 digits.
+    /// Parameters, and the integrated state at the start, both to 32 digits and without rounding to
+    /// doubles on the way.
     ///
     /// # Errors
-    /// [`Error::Request`] if the definition of a speed mentions a symbol that has no value at the start.
+    /// [`Error::Request`] if the definition of a speed contains a symbol that has no value at the
+    /// start.
     pub fn extended_start(&self) -> Result<ExtendedStart, Error> {
         let (system, exact) = (self.code.extended(), &self.scene.exact);
         let (p, mut q) = (exact.parameters.clone(), exact.q.clone());
@@ -28,7 +30,9 @@ impl Problem<'_> {
         Ok((p, [q, v].concat()))
     }
 
-    /// Shown quantities of an integrated state, both in twice the precision of a double; `p` are the parameters.
+    /// Quantities that the scene shows at time `t`, s, and integrated state `y`, in twice the precision
+    /// of a double. They are coordinates and generalized speeds, or the scene's outputs for reduced
+    /// equations. `p` are the parameters.
     #[must_use]
     pub fn extended_state(&self, p: &[DoubleDouble], t: f64, y: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let system = self.code.extended();
@@ -48,8 +52,9 @@ impl Problem<'_> {
         [q, u].concat()
     }
 
-    /// Shown quantities of an integrated state that is given in doubles. A coordinate that is integrated as a distance
-    /// keeps all digits of the distance.
+    /// Quantities that the scene shows at time `t`, s, and an integrated state given in doubles. A
+    /// coordinate that is integrated as a distance from a singular surface keeps all digits of the
+    /// distance.
     #[must_use]
     pub fn precise_state(&self, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
         let wide = |list: Vec<f64>| list.into_iter().map(DoubleDouble::from_f64).collect::<Vec<_>>();

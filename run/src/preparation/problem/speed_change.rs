@@ -1,4 +1,5 @@
-//! Runs by equations in chosen speeds, and by equations in all rates where these speeds fail.
+//! Runs by equations in chosen generalized speeds, and in the rates of all coordinates where these
+//! speeds fail.
 
 use super::{Power, Problem};
 use crate::code::Code;
@@ -8,18 +9,20 @@ use crate::preparation::passage::{self, Chosen, Energy, Systems};
 use tripos_sim::{Event, Options, Solution};
 
 impl<'a> Problem<'a> {
-    /// Adds equations in chosen speeds, which run as far as these speeds determine the motion. The problem's own
-    /// equations, in all rates with multipliers, run elsewhere.
+    /// Adds equations in chosen generalized speeds, which run wherever these speeds determine the
+    /// motion. The problem's own equations must be in the rates of all coordinates, with multipliers;
+    /// they run elsewhere.
     #[must_use]
     pub fn with_chosen_speeds(self, chosen: Chosen<'a>) -> Self {
         Self { chosen: Some(chosen), ..self }
     }
 
-    /// Runs the scene by the problem's own equations alone. `None` if their speeds fail on the way, or hardly determine
-    /// the motion there. The test of the speeds uses `rates`, the equations in all rates.
+    /// Runs the scene by the problem's own equations alone. `None` if their speeds fail on the way, or
+    /// hardly determine the motion somewhere. `rates` are the equations in all rates, with which the
+    /// speeds are tested.
     ///
     /// # Errors
-    /// Errors of [`Problem::solve`].
+    /// `Error::Request` if the options or the start do not fit the equations.
     pub(crate) fn in_speeds_alone(
         &self,
         rates: &Code,
@@ -36,7 +39,12 @@ impl<'a> Problem<'a> {
         run.map_err(|error| refused(self.scene, &error))
     }
 
-    /// Runs the scene by the equations in chosen speeds, and by those in all rates where the speeds fail.
+    /// Runs the scene from `y0` = (q, q̇). The equations in chosen speeds run wherever the speeds
+    /// determine the motion, and the problem's own equations, in all rates, run elsewhere. Stores the
+    /// parts in all rates in `chosen`.
+    ///
+    /// # Errors
+    /// `Error::Request` if the options or the start do not fit the equations.
     pub(super) fn changing(
         &self,
         chosen: Chosen<'_>,

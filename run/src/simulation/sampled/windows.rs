@@ -1,4 +1,4 @@
-//! Windows of a run whose inputs are set from outside, and its errors by comparison with a second run.
+//! Windows of a run whose inputs are set from outside, and error estimates by a second run.
 
 use super::{Decision, Sample, SampledRun};
 use crate::code::Form;
@@ -10,15 +10,18 @@ use tripos_derive::scene::Scene;
 use tripos_sim::{EventRecord, Method, Options, Output, Solution, Stop};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble, Scalar};
 
-/// Ratio of the tolerances of the second run, which gives the errors, to those of the first.
+/// Ratio of the tolerances of the second run to those of the first. The second run gives the
+/// errors.
 const FINER: f64 = 0.1;
-/// Relative and absolute tolerance of the second run, which gives the errors, if the first has equal steps.
+/// Relative and absolute tolerance of the second run, which gives the errors, if the first run has
+/// equal steps.
 const EQUAL: f64 = 1e-12;
-/// Longest step of the second run, which gives the errors, relative to the length of a window. The first run may take
-/// each window in one step.
+/// Longest step of the second run, which gives the errors, relative to the length of a window.
+/// The first run may take each window in a single step.
 const PART_OF_WINDOW: f64 = 0.4;
 
-/// Options of the second run, which gives the errors and is finer than the first, made from those of the first.
+/// Options of the second run, which gives the errors: finer than the options `first` of the first
+/// run.
 pub fn finer(first: &Options) -> Options {
     let step_limit = first.step_limit.saturating_mul(10);
     if first.step.is_some() {
@@ -32,40 +35,53 @@ pub fn finer(first: &Options) -> Options {
     Options { rtol: FINER * first.rtol, atol, step_limit, output: Output::Ends, ..first.clone() }
 }
 
-/// Closed loop of a mechanism and its controller: a problem, its inputs and the instants at which they are set.
+/// Closed loop of a mechanism and its controller: the problem, its inputs, and the instants at
+/// which they are set.
 pub struct Loop<'a> {
+    /// Problem of the whole run, with its scene and equations.
     pub problem: &'a Problem<'a>,
-    /// Watched functions of the scene.
+    /// Compiled functions that the run watches: domain conditions and events.
     pub balance: &'a Balance,
-    /// Indices of the inputs among the parameters.
+    /// Indices of the set inputs among the parameters.
     pub places: &'a [usize],
-    /// Names of the inputs that are set.
+    /// Names of the set inputs.
     pub inputs: &'a [&'a str],
-    /// Instants at which the inputs are set, s.
+    /// Instants at which the controller sets the inputs, s.
     pub instants: &'a [f64],
-    /// Names of coordinates, then of generalized speeds.
+    /// Names of the coordinates, then of the generalized speeds.
     pub names: &'a [String],
 }
 
-/// Results of a run through all its windows.
+/// Result of a run through all its windows, before errors are estimated.
 pub struct WindowedRun {
+    /// Instants of the samples, s.
     t: Vec<f64>,
+    /// State (q, u) at each sample.
     states: Vec<Vec<f64>>,
+    /// Values of the inputs at each instant at which they were set.
     decisions: Vec<Decision>,
+    /// Events and crossings of domain conditions.
     events: Vec<EventRecord>,
+    /// Instant at which the run ended, s.
     t_end: f64,
+    /// State (q, u) at the end.
     end: Vec<f64>,
-    /// Number of accepted steps.
+    /// Number of accepted steps in all windows so far.
     steps: u64,
-    /// Number of rejected steps.
+    /// Number of rejected steps in all windows so far.
     rejected: u64,
+    /// Reason why the run ended.
     pub stop: Stop,
+    /// Warnings about the numbers of the run.
     warnings: Vec<String>,
 }
 
 impl Loop<'_> {
-    /// Runs through all windows from an integrated state. Parameters that the controller does not set are those of the
-    /// scene.
+    /// Runs through all windows from the integrated state `start`, with the options `how`.
+    /// Parameters that the controller does not set are those of the scene.
+    ///
+    /// # Errors
+    /// `Error` if a window cannot be run, or if the controller returns unsuitable values.
     pub fn run(
         &self,
         scene: &Scene,
@@ -113,8 +129,11 @@ impl Loop<'_> {
         }
     }
 
-    /// Runs one window, with the options `how` of the whole run. `steps` is the number of steps so far, the rejected
-    /// ones included.
+    /// Runs one window from the integrated state `y`, with the options `how` of the whole run.
+    /// `steps` is the number of accepted and rejected steps so far, for the step limit.
+    ///
+    /// # Errors
+    /// `Error` if the window cannot be run.
     fn window(&self, problem: &Problem<'_>, y: &[f64], how: &Options, steps: u64) -> Result<Solution, Error> {
         let (from, to) = problem.scene.span;
         let output = match &how.output {
@@ -140,8 +159,10 @@ impl Loop<'_> {
         Ok(solution)
     }
 
-    /// Calls the controller at a sample. An error is returned if it gives a wrong number of values, or one that is not
-    /// finite.
+    /// Calls the controller at a sample, and checks the values that it returns.
+    ///
+    /// # Errors
+    /// `Error::Request` for a wrong number of values, or for a value that is not finite.
     fn decide(
         &self,
         controller: &mut dyn FnMut(&Sample<'_>) -> Vec<f64>,
@@ -159,7 +180,8 @@ impl Loop<'_> {
         Ok(values)
     }
 
-    /// Makes the result of a run, with the errors that the difference from a second run gives.
+    /// Makes the result of a run; the errors are its differences from a second run.
+    /// Without a second run, errors are `None`.
     pub fn sampled_run(&self, first: WindowedRun, second: Option<&WindowedRun>, form: Form) -> SampledRun {
         let mut decisions = first.decisions;
         let mut errors_at_end = None;
@@ -167,8 +189,8 @@ impl Loop<'_> {
             for (own, other) in decisions.iter_mut().zip(&second.decisions) {
                 own.errors = Some(apart(&own.state, &other.state));
             }
-            // An event that ends both runs has a different instant in each; the error of the state at the event is
-            // wanted.
+            // An event that ends both runs has a different instant in each run. The wanted error is
+            // that of the state at the event.
             let as_far = decisions.len() == second.decisions.len();
             let both_ended = as_far && first.stop == second.stop && !first.stop.is_failure();
             errors_at_end = both_ended.then(|| apart(&first.end, &second.end));
@@ -199,18 +221,19 @@ impl Loop<'_> {
     }
 }
 
-/// Least relative error of a value, which allows for eight roundings.
+/// Relative error that every value has at least: eight roundings.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Estimates the errors of values by their differences from the values of a second run.
+/// Estimated error of each value: its difference from a second run, plus rounding, in the value's
+/// unit.
 fn apart(own: &[f64], other: &[f64]) -> Vec<f64> {
     own.iter().zip(other).map(|(a, b)| (a - b).abs() + ROUNDING * a.abs()).collect()
 }
 
 impl WindowedRun {
-    /// Adds the solution of a window to the results of the run.
+    /// Adds the solution of a window to the result of the run.
     fn take(&mut self, problem: &Problem<'_>, solution: &Solution) {
-        // A window begins at the end of the window before it, whose sample is known.
+        // A window begins at the end of the window before, whose sample is already known.
         let known = self.t.last().copied();
         let new = solution.t.iter().zip(&solution.y).filter(|(t, _)| Some(**t) != known);
         for (t, y) in new {

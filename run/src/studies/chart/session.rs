@@ -1,4 +1,5 @@
-//! Whole chart of a scene: the charted span, the reference and the measurements.
+//! Complete work-precision chart of a scene: the span of the chart, the reference and the
+//! measurements.
 
 use super::{Measurement, Plan, Truth, measure};
 use crate::code::{Ready, code};
@@ -18,25 +19,28 @@ use tripos_derive::scene::Scene;
 use tripos_sim::{Method, Options, Output, Stop};
 use tripos_traits::Real;
 
-/// Measurements of a scene, with the reference and the quantities that they are measured against.
+/// Complete work-precision chart of a scene: the measurements, and the reference by which they are
+/// judged.
 pub struct Session {
-    /// All measured points of the chart.
+    /// All measured points of the chart, in the order of the cases.
     pub list: Vec<Measurement>,
-    /// Reference solution from which errors are measured.
+    /// Reference solution, in higher precision, from which errors are measured.
     pub reference: Reference,
-    /// First integrals of the motion, whose drift is measured.
+    /// First integrals of the motion, whose changes over each run are measured.
     pub watch: Watch,
     /// Sentence that names the compared quantities; `None` if runs are compared in all states.
     pub compared: Option<String>,
-    /// Instant at which errors were measured, s.
+    /// Instant of the motion at which errors are measured, s.
     pub until: f64,
-    /// Reason why `until` is before the end of the scene; `None` if it is the end.
+    /// Reason why errors are measured before the end of the scene; `None` if they are measured at its
+    /// end.
     pub cut: Option<String>,
-    /// Cases that could not be charted, each with the reason.
+    /// Sentences that name each case which could not be charted, with the reason.
     pub left_out: Vec<String>,
 }
 
-/// Charts a scene to its end, or to shortly before the motion leaves the domain of its equations.
+/// Measures the chart of a scene, up to the end of its span. If the motion leaves the domain of its
+/// equations or meets a terminal event before, the chart ends shortly before this instant.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.
@@ -54,7 +58,7 @@ pub fn chart(
     let mut compared = Compared::new(model, &scene)?;
     let in_words = compared.in_words();
     if compared.is_empty() {
-        // Whole states show none of the requested outputs, so the states themselves are compared.
+        // Full states determine no requested output, so the states themselves are compared.
         scene.states_outputs = false;
         compared = Compared::new(model, &scene)?;
         cases.retain(|case| case.reduction.is_none());
@@ -90,8 +94,11 @@ pub fn chart(
     Ok(Session { list, compared: in_words, reference, watch, until: scene.span.1, cut, left_out })
 }
 
-/// Finds the instant, s, at which the motion leaves the domain of its equations or meets a terminal event. `None` if
-/// neither happens before the end of the span.
+/// Finds the instant, s, at which the motion leaves the domain of its equations or meets a terminal
+/// event. `None` if it does neither before the end of the span.
+///
+/// # Errors
+/// `Error` if the scene cannot be run.
 fn end_in_domain(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) -> Result<Option<f64>, Error> {
     let code = code(model, by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(model, scene, by, &code, None)?;

@@ -1,8 +1,9 @@
-//! Motions given by formulas of t: poses that close the loops, and the speeds and accelerations that follow from them.
+//! Motions given by formulas of the time t: closed poses, and the speeds and accelerations that
+//! follow from them.
 //!
-//! The rates of the coordinates that have formulas, q̇ = W u + w, give the speeds u. Their second derivatives, q̈ = W
-//! u̇ + (Ẇ u + ẇ), give u̇. If more coordinates have formulas than there are speeds, the motion must satisfy the
-//! constraints; otherwise it is refused.
+//! The rates q̇ = W u + w of the coordinates that have formulas give the speeds u. Their second
+//! derivatives, q̈ = W u̇ + (Ẇ u + ẇ), give u̇. If there are more such coordinates than speeds, the
+//! motion must satisfy the constraints. Otherwise it is refused.
 
 use super::least::{Least, doubles};
 use crate::{Error, Mechanism};
@@ -14,22 +15,28 @@ use tripos_derive::plain::{significant, within};
 use tripos_derive::scene::{Formulas, Loops, Motion, MotionForm, MotionSample};
 use tripos_traits::DoubleDouble;
 
-/// Residual of the constraints up to which a given motion is accepted, relative to the largest given rate or 1.
+/// Residual of the constraints up to which a given motion is accepted, relative to the largest
+/// given rate or to 1.
 const BROKEN: f64 = 1e-9;
 
-/// Parameters, coordinates and speeds at one instant.
+/// Values of parameters, coordinates and generalized speeds at one instant, to 32 digits.
 #[derive(Clone, Copy)]
 struct Instantaneous<'a> {
+    /// Parameters, in the order of the model.
     p: &'a [DoubleDouble],
+    /// Generalized coordinates q, in the order of the model.
     q: &'a [DoubleDouble],
+    /// Generalized speeds u, in the order of the model.
     u: &'a [DoubleDouble],
 }
 
-/// Computes coordinates, speeds and accelerations of a motion at each of its instants.
+/// Computes coordinates, speeds and accelerations of a given motion at each of its instants. A
+/// motion given by states is returned unchanged.
 ///
 /// # Errors
-/// [`Error::Stopped`] if formulas have no value at an instant, do not determine the motion, break a constraint, or
-/// loops cannot be closed.
+/// [`Error::Stopped`] if a formula has no value at an instant, if the formulas do not determine the
+/// motion or break a constraint, or if a loop cannot be closed. `Error::Request` if a formula
+/// contains a symbol without a value.
 pub fn moments(model: &Mechanism, motion: &Motion) -> Result<Vec<MotionSample>, Error> {
     let formulas = match &motion.given {
         MotionForm::Samples(list) => return Ok(list.clone()),
@@ -46,24 +53,30 @@ pub fn moments(model: &Mechanism, motion: &Motion) -> Result<Vec<MotionSample>, 
     Ok(list)
 }
 
-/// Motion that is given by formulas, ready to be evaluated.
+/// Motion that is given by formulas of time, compiled to tapes for evaluation.
 struct Course {
-    /// Names of all coordinates.
+    /// Names of all coordinates, in the order of the model.
     names: Vec<String>,
-    /// Number of generalized speeds.
+    /// Number of generalized speeds of the model.
     speeds: usize,
-    /// Indices of the coordinates with formulas.
+    /// Indices of the coordinates that have formulas.
     given: Vec<usize>,
-    /// Indices of the coordinates without formulas, which the loops determine.
+    /// Indices of the coordinates without formulas, which the closed loops determine.
     free: Vec<usize>,
-    /// Computes q, q̇ and q̈ of each coordinate with a formula, from parameters and t.
+    /// Tape of q, q̇ and q̈ of each coordinate with a formula. Inputs: parameters and t.
     formulas: Tape<DoubleDouble>,
-    /// Computes q̇ and d(q̇)/dt of each coordinate, and W row by row, from parameters, q, u and u̇.
+    /// Tape of q̇ and dq̇/dt of every coordinate, followed by W row by row. Inputs: parameters, q, u
+    /// and u̇.
     rates: Tape<DoubleDouble>,
+    /// Loops of the model, to close its poses.
     loops: Loops,
 }
 
 impl Course {
+    /// Compiles the formulas of a motion, and the rates of the model's coordinates.
+    ///
+    /// # Errors
+    /// `Error::Request` if a formula contains a symbol without a value.
     fn new(model: &Mechanism, formulas: &Formulas) -> Result<Self, Error> {
         let (given, free): (Vec<usize>, Vec<usize>) =
             (0..model.coordinates.len()).partition(|at| formulas.coordinates[*at].is_some());
@@ -95,7 +108,11 @@ impl Course {
         })
     }
 
-    /// Computes the motion at an instant. The search for the pose begins at `near`, a pose close to it.
+    /// Computes the motion at the instant `t`, s, with parameters `p`. The search for a closed pose
+    /// begins at `near`.
+    ///
+    /// # Errors
+    /// `Error::Stopped` if the formulas give no motion at this instant.
     fn at(&self, p: &[DoubleDouble], t: f64, near: &[DoubleDouble]) -> Result<MotionSample, Error> {
         let stopped = |why: String| Error::Stopped(format!("no motion at t = {} s: {why}", within(t, None)));
         let values = self.formulas.evaluate(&[p, &[DoubleDouble::from(t)]].concat());
@@ -118,7 +135,7 @@ impl Course {
         Ok(MotionSample { t: Some(t), q, u, rates })
     }
 
-    /// Explains why the loops are not closed in a pose.
+    /// Message that explains why the loops are not closed in the pose `q`.
     fn not_closed(&self, p: &[DoubleDouble], q: &[DoubleDouble]) -> String {
         let names =
             |list: &[usize]| list.iter().map(|at| format!("`{}`", self.names[*at])).collect::<Vec<_>>().join(", ");
@@ -137,8 +154,12 @@ impl Course {
         )
     }
 
-    /// Finds the speeds, or with `order` 1 their rates, for which the coordinates with formulas have the `wanted`
-    /// derivatives. The tape is evaluated with these unknowns at 0.
+    /// Finds the speeds u, or with `order` 1 their rates u̇, by least squares. The coordinates with
+    /// formulas must get the derivatives `wanted`: q̇, or q̈. `at` holds the pose and the speeds, which
+    /// are 0 if they are sought.
+    ///
+    /// # Errors
+    /// `Error::Stopped` if the formulas do not determine all speeds, or break the constraints.
     fn match_rates(
         &self,
         stopped: &dyn Fn(String) -> Error,

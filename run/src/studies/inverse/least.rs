@@ -1,33 +1,37 @@
-//! Least squares to 32 digits, for systems whose matrix may have any shape and rank.
+//! Least squares to 32 digits, for linear systems with a matrix of any shape and rank.
 
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::DoubleDouble;
 
-/// Ratio to the largest singular value below which a singular value counts as zero.
+/// Fraction of the largest singular value below which a singular value counts as zero.
 const RANK: f64 = 1e-10;
 
-/// Solves a linear system by the pseudo-inverse of its matrix, which is computed in doubles.
+/// Solver of linear systems in the least-squares sense, by the pseudo-inverse of the matrix in
+/// double precision.
 pub struct Least {
+    /// Pseudo-inverse, with a row for each unknown and a column for each equation.
     inverse: DMatrix<f64>,
+    /// Rank of the matrix.
     rank: usize,
 }
 
-/// Least-squares solution of a linear system; of several the one with the least norm.
+/// Least-squares solution of a linear system. If there are several, it has the least norm.
 pub struct LeastSolution {
+    /// Values of the unknowns.
     pub x: Vec<DoubleDouble>,
-    /// Residual: the right side minus the matrix times `x`.
+    /// Residual: the right-hand side minus the matrix times `x`, an entry for each equation.
     pub left: Vec<DoubleDouble>,
     /// Rank of the matrix.
     pub rank: usize,
 }
 
-/// Rounds numbers of 32 digits to doubles.
+/// Rounds numbers of 32 digits to double precision.
 pub fn doubles(list: &[DoubleDouble]) -> Vec<f64> {
     list.iter().map(|x| x.hi()).collect()
 }
 
 impl Least {
-    /// Computes the pseudo-inverse of a matrix, given row by row.
+    /// Computes the pseudo-inverse of a matrix, given by its rows.
     pub fn new(rows: &[&[DoubleDouble]]) -> Self {
         let columns = rows.first().map_or(0, |row| row.len());
         let matrix = DMatrix::from_fn(rows.len(), columns, |i, j| rows[i][j].hi());
@@ -41,8 +45,8 @@ impl Least {
         Self { inverse, rank }
     }
 
-    /// Solves the linear system for a right side. Each step of refinement gives sixteen digits more. `rows` is the
-    /// matrix again.
+    /// Solves the linear system for a right-hand side, with three steps of refinement that each add up
+    /// to sixteen digits. `rows` must be the matrix that was given to `new`.
     pub fn solve(&self, rows: &[&[DoubleDouble]], right: &[DoubleDouble]) -> LeastSolution {
         let mut x = vec![DoubleDouble::from(0.0); self.inverse.nrows()];
         let left_of = |x: &[DoubleDouble]| -> Vec<DoubleDouble> {

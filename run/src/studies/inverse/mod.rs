@@ -1,10 +1,11 @@
-//! Inverse dynamics: the forces that a given motion needs, and the inputs that produce them.
+//! Inverse dynamics: the generalized forces that a given motion needs, and the inputs that produce
+//! them.
 //!
-//! A motion needs generalized forces M u̇ − f along the speeds, in addition to all loads that the model states. f
-//! contains these loads without the wanted inputs. If loads are linear in the inputs r, they add B r to f. r is the
-//! least-squares solution of the least norm, and its residual is reported. Large mechanisms compute M u̇ − f by
-//! recursion, as all their equations (J. Y. S. Luh, M. W. Walker & R. P. C. Paul, ASME J. Dyn. Sys. Meas. Control 102
-//! (1980) 69–76).
+//! A motion needs generalized forces M u̇ − f along the speeds, in addition to all loads that the
+//! model states. The forcing f contains these loads with the wanted inputs at zero. Loads that are
+//! linear in the inputs r add B r to f. The inputs r are the least-squares solution with the least
+//! norm, and its residual is reported. Large mechanisms compute M u̇ − f by recursion (J. Y. S.
+//! Luh, M. W. Walker & R. P. C. Paul, ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76).
 
 mod courses;
 mod least;
@@ -23,47 +24,54 @@ use tripos_derive::plain::within;
 use tripos_derive::scene::{Loops, MotionSample};
 use tripos_traits::DoubleDouble;
 
-/// Residual of the forces up to which inputs count as producing them, relative to the largest term of the forces.
+/// Residual up to which inputs count as producing the forces, relative to the largest term of the
+/// forces.
 const LEFT: f64 = 1e-10;
 
-/// Inverse dynamics of a mechanism: computes the forces of a motion, and the inputs that produce them.
+/// Inverse dynamics of a mechanism, prepared: computes the forces of a motion and the inputs that
+/// produce them.
 pub struct Inverse {
-    /// Names of the generalized speeds along which forces act.
+    /// Names of the generalized speeds along which the forces act.
     pub speeds: Vec<String>,
-    /// Names of the inputs whose values are found.
+    /// Names of the inputs whose values are computed.
     pub inputs: Vec<String>,
-    /// Indices of the inputs among the parameters.
+    /// Indices of these inputs among the model's parameters.
     places: Vec<usize>,
-    /// Tape of the forces, then of the matrix B row by row, in doubles. Inputs: parameters, q, u and u̇.
+    /// Tape of the forces, followed by the matrix B row by row, in double precision. Inputs:
+    /// parameters, q, u and u̇.
     tape: Tape,
-    /// Tape of the forces, then of the matrix B row by row, to 32 digits.
+    /// Tape of the forces, followed by the matrix B row by row, to 32 digits. Inputs: parameters, q, u
+    /// and u̇.
     wide: Tape<DoubleDouble>,
+    /// Loops of the model, to report how far a pose is from closing them.
     loops: Loops,
 }
 
-/// Forces and inputs that a motion needs at an instant.
+/// Generalized forces that a motion needs at an instant, and the inputs that produce them.
 #[derive(Clone, Debug)]
 pub struct Forces {
-    /// Generalized force M u̇ − f with the inputs at 0, one for each speed. Its unit is that of power divided by that
-    /// of the speed.
+    /// Generalized forces M u̇ − f with the inputs at 0, for each speed. The unit is that of power
+    /// divided by that of the speed.
     pub along: Vec<DoubleDouble>,
-    /// Inputs that produce the forces; of several solutions the one with the least norm. `None` if no inputs produce
-    /// them.
+    /// Inputs that produce the forces; of several solutions the one with the least norm. `None` if no
+    /// inputs produce the forces, or there are no inputs.
     pub inputs: Option<Vec<f64>>,
-    /// Residual that the best inputs leave of the forces, one for each speed.
+    /// Residual of the forces with the best inputs, for each speed.
     pub left: Vec<f64>,
-    /// Dimension of the space of forces that the inputs reach in this pose.
+    /// Number of independent force directions that the inputs can produce in this pose: the rank of B.
     pub reached: usize,
-    /// Largest gap of a loop in the pose, in the unit of the loop.
+    /// Largest absolute residual of a loop in the pose, in the unit of the loop.
     pub open: f64,
 }
 
 impl Inverse {
-    /// Prepares the inverse dynamics of a model for inputs, or for parameters in which its loads are linear, given by
-    /// name. If `names` is empty, all inputs of the model are taken.
+    /// Prepares the inverse dynamics of a model. `names` selects the inputs to compute, which may also
+    /// be parameters in which the loads are linear. If it is empty, all inputs of the model are
+    /// computed.
     ///
     /// # Errors
-    /// [`Error`] if the model cannot be derived, lacks one of the inputs, or has forces that are not linear in them.
+    /// [`Error`] if the model cannot be derived, lacks a named input, or has forces that are not linear
+    /// in the inputs.
     pub fn new(model: &Mechanism, names: &[String]) -> Result<Self, Error> {
         let places = places(model, names)?;
         let symbols: Vec<Expr> = places.iter().map(|at| model.parameters[*at].symbol).collect();
@@ -98,9 +106,10 @@ impl Inverse {
     }
 
     /// Computes the forces that a motion needs at an instant, and the inputs that produce them.
+    /// `parameters` are those of the model; the values of the wanted inputs among them do not matter.
     ///
     /// # Errors
-    /// [`Error::Stopped`] where a force has no value.
+    /// [`Error::Stopped`] if a force has no finite value.
     pub fn at(&self, parameters: &[DoubleDouble], moving: &MotionSample) -> Result<Forces, Error> {
         let mut p = parameters.to_vec();
         for at in &self.places {
@@ -132,7 +141,8 @@ impl Inverse {
     }
 }
 
-/// Error for forces that are not linear in one parameter, or in the product of two.
+/// Error for forces that are not linear in one parameter, or contain a product of two; both are
+/// given by index.
 fn not_linear(model: &Mechanism, at: usize, other: usize) -> Error {
     let [name, other] = [at, other].map(|at| &model.parameters[at].name);
     let what = if name == other {
@@ -143,7 +153,8 @@ fn not_linear(model: &Mechanism, at: usize, other: usize) -> Error {
     Error::request(what, "name with --input parameters in which the loads are linear")
 }
 
-/// Indices of the named parameters, or of all inputs of the model if `names` is empty.
+/// Indices of the named parameters among all parameters, or of all inputs of the model if `names`
+/// is empty.
 ///
 /// # Errors
 /// [`Error::Request`] if a name is unknown or given twice.

@@ -1,11 +1,13 @@
-//! Derivatives of runs that change their speeds on the way, as differences of whole runs.
+//! Derivatives of runs that change their generalized speeds on the way, as differences of whole
+//! runs.
 //!
-//! Equations in chosen speeds carry slopes along a run. Near a state where these speeds fail, slopes would be divided
-//! by a number that vanishes there. The run itself passes such states in the rates of all coordinates. So it is
-//! repeated at finer tolerances, with other values of a number. Central differences with ever smaller steps are
-//! extrapolated to the step 0, until the errors grow with rounding (C. J. F. Ridders, "Accurate computation of F'(x)
-//! and F'(x) F''(x)", *Advances in Engineering Software* 4 (1982) 75–76). A long run may depend on a number by many
-//! turns, so that no fixed step would serve.
+//! Equations in chosen speeds carry derivatives along a run. Near a state where these speeds fail,
+//! the derivatives are divided by a number that vanishes there. The run itself passes such states
+//! in the rates of all coordinates. So it is repeated at finer tolerances, with the varied number
+//! above and below its value. Central differences with ever smaller steps are extrapolated to step
+//! 0, until rounding errors grow (C. J. F. Ridders, "Accurate computation of F'(x) and F'(x)
+//! F''(x)", *Advances in Engineering Software* 4 (1982) 75–76). A long run may depend on a number
+//! so strongly that no fixed step serves.
 
 use crate::error::Error;
 use crate::mechanism::Mechanism;
@@ -16,67 +18,77 @@ use tripos_derive::model::Unit;
 use tripos_derive::scene::{ENERGIES, Nearby, Scene};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble, Real, Scalar, larger};
 
-/// First step of the differences of runs, relative to the size of the number that changes. Each further step is half as
-/// long.
+/// First step of the differences of runs, relative to the size of the varied number. Each further
+/// step is half as long.
 const STEP: f64 = 1.0 / 256.0;
-/// Most steps of the differences of runs.
+/// Greatest number of steps, each half as long as the last, in the differences of runs.
 const MOST_STEPS: usize = 14;
-/// Error, relative to a derivative, at which no shorter step is tried.
+/// Relative error of a derivative at which no shorter step is tried.
 const EXACT: f64 = 1e-9;
-/// Number of steps without a smaller error after which no shorter step is tried.
+/// Number of successive steps without a smaller error after which no shorter step is tried.
 const IDLE_STEPS: usize = 3;
-/// Largest number of extrapolations of one difference.
+/// Greatest number of extrapolations of each difference of runs.
 const MOST_EXTRAPOLATIONS: usize = 4;
-/// Least size of a number of the start, in its unit: a smaller number counts as this size. The step of a parameter that
-/// is not zero is always relative to its own size.
+/// Least size, in its own unit, that a varied number of the start counts as having. It also holds
+/// for a parameter that is zero. The step of any other parameter is relative to its own size.
 const LEAST: f64 = 0.01;
-/// Factor from the tolerances of a run to those of the runs with other values, whose differences give its derivatives.
+/// Factor from the tolerances of a run to those of the neighbouring runs whose differences give its
+/// derivatives.
 const FINER: f64 = 0.01;
-/// Least tolerance of the runs whose differences give a derivative.
+/// Least tolerance to which neighbouring runs are tightened.
 const FINEST: f64 = 1e-13;
 
-/// Text that tells how derivatives by differences of runs were found.
+/// Text for the user that says how derivatives were found: by differences of runs.
 pub const WORDS: &str = "differences with neighbouring runs, since this run changes its speeds";
 
-/// Request for derivatives by differences of runs: quantities, scene and equations.
+/// Request for derivatives by differences of runs: the quantities, the scene and the equations.
 pub struct Apart<'a> {
+    /// Mechanism of the scene.
     pub mechanism: &'a Mechanism,
+    /// Scene whose run is differentiated.
     pub scene: &'a Scene,
-    /// Names and values of numbers that were set and differ from the scene file.
+    /// Names and values of the numbers that differ from the scene file.
     pub set: &'a [(String, f64)],
+    /// Origin of the equations of motion.
     pub by: &'a EquationsOrigin,
-    /// Names of the differentiated quantities: states, outputs and energies at the end.
+    /// Names of the differentiated quantities at the end of the run: states, outputs and energies.
     pub names: &'a [String],
 }
 
-/// Derivatives of all requested quantities by one number.
+/// Derivatives of all requested quantities by one varied number, from differences of runs.
 pub struct Difference {
-    /// Unit of the number.
+    /// Unit of the varied number.
     pub unit: Unit,
-    /// Derivative of each requested quantity at the end of the run.
+    /// Derivative of each requested quantity at the end of the run, in the order of the request.
     pub values: Vec<f64>,
-    /// Error of each derivative; `None` if an error is not known.
+    /// Estimated error of each derivative; `None` if the error of a run is not known.
     pub errors: Option<Vec<f64>>,
-    /// Derivative of the instant at which the run ends.
+    /// Derivative of the instant at which the run ends, s per unit of the varied number.
     pub t_end: f64,
-    /// Derivatives of the instants of events; `None` if another run has a different number of events.
+    /// Derivatives of the instants of the run's events; `None` if a neighbouring run has a different
+    /// number of events.
     pub events: Option<Vec<f64>>,
 }
 
-/// Results of one run: values at its end with their errors, the instant of the end, and the instants of events.
+/// Results of one run that differences use: values and errors at its end, and the instants of its
+/// end and events.
 struct RunResults {
+    /// Values of the requested quantities at the end of the run.
     values: Vec<f64>,
+    /// Estimated errors of `values`; `None` if an error is unknown.
     errors: Option<Vec<f64>>,
+    /// Instant at which the run ends, s.
     t_end: f64,
+    /// Instants of the run's events, s.
     events: Vec<f64>,
 }
 
 impl Apart<'_> {
-    /// Computes the derivatives with respect to the number with the given name, for a run that was made.
+    /// Computes the derivatives of the given run by the number with the given name.
     ///
     /// # Errors
-    /// [`Error::Input`] for a name that is no number of the scene; [`Error::Stopped`] if another run ends for a
-    /// different reason.
+    /// [`Error::Input`] if the scene has no number of this name; [`Error::Stopped`] if neighbouring
+    /// runs end for another reason than this run.
     pub fn by(&self, name: &str, run: &Run) -> Result<Difference, Error> {
         let mut nearby = Nearby::new(self.scene, self.mechanism, self.set, name)?;
         let (value, unit) = (nearby.value(), nearby.unit());
@@ -94,7 +106,8 @@ impl Apart<'_> {
         let mut failure = None;
         for level in 0..MOST_STEPS {
             let step = size * STEP / f64::from(1 << level);
-            // A run far beside may end otherwise, where one close by does not.
+            // A run with a large change may end for another reason, although a run with a small change does
+            // not.
             let (above, below) = match at(step).and_then(|above| Ok((above, at(-step)?))) {
                 Ok(pair) => pair,
                 Err(error) => {
@@ -116,7 +129,8 @@ impl Apart<'_> {
                 let rounding = if at < quantities { larger(known(&above, at), known(&below, at)) } else { 0.0 };
                 table.add((pick(&above) - pick(&below)) / (2.0 * step), rounding / step);
             }
-            // Another run may lack an event, so that its instant has no derivative: only the others prolong the search.
+            // A neighbouring run may lack an event, which then has no derivative. So only other quantities
+            // prolong the search.
             if tables[..=quantities].iter().all(Table::is_done) {
                 break;
             }
@@ -134,7 +148,10 @@ impl Apart<'_> {
         })
     }
 
-    /// Runs a scene with a changed number. The error says if this run ends for another reason than `first`.
+    /// Runs a scene with a changed number, and returns the results that differences use.
+    ///
+    /// # Errors
+    /// `Error::Stopped` if this run ends for another reason than the run `first`.
     fn results(&self, scene: &Scene, first: &Run) -> Result<RunResults, Error> {
         let run = run_whole(self.mechanism, scene, self.by, None)?;
         if run.solution.stop.code() != first.solution.stop.code() {
@@ -161,14 +178,15 @@ impl Apart<'_> {
     }
 }
 
-/// Central differences of one quantity with ever smaller steps, extrapolated to the step 0.
+/// Central differences of one quantity with ever smaller steps, and their extrapolations to step 0.
 #[derive(Clone)]
 struct Table {
-    /// Last difference, with its extrapolations by one and more differences before it.
+    /// Last difference, followed by its extrapolations with one, two and more of the differences
+    /// before.
     last: Vec<f64>,
-    /// Best derivative so far, with its error.
+    /// Best derivative so far, with its estimated error.
     best: (f64, f64),
-    /// Number of differences since the best one.
+    /// Number of differences that were added since the best derivative was found.
     idle: usize,
 }
 
@@ -179,7 +197,8 @@ impl Default for Table {
 }
 
 impl Table {
-    /// Adds a difference with half the step of the one before; `rounding` is its error by the errors of the runs.
+    /// Adds a difference whose step is half the step of the last one. `rounding` is the error of the
+    /// difference that the errors of both runs cause.
     fn add(&mut self, difference: f64, rounding: f64) {
         let mut row = vec![difference];
         let mut factor = 1.0;
@@ -199,19 +218,19 @@ impl Table {
         self.last = row;
     }
 
-    /// True if shorter steps promise no better derivative.
+    /// True if shorter steps are unlikely to give a better derivative.
     fn is_done(&self) -> bool {
         let (value, error) = self.best;
         error <= EXACT * value.abs() || self.idle >= IDLE_STEPS
     }
 
-    /// Forgets all differences.
+    /// Removes all differences and the best derivative.
     fn clear(&mut self) {
         *self = Self::default();
     }
 }
 
-/// Gives a scene the finer tolerances of runs whose differences give a derivative.
+/// Tightens the tolerances of a scene for neighbouring runs, whose differences give derivatives.
 fn finer(mut scene: Scene) -> Scene {
     let how = &mut scene.integration;
     let finer = |x: f64| if x > 0.0 { (FINER * x).max(FINEST.min(x)) } else { x };

@@ -1,4 +1,4 @@
-//! Runs with contacts in numbers that carry slopes, their derivatives with respect to parameters and numbers of the
+//! Runs with contacts in numbers that carry derivatives ("slopes") by parameters and numbers of the
 //! start.
 
 use super::contacts::{Direction, Wide};
@@ -12,32 +12,41 @@ use std::cell::RefCell;
 use tripos_sim::{Corner, RightHandSide, SimError, Tangents};
 use tripos_traits::{Flow, Real, Scalar, Series, Tangent};
 
-/// Functions that compute the rates of a state with slopes, and, if they exist, its Taylor coefficients.
+/// Functions that compute the rates of a state with slopes, and, if available, its Taylor
+/// coefficients with slopes.
 pub type Parts<'a, const K: usize> = (&'a dyn Flow<Tangent<K>>, Option<&'a dyn Series<Tangent<K>>>);
 
-/// Carrier of numbers with slopes by `K` seeds, for a run from impact to impact.
+/// Carrier for runs with contacts in numbers with slopes by at most `K` varied numbers.
 pub struct Bounced<'a, const K: usize> {
+    /// Scene with its equations of motion.
     pub problem: &'a Problem<'a>,
+    /// Functions that compute rates, and perhaps Taylor coefficients, with slopes.
     pub parts: Parts<'a, K>,
-    /// Values of the parameters with their slopes with respect to the seeds.
+    /// Parameters, with their slopes by each varied number.
     pub parameters: &'a [Tangent<K>],
+    /// Varied numbers, with the derivatives of start and parameters by each.
     pub seeds: &'a [Seed],
-    /// Instants at which the drive has a kink or a jump.
+    /// Instants at which a prescribed motion or force has a kink or a jump.
     pub corners: &'a [Corner],
+    /// Contacts of the scene in double precision.
     pub contacts: &'a Contacts<'a>,
+    /// Contacts of the scene in 32 digits, for derivatives.
     wide: Wide<'a>,
+    /// Gaps and velocities of the contacts as tapes with slopes.
     tapes: ContactTapes<K>,
-    /// Gap below which a contact counts as touched, relative to the size of its terms; `None` if this is not watched.
+    /// Upper limit of gap minima that count as touching, relative to the size of the gap's terms;
+    /// `None` if not watched.
     pub near: Option<f64>,
-    /// Minima of gaps that are below `near`.
+    /// Minima in time of gaps that are below the limit `near`.
     pub approaches: RefCell<Vec<Approach>>,
-    /// Slopes of the instants of the run so far, and the ends of derivatives.
+    /// Derivatives of the instants at which contacts changed so far, and ends of derivatives.
     pub history: RefCell<ContactHistory>,
 }
 
 impl<'a, const K: usize> Bounced<'a, K> {
-    /// Prepares a run of a problem with contacts. Gaps below `near`, relative to the size of their terms, count as
-    /// zero. The drive has no corners, and touched contacts are not watched, until these fields are set.
+    /// Prepares a run of a problem with contacts. A gap below `near`, relative to the size of its
+    /// terms, counts as zero. Corners of the drive and touching gaps are ignored unless the fields
+    /// `corners` and `near` are set afterwards.
     pub fn new(
         problem: &'a Problem<'a>,
         parts: Parts<'a, K>,
@@ -55,7 +64,8 @@ impl<'a, const K: usize> Bounced<'a, K> {
     }
 }
 
-/// Derivative, along a direction of parameters and state, of the rates of a problem without forces of contacts.
+/// Derivative of the rates (q̇, v̇) at a state, without contact forces, along a direction of
+/// parameters and state.
 pub fn rates_along<const K: usize>(
     problem: &Problem<'_>,
     flow: &dyn Flow<Tangent<K>>,
@@ -74,7 +84,8 @@ pub fn rates_along<const K: usize>(
     slopes(&rates, 0)
 }
 
-/// Refuses a change of contacts at the instant of a jump of the drive, since their order is not known.
+/// Checks that contacts do not change at the instant of a jump of the drive, where their order
+/// would not be known.
 ///
 /// # Errors
 /// Text that says why there is no derivative.

@@ -1,10 +1,12 @@
 //! Derivatives of the impulses and forces of contacts with respect to parameters and state.
 //!
-//! Impulses and forces Λ follow from a linear system while the set of pushing contacts stays: M a − Wᵀ Λ = 0, and W a +
-//! c = 0 along the rows that push. c is the motion of these rows without Λ: accelerations, or the parts of velocities
-//! that are to be removed. Once a and Λ are known, their derivatives follow from those of the residuals, by the same
-//! matrices. Friction of slipping contacts is part of the same system ([`super::grip`]). The derivatives of the
-//! residuals are differences in 32 digits ([`super::difference`]), so contacts need no second definition.
+//! Impulses or forces Λ follow from a linear system as long as the set of pushing contacts stays
+//! the same: M a − Wᵀ Λ = 0, and W a + c = 0 along the rows (gap and slip directions) that are
+//! held. Here c is the motion of these rows without Λ: accelerations, or the parts of velocities
+//! that impulses remove. With a and Λ known, their derivatives follow from those of the residuals,
+//! by the same matrices. Friction of slipping contacts is part of the system ([`super::grip`]). The
+//! derivatives of the residuals are differences in 32 digits ([`super::difference`]), so the
+//! definition of contacts need not be written twice.
 
 use super::difference::along;
 use super::grip::Grip;
@@ -14,65 +16,80 @@ use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_sim::Failure;
 use tripos_traits::{DoubleDouble, Lengths, Scalar, System};
 
-/// Fraction of the size of its terms below which a derivative of a contact counts as zero.
+/// Fraction of the size of its terms below which the derivative of a contact quantity counts as
+/// zero.
 pub const SMALL: f64 = 1e-7;
 
-/// The contacts of a scene with their equations in 32 digits.
+/// Contacts of a scene, with the equations of motion in 32 digits for differences.
 pub struct Wide<'a> {
+    /// Contacts in double precision.
     pub contacts: &'a Contacts<'a>,
+    /// Equations of motion in 32 digits.
     system: &'a dyn System<DoubleDouble>,
+    /// Tapes of the gap of each contact. Inputs: parameters, then coordinates.
     gaps: Vec<Tape<DoubleDouble>>,
+    /// Tape of the gap and slip velocities, followed by their slopes. Inputs: parameters, then state.
     rates: Tape<DoubleDouble>,
     /// Gap below which a contact counts as touched, relative to the size of the gap's terms.
     pub near: f64,
 }
 
-/// Direction in parameters and in the integrated state, along which derivatives are taken.
+/// Direction in parameters and integrated state along which a derivative is taken.
 #[derive(Clone, Copy)]
 pub struct Direction<'d> {
+    /// Components of the direction for each parameter.
     pub parameters: &'d [f64],
+    /// Components of the direction for each component of the state (q, v).
     pub state: &'d [f64],
 }
 
-/// Motion c of the rows of contacts without impulses or forces, with its derivative along a direction.
+/// Motion c of the gap and slip directions of contacts without impulses or forces, and its
+/// derivative.
 pub enum Without<'c> {
-    /// Accelerations along the rows of contacts, from the rates of the state; `by` holds the derivatives of `rates`.
+    /// Accelerations that the state's `rates` cause; `by` holds the derivatives of `rates` along a
+    /// direction.
     Accelerate { rates: &'c [f64], by: &'c [f64] },
-    /// Parts of the velocities along the rows that impulses remove, in the order of all rows. `by` holds the
-    /// derivatives of the factors `parts`.
+    /// Velocities times the factors `parts`, a factor for each gap or slip direction, which impulses
+    /// remove. `by` holds the derivatives of the factors along a direction.
     Move { parts: &'c [f64], by: &'c [f64] },
 }
 
-/// Contacts at a state, with the impulses or forces Λ along their rows.
+/// Contacts at a state, with the impulses or forces Λ along their gap and slip directions.
 pub struct Acting<'c> {
+    /// State (q, v).
     pub y: &'c [f64],
+    /// Matrices at the state that relate speeds, impulses and kinetic energy.
     pub operators: &'c Operators,
-    /// Impulses or forces Λ along all rows.
+    /// Impulses or forces Λ along the gap and slip directions of all contacts.
     pub impulses: &'c DVector<f64>,
-    /// Rows along which Λ follows from the motion c, and the friction that follows from Λ.
+    /// Held directions, whose Λ follows from the motion c, and friction that follows from Λ.
     pub grip: &'c Grip,
 }
 
-/// Derivative of impulses or forces Λ along a direction, and derivative of their effect.
+/// Derivative of impulses or forces Λ along a direction of parameters and state, and of the motion
+/// that Λ causes.
 pub struct Change {
-    /// Derivative of Λ along each row.
+    /// Derivative of Λ along each gap and slip direction of all contacts.
     pub impulses: DVector<f64>,
-    /// Derivatives of the changes that Λ causes: of the motion variables, or of their rates.
+    /// Derivative of the change that Λ causes in the motion variables (impulses) or in their rates
+    /// (forces).
     pub variables: DVector<f64>,
-    /// Derivatives of the changes that Λ causes: of the generalized speeds, or of their rates.
+    /// Derivative of the change that Λ causes in the generalized speeds (impulses) or in their rates
+    /// (forces).
     pub speeds: DVector<f64>,
-    /// Size of the terms of the change along the rows, each divided by the root of the row's compliance. The largest of
-    /// all rows.
+    /// Size of the terms of the derivative. It is the largest over the held directions, each divided by
+    /// the root of the direction's compliance.
     pub size: f64,
-    /// True if dependent rows do not move alike: then no impulses or forces can hold all of them.
+    /// True if dependent held directions would move differently, so that no impulses or forces can hold
+    /// them all.
     pub is_apart: bool,
 }
 
 impl Change {
-    /// Returns the change if dependent contacts move alike, otherwise an error.
+    /// Returns the derivative if all dependent contacts move alike.
     ///
     /// # Errors
-    /// Text that says why there is no derivative.
+    /// Text that says why there is no derivative, if dependent contacts move differently.
     pub fn together(self) -> Result<Self, String> {
         if self.is_apart { Err(APART.to_owned()) } else { Ok(self) }
     }
@@ -82,13 +99,15 @@ impl Change {
 pub const APART: &str = "dependent contacts do not move alike";
 
 impl<'a> Wide<'a> {
-    /// Prepares contacts whose equations are known to 32 digits.
+    /// Prepares contacts for derivatives, with the equations of motion in 32 digits. A gap below
+    /// `near`, relative to the size of its terms, counts as touched.
     pub fn new(contacts: &'a Contacts<'a>, system: &'a dyn System<DoubleDouble>, near: f64) -> Self {
         let gaps = contacts.gaps.iter().map(|(gap, _)| gap.to()).collect();
         Self { contacts, system, gaps, rates: contacts.rates.to(), near }
     }
 
-    /// Derivative of the gap of a contact along a direction at a state, and the size of its terms.
+    /// Derivative of a contact's gap along a direction at the state `y`, and the size of the
+    /// derivative's terms.
     pub fn gap(&self, contact: usize, y: &[f64], direction: Direction<'_>) -> (f64, f64) {
         let p = self.contacts.parameters;
         let n = self.system.lengths().coordinates;
@@ -98,7 +117,8 @@ impl<'a> Wide<'a> {
         (change, size(change, slopes.row(contact).iter().zip(direction.state).map(|(slope, d)| slope * d)))
     }
 
-    /// Derivative, along a direction at a state, of the velocity along a row, and the size of its terms.
+    /// Derivative of the gap or slip velocity with index `row` along a direction at the state `y`, and
+    /// the size of the derivative's terms.
     pub fn velocity(&self, row: usize, y: &[f64], direction: Direction<'_>) -> (f64, f64) {
         let x = [self.contacts.parameters, y].concat();
         let change = along(&x, &[direction.parameters, direction.state].concat(), |x| self.rates.evaluate(x))[row];
@@ -106,8 +126,11 @@ impl<'a> Wide<'a> {
         (change, size(change, slopes.row(row).iter().zip(direction.state).map(|(slope, d)| slope * d)))
     }
 
-    /// Derivative of impulses or forces along a direction. Λ follows from c along the rows of the grip, and changes by
-    /// `given` in addition.
+    /// Derivative of the impulses or forces Λ along a direction. The held directions of `acting`
+    /// determine Λ by the motion c. `given` is an additional known derivative of Λ, as of friction.
+    ///
+    /// # Errors
+    /// `Failure` if the derivative is not finite.
     pub fn change(
         &self,
         acting: &Acting<'_>,
@@ -153,7 +176,7 @@ impl<'a> Wide<'a> {
             let terms: f64 = of_u.row(*row).iter().zip(moved.iter()).map(|(of, moved)| (of * moved).abs()).sum();
             let whole: f64 = slopes.row(*row).iter().zip(own).map(|(slope, own)| (slope * own).abs()).sum();
             let g = compliance[(*row, *row)];
-            // Slopes have errors of integration, which count as the motion of the row times the largest relative
+            // Slopes have errors of integration. They count as the motion of the row times the largest relative
             // change.
             let rounded = part * whole + ROUNDED * g.max(0.0).sqrt() * energy;
             let of_row = second[at].abs() + aside[*row].abs() + of_state + terms + rounded;
@@ -165,8 +188,9 @@ impl<'a> Wide<'a> {
         Ok(Change { impulses, variables, speeds: moved, size, is_apart })
     }
 
-    /// Computes in 32 digits the residuals M a − Wᵀ Λ, then W a + c along the rows of the grip, then the change of the
-    /// motion variables by a.
+    /// Computes three groups of values in 32 digits. The first are the residuals M a − Wᵀ Λ, the second
+    /// the residuals W a + c along the held directions. The third are the changes of the motion
+    /// variables by a. `x` joins parameters, state and the factors of c.
     fn residuals(
         &self,
         x: &[DoubleDouble],
@@ -209,15 +233,18 @@ impl<'a> Wide<'a> {
     }
 }
 
-/// Motions that the constraints permit at a configuration, in 32 digits.
+/// Motions that the constraints permit in a configuration, computed in 32 digits.
 struct Motions<'m> {
+    /// Equations of motion in 32 digits.
     system: &'m dyn System<DoubleDouble>,
+    /// Values of the parameters, in the order of the model.
     p: &'m [DoubleDouble],
+    /// Values of the generalized coordinates, in the order of the model.
     q: &'m [DoubleDouble],
 }
 
 impl Motions<'_> {
-    /// Motion variables that belong to the generalized speeds `u`.
+    /// Computes the motion variables v from the generalized speeds `u`.
     fn variables(&self, u: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let mut v = vec![DoubleDouble::from_f64(0.0); self.system.lengths().variables];
         self.system.motion_variables(self.p, self.q, u, &mut v);
@@ -229,7 +256,8 @@ impl Motions<'_> {
         self.system.kinetic_energy(self.p, self.q, v)
     }
 
-    /// Change of the motion variables if the generalized speeds change by `a`; `basis` has one column for each speed.
+    /// Change of the motion variables v if the generalized speeds change by `a`; `basis` has a column
+    /// for each speed.
     fn added(&self, basis: &[Vec<DoubleDouble>], a: &DVector<f64>) -> Vec<DoubleDouble> {
         let mut out = vec![DoubleDouble::from_f64(0.0); self.system.lengths().variables];
         for (column, a) in basis.iter().zip(a.iter()) {
@@ -245,6 +273,7 @@ fn axis(speeds: usize, at: usize) -> Vec<DoubleDouble> {
     (0..speeds).map(|other| DoubleDouble::int(i64::from(other == at))).collect()
 }
 
+/// Sum of two vectors, component by component.
 fn sum(a: &[DoubleDouble], b: &[DoubleDouble]) -> Vec<DoubleDouble> {
     a.iter().zip(b).map(|(a, b)| *a + *b).collect()
 }
@@ -254,26 +283,29 @@ fn less(a: &[DoubleDouble], b: &[DoubleDouble]) -> Vec<DoubleDouble> {
     a.iter().zip(b).map(|(a, b)| *a - *b).collect()
 }
 
+/// Scalar product of two vectors of equal length.
 fn dot(a: &[DoubleDouble], b: &[DoubleDouble]) -> DoubleDouble {
     a.iter().zip(b).fold(DoubleDouble::from_f64(0.0), |sum, (a, b)| sum + *a * *b)
 }
 
-/// Fraction of the change of the whole motion that counts at least among the terms of a row: a smaller change is
-/// rounding.
+/// Fraction of the change of the whole motion that is always added to the size of a direction's
+/// terms. A smaller change is rounding.
 const ROUNDED: f64 = 1e-5;
 
-/// Largest change of any component along a direction, relative to the size of the component or 1.
+/// Largest change of any component of `x` along a direction, relative to the size of the component
+/// or to 1.
 fn part_of(x: &[f64], direction: &[f64]) -> f64 {
     x.iter().zip(direction).map(|(x, d)| d.abs() / x.abs().max(1.0)).fold(0.0, f64::max)
 }
 
-/// Size of the terms of a derivative: its `parts` by the state, and the rest, which parameters cause.
+/// Size of the terms of a derivative: the absolute `parts` that the state causes, plus the
+/// remainder that parameters cause.
 fn size(change: f64, parts: impl Iterator<Item = f64>) -> f64 {
     let (sum, size) = parts.fold((0.0, 0.0), |(sum, size), part: f64| (sum + part, size + part.abs()));
     size + (change - sum).abs()
 }
 
-/// Failure that reports impulses or forces without a finite derivative.
+/// Failure for contact forces or impulses without a finite derivative.
 fn unknown() -> Failure {
     Failure { code: "not-finite", message: "the contact forces have no finite derivative".to_owned() }
 }

@@ -1,8 +1,10 @@
-//! Instants at which the equations jump or bend, and their derivatives.
+//! Corners of a run: instants at which its equations have a jump or a kink, and the derivatives of
+//! these instants.
 //!
-//! Slopes of the state jump if a number moves the instant of a jump; steps that end at the instant add this jump
-//! ([`tripos_sim::Corner`]). They do not jump if a number moves the instant of a bend. All other cases are refused:
-//! jumps at which there is no derivative, and steps that go across.
+//! If a varied number moves the instant of a jump, derivatives of the state jump there. Steps end
+//! at this instant, and the integrator adds the jump ([`tripos_sim::Corner`]). A moved kink causes
+//! no such jump. All other cases are refused: jumps without a derivative, and steps that cross the
+//! instant.
 
 use super::start::Seed;
 use crate::error::Error;
@@ -10,13 +12,14 @@ use crate::preparation::problem::Problem;
 use tripos_sim::{Corner, DIRECTIONS, Options};
 use tripos_traits::Tangent;
 
-/// Shift of an instant, relative to the instant plus 1 s, below which it counts as fixed. The shift is the derivative
-/// of the instant times the size of the number.
+/// Shift of an instant, relative to the instant plus 1 s, below which it counts as fixed. The shift
+/// is the derivative of the instant times the size of the varied number.
 const MOVED: f64 = 1e-9;
-/// Relative distance below which two instants count as one instant.
+/// Relative difference below which two instants count as equal.
 const ONE: f64 = 64.0 * f64::EPSILON;
 
-/// Corners of a run, the instants at which its equations jump or bend, with the derivatives of these instants.
+/// Lists the corners of a run: the instants at which its equations have a jump or a kink. Each has
+/// its derivatives by the varied numbers.
 pub fn corners<const K: usize>(problem: &Problem<'_>, parameters: &[Tangent<K>]) -> Vec<Corner> {
     let of = |(at, jumps): (Tangent<K>, bool)| {
         let mut moves = [0.0; DIRECTIONS];
@@ -26,10 +29,11 @@ pub fn corners<const K: usize>(problem: &Problem<'_>, parameters: &[Tangent<K>])
     problem.model.corners(parameters).into_iter().map(of).collect()
 }
 
-/// Refuses a number that moves a jump or bend of the equations in a way that has no derivative.
+/// Checks that the varied number `seed` does not move a jump or kink of the equations in a way
+/// without derivative.
 ///
 /// # Errors
-/// [`Error::Request`] with the reason why there is no derivative.
+/// [`Error::Request`] with the reason if there is no derivative.
 pub fn check(problem: &Problem<'_>, seed: &Seed, options: &Options) -> Result<(), Error> {
     let values = problem.scene.parameters.iter().zip(&seed.parameters);
     let parameters: Vec<Tangent<1>> = values.clone().map(|(p, by)| Tangent { value: *p, slopes: [*by] }).collect();

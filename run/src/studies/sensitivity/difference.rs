@@ -1,24 +1,25 @@
-//! Differences in 32 digits: derivatives that are exact in doubles.
+//! Derivatives by differences of numbers with 32 digits, accurate to double precision.
 
 use tripos_traits::{DoubleDouble, Real, Scalar, larger};
 
-/// Step of a difference relative to the size of the numbers that change. Rules of order 4 have an error of STEP⁴, some
-/// 3e-21, and a rounding of 1e-32/STEP.
+/// Step of a difference, relative to the size of the varied numbers. A rule of order 4 then has a
+/// relative error of about STEP⁴ = 3e-21, and a rounding error of 1e-32/STEP.
 pub const STEP: f64 = 1.0 / 131_072.0;
 
-/// Central difference of order 4: the places in steps, and twelve times the weights. M. Abramowitz & I. A. Stegun,
-/// *Handbook of Mathematical Functions* (1964), table 25.2.
+/// Central difference of order 4: pairs of a position in steps and twelve times its weight. M.
+/// Abramowitz & I. A. Stegun, *Handbook of Mathematical Functions* (1964), table 25.2.
 pub const CENTRAL: [(i32, i64); 4] = [(-2, 1), (-1, -8), (1, 8), (2, -1)];
 
-/// Difference of order 4 on one side: the places in steps, and twelve times the weights.
+/// One-sided difference of order 4: pairs of a position in steps and twelve times its weight.
 pub const FORWARD: [(i32, i64); 5] = [(0, -25), (1, 48), (2, -36), (3, 16), (4, -3)];
 
-/// Derivative of several values, which are given at the places of a rule for differences.
+/// Derivatives of several values, from their `list` at the positions of a difference rule with the
+/// given step.
 pub fn difference(list: &[Vec<DoubleDouble>], rule: &[(i32, i64)], step: DoubleDouble) -> Vec<f64> {
     let twelve = DoubleDouble::int(12) * step;
     let count = list.first().map_or(0, Vec::len);
-    // Weights add up to 0. With differences from the first value, a value that does not change has a derivative of
-    // exactly 0.
+    // The weights add up to 0. With differences from the first value, a constant value has exactly the
+    // derivative 0.
     let sum = |at: usize| {
         let rise = list.iter().map(|values| values[at] - list[0][at]);
         let terms = rise.zip(rule).map(|(rise, (_, weight))| rise * DoubleDouble::int(*weight));
@@ -27,11 +28,12 @@ pub fn difference(list: &[Vec<DoubleDouble>], rule: &[(i32, i64)], step: DoubleD
     (0..count).map(|at| (sum(at) / twelve).to_f64()).collect()
 }
 
-/// Least size of a component of a state, in its unit: a smaller component counts as this size. A state may pass through
-/// zero, but a length that matters is larger.
+/// Least size that a component of a state counts as having, in its unit. A state may pass through
+/// zero, but a length of interest is larger.
 const FLOOR: f64 = 1e-6;
 
-/// Derivative of a function at `x` along a direction, exact in doubles; NaN if the direction is not finite.
+/// Derivative of the vector function `of` at `x` along a direction, accurate to double precision.
+/// All components are NaN if the direction is not finite.
 pub fn along(x: &[f64], direction: &[f64], of: impl Fn(&[DoubleDouble]) -> Vec<DoubleDouble>) -> Vec<f64> {
     let part = x.iter().zip(direction).map(|(x, d)| d.abs() / x.abs().max(FLOOR)).fold(0.0, larger);
     if !(part > 0.0 && part.is_finite()) {

@@ -1,4 +1,5 @@
-//! Derivatives at the end of a run and at its events, and their errors.
+//! Derivatives of shown quantities at the end of a run, derivatives of its events' instants, and
+//! errors of both.
 
 use super::corners::corners;
 use super::equations::{Carried, SeededStart};
@@ -12,18 +13,22 @@ use tripos_derive::scene::Scene;
 use tripos_sim::{EventRecord, Kind, Options, Output, Stop, TaylorSeries, seconds};
 use tripos_traits::{Scalar, Tangent, larger};
 
-/// Derivatives at the end of a run, by each seed.
+/// Derivatives at the end of a run by each varied number.
 pub struct End {
-    /// Derivatives of the shown quantities by each seed; total ones if an event ends the run.
+    /// Derivatives of the shown quantities, a list for each varied number. They include the shift of
+    /// the end if an event ends the run.
     pub shown: Vec<Vec<f64>>,
-    /// Derivatives of the instant of the end by each seed; 0 unless an event ends the run.
+    /// Derivatives of the instant of the end by each varied number, s per unit; 0 unless an event ends
+    /// the run.
     pub t: Vec<f64>,
 }
 
-/// Computes the derivatives at the end of a run by each seed.
+/// Computes the derivatives of shown quantities at the end of a run, and of the instant of the end,
+/// by each varied number.
 ///
 /// # Errors
-/// [`Error::Request`] if the number of parameters does not fit the equations.
+/// [`Error::Request`] if the number of parameters does not fit the equations. `Error::Stopped` if
+/// contact forces have no value at the end.
 pub fn end(parts: &Parts<'_>, carried: &Carried) -> Result<End, Error> {
     let solution = &carried.solution;
     let event = match solution.stop {
@@ -51,7 +56,10 @@ pub fn end(parts: &Parts<'_>, carried: &Carried) -> Result<End, Error> {
     Ok(End { shown, t })
 }
 
-/// Rates y′ of a state while the contacts `kept` are held.
+/// Rates y′ of a state while the contacts `kept` are held closed.
+///
+/// # Errors
+/// `Error::Stopped` if the contact forces have no value.
 fn rates(parts: &Parts<'_>, kept: &HeldContacts, t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
     if !kept.is_empty() {
         let rates = parts.problem.flow(&parts.problem.contacts(), kept, t, y);
@@ -64,16 +72,17 @@ fn rates(parts: &Parts<'_>, kept: &HeldContacts, t: f64, y: &[f64]) -> Result<Ve
     Ok([q_dot, v_dot].concat())
 }
 
-/// Computes the derivatives of the instants of a run's events by each seed; `t_end` holds those of its end. `None` for
-/// an event whose function does not cross zero.
+/// Computes the derivatives of the instants of a run's events by each varied number. `t_end` holds
+/// the derivatives of the end. `None` for an event whose function does not cross zero.
 ///
 /// # Errors
-/// Errors of [`end`].
+/// `Error` if the rates, the contact forces or the reactions at an event have no value.
 pub fn instants(parts: &Parts<'_>, carried: &Carried, t_end: &[f64]) -> Result<Vec<Option<Vec<f64>>>, Error> {
     carried.solution.events.iter().map(|event| instant(parts, carried, t_end, event)).collect()
 }
 
-/// Computes the derivatives of the instant of one event by each seed; `None` if its function does not cross zero.
+/// Computes the derivatives of the instant of one event by each varied number; `None` if its
+/// function does not cross zero, or the state there is not known.
 fn instant(
     parts: &Parts<'_>,
     carried: &Carried,
@@ -98,15 +107,15 @@ fn instant(
         let along = parts.quantities.slopes(&place, &seed.parameters, state).watched[event.event];
         -along / flow
     });
-    // There is no derivative where the function of an event only touches zero.
+    // If the function of an event only touches zero, its instant has no derivative.
     Ok((flow.abs() > 0.0).then(|| later.collect()))
 }
 
-/// State between two samples and its slopes by each seed.
+/// State (q, v) between two samples, and its derivatives, a list for each varied number.
 type State = (Vec<f64>, Vec<Vec<f64>>);
 
-/// State and slopes at an instant, from a short run that begins at the last sample before it. `None` if that run does
-/// not reach the instant.
+/// State and derivatives at the instant `t`, from a short run that begins at the last sample before
+/// it. `None` if this run does not reach the instant.
 fn on_the_way(parts: &Parts<'_>, carried: &Carried, t: f64) -> Result<Option<State>, Error> {
     let (solution, span) = (&carried.solution, parts.problem.scene.span);
     let toward = (span.1 - span.0).signum();
@@ -123,17 +132,19 @@ fn on_the_way(parts: &Parts<'_>, carried: &Carried, t: f64) -> Result<Option<Sta
     Ok((run.solution.stop == Stop::End).then_some((run.solution.y_end, run.end)))
 }
 
-/// Least relative error of a derivative, which allows for eight roundings.
+/// Least relative error that a derivative is assumed to have: eight roundings.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Errors of the derivatives at the end by each seed, and a description of the run that they were computed from.
+/// Errors of the derivatives at the end, a list for each varied number, and a description of the
+/// second run.
 type Assessed = (Option<Vec<Vec<f64>>>, Option<String>);
 
-/// Estimates the errors of the derivatives at the end, by a second run with other steps, from numbers one rounding
-/// away. `None` if no second run comes to the same end. `starts` holds the slopes of the state at the start by each
-/// seed.
+/// Estimates the errors of the derivatives at the end by a second run with other steps. Its start
+/// and parameters differ by one rounding. `None` if no second run comes to the same end. `starts`
+/// holds the derivatives of the start's state by each varied number.
 ///
-/// Differences shortly before the end count as well: two motions that oscillate about each other meet now and then.
+/// Differences shortly before the end count too: two motions that oscillate about each other agree
+/// now and then.
 ///
 /// # Errors
 /// [`Error`] if the second run is refused although the first was not.
@@ -161,7 +172,8 @@ pub fn second(parts: &Parts<'_>, carried: &Carried, own: &End, starts: &[Vec<f64
         }
         let its = Parts { problem: &beside, ..*parts };
         let theirs = end(&its, &run)?.shown;
-        // A second run that alone nearly touches a contact has no derivatives, and tells nothing about errors.
+        // A second run that nearly touches a contact, unlike the first, has no derivatives and says nothing
+        // about errors.
         let pairs = || own.shown.iter().flatten().zip(theirs.iter().flatten());
         if pairs().any(|(own, other)| other.is_nan() && !own.is_nan()) {
             continue;
@@ -182,12 +194,12 @@ pub fn second(parts: &Parts<'_>, carried: &Carried, own: &End, starts: &[Vec<f64
     Ok((None, None))
 }
 
-/// Time before and after a jump of slopes within which samples are not compared, relative to the larger of the instant
-/// and 1 s.
+/// Interval before and after a jump of derivatives in which samples are not compared, relative to
+/// the instant or to 1 s, whichever is larger.
 const BESIDE: f64 = 1e-6;
 
-/// Indices of at most two samples shortly before the end of a run. Neither is next to an instant at which slopes jump:
-/// a second run may be on the other side of that instant.
+/// Indices of at most two samples shortly before the end of a run, to compare with a second run.
+/// Samples next to a jump of derivatives are avoided, since the second run may jump later.
 fn before(parts: &Parts<'_>, carried: &Carried) -> Vec<usize> {
     let (t, t_end) = (&carried.solution.t, carried.solution.t_end);
     let p: Vec<Tangent<1>> = parts.problem.scene.parameters.iter().map(|p| Tangent::from_f64(*p)).collect();
@@ -201,7 +213,10 @@ fn before(parts: &Parts<'_>, carried: &Carried) -> Vec<usize> {
     list
 }
 
-/// Derivatives of the shown quantities at a sample, by each seed.
+/// Derivatives of the shown quantities at a sample of a run, a list for each varied number.
+///
+/// # Errors
+/// `Error::Request` if the number of parameters does not fit the equations.
 fn at_sample(parts: &Parts<'_>, carried: &Carried, sample: usize) -> Result<Vec<Vec<f64>>, Error> {
     let solution = &carried.solution;
     let place = parts.quantities.place(parts.problem, solution.t[sample], &solution.y[sample])?;
@@ -209,7 +224,7 @@ fn at_sample(parts: &Parts<'_>, carried: &Carried, sample: usize) -> Result<Vec<
     Ok(slopes.map(|(seed, at)| parts.quantities.slopes(&place, &seed.parameters, &at[sample]).shown).collect())
 }
 
-/// Sizes of the differences of two tables of derivatives.
+/// Absolute differences of two tables of derivatives, entry by entry.
 fn differences(a: &[Vec<f64>], b: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let of = |a: &Vec<f64>, b: &Vec<f64>| a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect();
     a.iter().zip(b).map(|(a, b)| of(a, b)).collect()

@@ -1,4 +1,5 @@
-//! Equations in numbers with slopes: compiled ones, or interpreted ones whose tapes compute with slopes.
+//! Equations of motion in numbers that carry derivatives ("slopes"): compiled, or interpreted by
+//! tapes with slopes.
 
 use super::bounce::{Bounced, Parts};
 use super::contacts::Wide;
@@ -20,22 +21,24 @@ use tripos_derive::scene::Scene;
 use tripos_sim::{Accompanied, Event, Lent, Options, Output, RightHandSide, Solution, Tangents, integrate};
 use tripos_traits::{CompiledSystem, Derivative, InTangents, Method, Tangent};
 
-/// Equations of motion that compute rates with slopes.
+/// Equations of motion that compute rates together with their derivatives ("slopes") by varied
+/// numbers.
 pub struct Equations {
-    /// Equations of motion in doubles.
+    /// Equations of motion in double precision.
     pub code: Code,
-    /// Interpreted equations in numbers with one slope, made on first use.
+    /// Interpreted equations in numbers with one slope; empty until they are first used.
     one: OnceCell<Derivative<Interpreted<Tangent<1>>>>,
-    /// Interpreted equations in numbers with four slopes, made on first use.
+    /// Interpreted equations in numbers with four slopes; empty until they are first used.
     four: OnceCell<Derivative<Interpreted<Tangent<4>>>>,
 }
 
 impl Equations {
-    /// Prepares the equations of a mechanism for a method. Compiled equations are used only if they are also compiled
-    /// with slopes.
+    /// Prepares the equations of a mechanism for an integrator. Compiled equations are used only if the
+    /// program also contains them with slopes, and the integrator needs no Taylor series. Otherwise the
+    /// equations are interpreted.
     ///
     /// # Errors
-    /// Errors of [`code`].
+    /// `Error` if the model cannot be derived, or the equations cannot be interpreted.
     pub fn new(mechanism: &Mechanism, scene: &Scene, by: &EquationsOrigin, method: Method) -> Result<Self, Error> {
         let distance = scene.integration.distance;
         let mut code = code(mechanism, by, distance, Ready::Solved)?;
@@ -51,12 +54,13 @@ impl Equations {
         Ok(Self { code, one: OnceCell::new(), four: OnceCell::new() })
     }
 
-    /// True if Taylor coefficients can be computed with slopes.
+    /// True if Taylor coefficients can be computed together with slopes, which only interpreted
+    /// equations can.
     pub fn has_series(&self) -> bool {
         compiled(&self.code).is_none() && self.code.system().has_taylor()
     }
 
-    /// Functions that compute rates with one slope.
+    /// Functions that compute rates with the slopes by one varied number.
     pub fn one(&self) -> Parts<'_, 1> {
         match (&self.code, compiled(&self.code)) {
             (Code::Interpreted(system), _) => parts(self.one.get_or_init(|| Derivative(system.double.to()))),
@@ -65,7 +69,7 @@ impl Equations {
         }
     }
 
-    /// Functions that compute rates with four slopes.
+    /// Functions that compute rates with the slopes by four varied numbers.
     fn four(&self) -> Parts<'_, 4> {
         match (&self.code, compiled(&self.code)) {
             (Code::Interpreted(system), _) => parts(self.four.get_or_init(|| Derivative(system.double.to()))),
@@ -74,13 +78,13 @@ impl Equations {
         }
     }
 
-    /// Makes a run with its derivatives by each of the seeds of its start.
+    /// Makes a run together with its derivatives by each varied number of its start.
     ///
-    /// The results are the derivatives of the run itself, along the steps that it takes. One run carries four slopes.
-    /// If there are more seeds, the same run is made again for each further four.
+    /// The results are the derivatives of the computed steps themselves. A run carries at most four
+    /// slopes. For more varied numbers, the run is repeated for each further four.
     ///
     /// # Errors
-    /// [`Error::Request`] if the run cannot begin, or there is no seed.
+    /// [`Error::Request`] if the run cannot begin, or there is no varied number.
     pub fn run(
         &self,
         problem: &Problem<'_>,
@@ -108,37 +112,40 @@ impl Equations {
     }
 }
 
-/// Start of a run with slopes: an instant, a state, and the slopes of the state by each seed.
+/// Start of a run with derivatives: its span, its state, and the slopes of the state by each varied
+/// number.
 #[derive(Clone, Copy)]
 pub struct SeededStart<'a> {
-    /// First and last instant, s.
+    /// First and last instant of the run, s.
     pub span: (f64, f64),
-    /// Integrated state at the first instant.
+    /// Integrated state (q, v) at the first instant.
     pub y: &'a [f64],
-    /// Numbers by which derivatives are taken.
+    /// Varied numbers by which derivatives are taken.
     pub seeds: &'a [Seed],
-    /// Slopes of the state `y`, a list for each seed.
+    /// Slopes of the state `y` at the first instant, a list for each varied number.
     pub slopes: &'a [Vec<f64>],
 }
 
-/// A run with the slopes of its integrated states by each seed.
+/// A run with the slopes of its integrated states by each varied number.
 pub struct Carried {
-    /// Solution of the run in plain doubles.
+    /// Solution of the run in double precision, without slopes.
     pub solution: Solution,
-    /// Slopes of the integrated state: by each seed, at each sample, of each component.
+    /// Slopes of the integrated state. Indices: varied number, sample, component of the state.
     pub at: Vec<Vec<Vec<f64>>>,
-    /// Slopes of the integrated state at the end of the run: by each seed, of each component.
+    /// Slopes of the integrated state at the end of the run. Indices: varied number, component of the
+    /// state.
     pub end: Vec<Vec<f64>>,
-    /// Changes of contacts during the run, and ends of derivatives.
+    /// Changes of contacts during the run with their derivatives, and early ends of derivatives.
     pub history: ContactHistory,
 }
 
-/// Functions of interpreted equations that compute rates and Taylor coefficients with slopes.
+/// Functions of interpreted equations that compute rates, and Taylor coefficients, with slopes.
 fn parts<const K: usize>(system: &Derivative<Interpreted<Tangent<K>>>) -> Parts<'_, K> {
     (system, Some(system))
 }
 
-/// Functions of compiled equations that compute with slopes; `None` if these are not compiled.
+/// Functions of compiled equations that compute rates with slopes. `None` if the equations are
+/// interpreted, or were compiled without slopes.
 fn compiled(code: &Code) -> Option<InTangents<'static>> {
     match code {
         Code::Compiled(CompiledSystem { lanes: Some(lanes), .. }) => lanes.tangents,
@@ -146,7 +153,11 @@ fn compiled(code: &Code) -> Option<InTangents<'static>> {
     }
 }
 
-/// Makes one run in numbers with `K` slopes. Derivatives end at an instant at which a contact is only touched.
+/// Makes a run in numbers with `K` slopes. Derivatives end early at an instant at which a gap only
+/// touches zero, if the varied number changes this gap.
+///
+/// # Errors
+/// `Error::Request` if the run cannot begin.
 fn watched<const K: usize>(
     problem: &Problem<'_>,
     parts: Parts<'_, K>,
@@ -161,7 +172,10 @@ fn watched<const K: usize>(
     Ok(carried)
 }
 
-/// Ends the derivatives with respect to numbers that change a gap at its minimum of zero.
+/// Ends the derivatives by those varied numbers that change a gap at its minimum of zero.
+///
+/// # Errors
+/// `Error` if the state at the minimum cannot be computed.
 fn end_at<const K: usize>(
     problem: &Problem<'_>,
     parts: Parts<'_, K>,
@@ -190,7 +204,8 @@ fn end_at<const K: usize>(
 }
 
 impl Carried {
-    /// Ends the derivatives with respect to a number at the instant `t`, s: later slopes become NaN.
+    /// Ends the derivatives by the varied number with index `number` at the instant `t`, s. Later
+    /// slopes become NaN.
     fn over(&mut self, number: usize, t: f64, why: String) {
         self.history.end(number, t, why);
         let later = self.solution.t.iter().zip(&mut self.at[number]).filter(|(sample, _)| **sample >= t);
@@ -199,17 +214,20 @@ impl Carried {
     }
 }
 
-/// Treatment of gaps whose minimum is nearly zero.
+/// Choice to list the gaps whose minimum is nearly zero, or to ignore them.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Touches {
-    /// Their minima are listed.
+    /// The minima of gaps that are nearly zero are listed.
     Listed,
-    /// Their minima are not looked for.
+    /// Minima of gaps are not searched for.
     Ignored,
 }
 
-/// Makes one run in numbers with `K` slopes, by at most `K` seeds. Also lists the minima of gaps that are nearly zero,
-/// if `touches` says so.
+/// Makes a run in numbers with `K` slopes, by at most `K` varied numbers. The list contains the
+/// minima of gaps that are nearly zero; it is empty if `touches` asks for none.
+///
+/// # Errors
+/// `Error::Request` if the run cannot begin.
 fn carry<const K: usize>(
     problem: &Problem<'_>,
     parts: Parts<'_, K>,
@@ -257,7 +275,10 @@ fn carry<const K: usize>(
     Ok((carried, approaches))
 }
 
-/// Makes a run of a scene without contacts, in numbers with `K` slopes.
+/// Makes a run of a scene without contacts in numbers with `K` slopes.
+///
+/// # Errors
+/// `Error::Request` if the accelerations are not eliminated, or the options do not fit.
 fn smooth<const K: usize>(
     problem: &Problem<'_>,
     (flow, series): Parts<'_, K>,

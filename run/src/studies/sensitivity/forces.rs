@@ -1,4 +1,4 @@
-//! Forces of contacts that are held at a state, and their derivatives.
+//! Forces of contacts that are held closed at a state, and the derivatives of these forces.
 
 use super::contacts::{Acting, Change, Direction, Wide, Without};
 use super::grip::Grip;
@@ -6,45 +6,54 @@ use crate::preparation::impacts::{Contacts, HeldContacts, Operators};
 use nalgebra::DVector;
 use tripos_sim::{Failure, Mode};
 
-/// Fraction of the size of its terms below which a force or a velocity of a contact counts as zero.
+/// Fraction of the size of its terms below which a contact force or velocity counts as zero.
 pub const NOTHING: f64 = 1e-9;
 
-/// Function that gives the derivative, along a direction at a state, of the rates without forces of contacts.
+/// Function that computes the derivative of the rates without contact forces, at a state along a
+/// direction.
 pub type RatesAlong<'c> = dyn Fn(&[f64], Direction<'_>) -> Vec<f64> + 'c;
 
-/// Number by which derivatives are taken, with the derivatives of parameters and of coefficients of contacts by it.
+/// Varied number of a scene, with the derivatives by it of the parameters and of the contacts'
+/// coefficients.
 #[derive(Clone, Copy)]
 pub struct Varied<'v> {
+    /// Name of the number for messages.
     pub name: &'v str,
+    /// Derivatives of the parameters, in the order of the model.
     pub parameters: &'v [f64],
-    /// Derivatives of the coefficients of restitution, one for each contact.
+    /// Derivatives of the coefficients of restitution, for each contact.
     pub restitutions: &'v [f64],
-    /// Derivatives of the coefficients of friction, one for each contact.
+    /// Derivatives of the coefficients of friction, for each contact.
     pub frictions: &'v [f64],
 }
 
-/// Contacts that are held at a state, and their forces.
+/// Contacts that are held closed at a state, with their forces and the data for derivatives of
+/// these forces.
 pub struct Forces {
+    /// Held contacts, each with its mode.
     kept: HeldContacts,
+    /// State (q, v).
     y: Vec<f64>,
-    /// Rates of the state without the forces of contacts.
+    /// Rates (q̇, v̇) of the state without contact forces.
     free: Vec<f64>,
+    /// Matrices at the state that relate speeds, impulses and kinetic energy.
     operators: Operators,
+    /// Held gap and slip directions, and friction of slipping contacts.
     grip: Grip,
-    /// Forces of the held contacts along all rows.
+    /// Forces of the held contacts along the gap and slip directions of all contacts.
     along_rows: DVector<f64>,
-    /// Accelerations along all rows without the forces of contacts.
+    /// Accelerations along the gap and slip directions of all contacts, without contact forces.
     accelerations: DVector<f64>,
-    /// Indices of the rows whose force is not determined.
+    /// Indices of the held directions whose force is not determined.
     shared: Vec<usize>,
 }
 
 impl Forces {
-    /// Computes the forces of contacts that are held at a state. `free` holds the rates of the state without these
-    /// forces.
+    /// Computes the forces of contacts that are held closed at a state `y`. `free` holds the rates of
+    /// the state without contact forces.
     ///
     /// # Errors
-    /// [`Failure`] where the forces are not finite.
+    /// [`Failure`] if a force is not finite, or a permitted motion has no inertia.
     pub fn new(contacts: &Contacts<'_>, kept: &HeldContacts, y: &[f64], free: Vec<f64>) -> Result<Self, Failure> {
         let rates = contacts.rates(y);
         let (operators, response) = (contacts.operators(y, &rates)?, contacts.response(y, &rates)?);
@@ -61,24 +70,28 @@ impl Forces {
         Ok(Self { kept, y, free, operators, grip, along_rows, accelerations, shared })
     }
 
-    /// Root of the compliance G of a row: forces times this root are comparable between rows.
+    /// Square root of the compliance G of a gap or slip direction. A force times this root is
+    /// comparable between directions.
     pub fn unit(&self, row: usize) -> f64 {
         let of_u = self.operators.of_u.row(row);
         (of_u * self.operators.inertia.solve(&of_u.transpose()))[0].sqrt()
     }
 
-    /// Largest acceleration along the held rows without forces, each divided by the root of the row's compliance.
+    /// Largest acceleration along the held directions without forces, each divided by the root of its
+    /// compliance.
     fn largest(&self) -> f64 {
         let size = |row: &usize| self.accelerations[*row].abs() / self.unit(*row);
         self.grip.rows.iter().map(size).fold(0.0, f64::max)
     }
 
-    /// True if the contact force of a gap is zero or negative, up to rounding.
+    /// True if the contact force along the direction `row` of a gap is zero or negative, up to
+    /// rounding.
     pub fn is_nothing(&self, row: usize) -> bool {
         self.along_rows[row] * self.unit(row) <= NOTHING * self.largest()
     }
 
-    /// True if a sticking contact is at the limit of its friction, except for rounding.
+    /// True if the force of a sticking contact is at its friction limit, up to rounding. False without
+    /// friction.
     pub fn is_at_limit(&self, contacts: &Contacts<'_>, contact: usize) -> bool {
         let rows = &contacts.rows[contact];
         let Some(mu) = contacts.friction(contact) else { return false };
@@ -86,12 +99,14 @@ impl Forces {
         margin * self.unit(rows[1]) <= NOTHING * self.largest()
     }
 
-    /// True if the force along a row is not determined, since other rows hold the same motion.
+    /// True if the force along a held direction is not determined, since other contacts hold the same
+    /// motion.
     pub fn is_shared(&self, row: usize) -> bool {
         self.shared.contains(&row)
     }
 
-    /// True if the force along any row is not determined.
+    /// True if the force along any held direction is not determined, since several contacts hold the
+    /// same motion.
     pub fn are_shared(&self) -> bool {
         !self.shared.is_empty()
     }
@@ -101,10 +116,11 @@ impl Forces {
         self.kept.iter()
     }
 
-    /// Derivative of the forces along a direction: the slopes `state` of the state and those of the varied number.
+    /// Derivative of the contact forces by the varied number. `state` holds the derivatives of the
+    /// state (q, v).
     ///
     /// # Errors
-    /// Text that says why the derivative has no value.
+    /// Text that says why there is no finite derivative.
     pub fn change(
         &self,
         wide: &Wide<'_>,
@@ -120,7 +136,8 @@ impl Forces {
         wide.change(&acting, &without, direction, &given).map_err(|failure| failure.message)
     }
 
-    /// Derivative of the margin of a sticking contact, μ N − |T|, and the size of its terms.
+    /// Derivative of the friction margin μ N − |T| of a sticking contact, and the size of its terms. N
+    /// is the normal force, T the tangential force.
     pub fn margin(&self, contacts: &Contacts<'_>, contact: usize, change: &Change, varied: &Varied<'_>) -> (f64, f64) {
         let (normal, slip) = (contacts.rows[contact][0], contacts.rows[contact][1]);
         let mu = contacts.friction(contact).unwrap_or(0.0);

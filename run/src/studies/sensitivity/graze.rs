@@ -1,30 +1,32 @@
-//! Contacts that are touched without closing, and the derivatives that end there.
+//! Contacts that are touched without an impact, where derivatives may end.
 //!
-//! A gap comes down to zero and grows again; a neighboring motion closes the contact, or does not. On one side of the
-//! touch, slopes are those of a flight. On the other side they grow without bound, as the inverse of the impact
-//! velocity. So there is no derivative with respect to a number that changes the gap at its minimum. The gap is flat in
-//! time there, so a number that changes its velocity has no derivative either. Derivatives with respect to all other
-//! numbers go on.
+//! A gap falls to zero and grows again. A neighbouring motion has an impact, or passes without
+//! contact. On the side without contact, derivatives are those of the flight. On the other side
+//! they grow as the inverse of the impact velocity. So a number that changes the gap at its minimum
+//! has no derivative from then on. At the minimum the gap is flat in time, so a number that changes
+//! its velocity has no derivative either. Derivatives by all other numbers go on.
 
 use super::contacts::{Direction, SMALL, Wide};
 use super::forces::Varied;
 use tripos_sim::Options;
 
-/// Largest minimum of a gap that counts as zero, in units of the relative tolerance of a run and the size of the gap's
-/// terms.
+/// Largest minimum of a gap that counts as zero, in units of the run's relative tolerance times the
+/// size of the gap's terms.
 const TOLD: f64 = 8.0;
-/// Least relative tolerance by which minima of gaps are judged, because of rounding.
+/// Least relative tolerance that is assumed when minima of gaps are judged, because of rounding.
 const ROUNDING: f64 = 1e-13;
 
-/// Gap below which a contact counts as touched, relative to the size of the gap's terms: the error of a run.
+/// Gap below which a contact counts as touched, relative to the size of the gap's terms. It is the
+/// error of the run.
 pub fn near(options: &Options) -> f64 {
     TOLD * options.rtol.max(ROUNDING)
 }
 
-/// Checks that the varied number does not change the gap of a contact, or its velocity, at a minimum of zero.
+/// Checks that the varied number changes neither the gap of a contact nor its velocity, at a
+/// minimum of zero in the state `y`. `state` holds the derivatives of the state.
 ///
 /// # Errors
-/// Text that says why there is no derivative with respect to the varied number.
+/// Text that says why there is no derivative by the varied number.
 pub fn check(wide: &Wide<'_>, contact: usize, y: &[f64], varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
     let direction = Direction { parameters: varied.parameters, state };
     let row = wide.contacts.rows[contact][0];

@@ -1,57 +1,59 @@
-//! Rows that contacts hold, and friction of slipping contacts. Forces along held rows follow from the motion of the
-//! rows, and friction follows from the forces along gaps.
+//! Gap and slip directions that contacts hold, and the friction of slipping contacts. Forces along
+//! held directions follow from the motion. Friction follows from the normal forces.
 
 use crate::preparation::impacts::{Contacts, HeldContacts};
 use nalgebra::{DMatrix, DVector};
 use tripos_sim::{ContactSolution, Mode};
 
-/// Ratio to the largest singular value below which a singular value is rounding.
+/// Fraction of the largest singular value below which a singular value counts as rounding.
 const DEPENDENT: f64 = 1e-11;
-/// Ratio to the largest singular value below which a singular value may be rounding.
+/// Fraction of the largest singular value below which a singular value may be rounding.
 const DOUBTFUL: f64 = 1e-9;
 
-/// Rows and friction that contacts hold, by the mode of each.
+/// Gap and slip directions in which contacts are held, and the friction of slipping contacts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Grip {
-    /// Indices of the held rows.
+    /// Indices of the held directions among the gap and slip directions of all contacts.
     pub rows: Vec<usize>,
-    /// Friction of the slipping contacts.
+    /// Slipping contacts, with the data of their friction.
     pub slips: Vec<Slip>,
 }
 
-/// A contact that slips: its force along the slip is −μ s times its force along the gap.
+/// Slipping contact: its tangential force is −μ s times its normal force, with the sign s of the
+/// slip velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slip {
-    /// Index of the slipping contact.
+    /// Index of the contact, from 0.
     pub contact: usize,
-    /// Index of the row of the contact's gap.
+    /// Index of the contact's gap direction among the directions of all contacts.
     pub normal: usize,
-    /// Index of the row of the contact's slip.
+    /// Index of the contact's slip direction among the directions of all contacts.
     pub along: usize,
-    /// Sign s of the contact's slip velocity.
+    /// Sign s of the contact's slip velocity, 1 or −1.
     pub way: f64,
-    /// Friction per force along the gap, −μ s.
+    /// Tangential force per normal force, −μ s.
     pub factor: f64,
 }
 
-/// Row of the gap of a contact.
+/// Choice to hold the gap velocity of a contact, or not.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Gap {
-    /// The velocity of the gap is held.
+    /// The gap velocity of the contact is held.
     Held,
-    /// Only the slip is held: the contact does not push beyond its given impulse.
+    /// The gap velocity is free; only slip is held. The contact then has no normal impulse beyond a
+    /// given one.
     Free,
 }
 
 impl Grip {
-    /// Rows and friction of contacts that are held in a motion.
+    /// Held directions and friction of the contacts in `kept`, by the mode of each.
     pub fn of(contacts: &Contacts<'_>, kept: &HeldContacts) -> Self {
         let mut grip = Self::default();
         kept.iter().for_each(|(at, mode)| grip.add(contacts, at, mode, Gap::Held));
         grip
     }
 
-    /// Rows and friction of contacts in an impact, in modes that were found.
+    /// Held directions and friction of the contacts `which` in an impact, by the modes in `found`.
     pub fn found(contacts: &Contacts<'_>, which: &[usize], found: &ContactSolution) -> Self {
         let mut grip = Self::default();
         let each = which.iter().zip(&found.modes).zip(&found.pushes);
@@ -61,7 +63,7 @@ impl Grip {
         grip
     }
 
-    /// Adds the rows and friction of a contact in a mode.
+    /// Adds the held directions and the friction of a contact in the given mode.
     fn add(&mut self, contacts: &Contacts<'_>, contact: usize, mode: Mode, gap: Gap) {
         let rows = &contacts.rows[contact];
         let first = usize::from(gap == Gap::Free);
@@ -76,7 +78,8 @@ impl Grip {
         }
     }
 
-    /// Matrix that takes forces along held rows to forces along all rows, one column for each held row.
+    /// Matrix that converts forces along the held directions to forces along the `count` directions of
+    /// all contacts, friction included. It has a column for each held direction.
     pub fn spread(&self, count: usize) -> DMatrix<f64> {
         let mut all = DMatrix::zeros(count, self.rows.len());
         for (at, row) in self.rows.iter().enumerate() {
@@ -88,7 +91,8 @@ impl Grip {
         all
     }
 
-    /// Derivative of friction along all rows if its coefficients change by `by`, for the given forces along gaps.
+    /// Derivative of the friction along all directions, if the coefficients of friction have the
+    /// derivatives `by`. `forces` contains the normal forces.
     pub fn of_coefficients(&self, by: &[f64], forces: &DVector<f64>) -> DVector<f64> {
         let mut all = DVector::zeros(forces.len());
         for slip in &self.slips {
@@ -97,7 +101,7 @@ impl Grip {
         all
     }
 
-    /// Friction along all rows that the given forces along gaps cause.
+    /// Friction along all directions that the given normal forces cause.
     pub fn of_given(&self, given: &DVector<f64>) -> DVector<f64> {
         let mut all = DVector::zeros(given.len());
         for slip in &self.slips {
@@ -106,8 +110,8 @@ impl Grip {
         all
     }
 
-    /// Linear system for the forces along the held rows, for a compliance G of all rows. Its units make rows
-    /// comparable.
+    /// Linear system for the forces along the held directions, from the compliance G of all directions.
+    /// It is scaled so that all directions are comparable.
     pub fn system(&self, compliance: &DMatrix<f64>) -> HeldSystem {
         let unit = |row: &usize| {
             let g = compliance[(*row, *row)];
@@ -120,26 +124,31 @@ impl Grip {
     }
 }
 
-/// Linear system A λ + c = 0 along held rows, with the forces λ along them and the motion c of the rows without forces.
+/// Linear system A λ + c = 0 for the forces λ along held directions, with their motion c without
+/// forces.
 pub struct HeldSystem {
-    /// Matrix A with its rows and columns in comparable units.
+    /// Matrix A, with rows and columns scaled to comparable units.
     scaled: DMatrix<f64>,
-    /// Unit of each row, the inverse root of its compliance.
+    /// Scale of each direction, the inverse square root of its compliance; 0 if the compliance is not
+    /// positive.
     unit: DVector<f64>,
 }
 
 impl HeldSystem {
-    /// Solves for the forces λ of the least size, in comparable units; `None` if they are not finite.
+    /// Solves for the forces λ; if several exist, for the smallest in scaled units. `None` if they are
+    /// not finite.
     pub fn solve(&self, c: &DVector<f64>) -> Option<DVector<f64>> {
         self.solved(self.scaled.clone(), c)
     }
 
-    /// Solves Aᵀ x + c = 0 for the x of the least size, in comparable units; `None` if it is not finite.
+    /// Solves Aᵀ x + c = 0; if several x exist, for the smallest in scaled units. `None` if it is not
+    /// finite.
     pub fn solve_transposed(&self, c: &DVector<f64>) -> Option<DVector<f64>> {
         self.solved(self.scaled.transpose(), c)
     }
 
-    /// Solves a scaled system for the solution of the least size; `None` if it is not finite.
+    /// Solves a linear system that is already scaled; if several solutions exist, for the smallest.
+    /// `None` if it is not finite.
     fn solved(&self, matrix: DMatrix<f64>, c: &DVector<f64>) -> Option<DVector<f64>> {
         if c.is_empty() {
             return Some(c.clone());
@@ -153,7 +162,8 @@ impl HeldSystem {
         Some(svd.solve(&-c, rounding).ok()?.component_mul(&self.unit))
     }
 
-    /// Flags the rows whose forces are not determined, since other rows hold the same motion.
+    /// Flags for the held directions: true if the force is not determined, since other directions hold
+    /// the same motion.
     pub fn shared(&self) -> Vec<bool> {
         if self.unit.is_empty() || !self.scaled.iter().all(|x| x.is_finite()) {
             return vec![false; self.unit.len()];

@@ -1,7 +1,7 @@
-//! Motions in which contacts are held closed, in numbers with slopes.
+//! Motions with contacts held closed, in numbers that carry derivatives ("slopes").
 //!
-//! Invariant: the values are those of [`crate::preparation::impacts::Held`], bit by bit. The slopes of forces follow
-//! from the linear system for the forces ([`super::contacts`]).
+//! Invariant: the values are those of [`crate::preparation::impacts::Held`], bit by bit. The slopes
+//! of the contact forces follow from the linear system for these forces ([`super::contacts`]).
 
 use super::contacts::{Acting, Change, Direction, Wide, Without};
 use super::grip::Grip;
@@ -13,40 +13,48 @@ use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_sim::{Failure, RightHandSide, Tangents};
 use tripos_traits::{Real, Scalar, Tangent};
 
-/// Gaps and velocities of contacts as tapes in numbers with slopes.
+/// Gaps and velocities of contacts as tapes in numbers with `K` slopes.
 pub struct ContactTapes<const K: usize> {
-    /// Tape of the gap of each contact. Inputs: parameters, then coordinates.
+    /// Tapes of the gap of each contact. Inputs: parameters, then coordinates.
     pub gaps: Vec<Tape<Tangent<K>>>,
-    /// Tape whose first values are the velocities along all rows. Inputs: parameters, then state.
+    /// Tape whose first values are the gap and slip velocities of all contacts. Inputs: parameters,
+    /// then state.
     pub rates: Tape<Tangent<K>>,
 }
 
-/// Equations with the forces of held contacts, in numbers with slopes.
+/// Equations of motion with the forces of held contacts, in numbers with `K` slopes.
 pub struct HeldTangents<'a, const K: usize> {
-    /// Equations without the forces of contacts, in numbers with slopes.
+    /// Equations of motion without contact forces, in numbers with slopes.
     pub rhs: Tangents<'a, K>,
-    /// Equations with the forces of held contacts in doubles.
+    /// Equations of motion with the forces of held contacts, in double precision.
     pub held: Held<'a>,
+    /// Contacts of the scene in 32 digits, for derivatives.
     pub wide: &'a Wide<'a>,
+    /// Gaps and velocities of the contacts with slopes.
     pub tapes: &'a ContactTapes<K>,
-    /// Values of the parameters with their slopes with respect to the seeds.
+    /// Parameters, with their slopes by each varied number.
     pub parameters: &'a [Tangent<K>],
+    /// Varied numbers, with the derivatives of parameters and coefficients by each.
     pub seeds: &'a [Seed],
+    /// Record in which early ends of derivatives are noted.
     pub history: &'a RefCell<ContactHistory>,
 }
 
-/// Rounds a state to doubles.
+/// Rounds a state to doubles; slopes are dropped.
 pub fn values<S: Real>(y: &[S]) -> Vec<f64> {
     y.iter().map(|y| y.to_f64()).collect()
 }
 
-/// Slopes of a state with respect to the seed with the index `at`.
+/// Slopes of a state by the varied number with index `at`.
 pub fn slopes<S: Real>(y: &[S], at: usize) -> Vec<f64> {
     y.iter().map(|y| y.slope(at)).collect()
 }
 
 impl<const K: usize> HeldTangents<'_, K> {
-    /// Adds the forces of held contacts, with their slopes, to the rates.
+    /// Adds the changes that held contact forces cause, with their slopes, to the rates `dydt`.
+    ///
+    /// # Errors
+    /// `Failure` if a force is not finite. A derivative without value only ends the derivatives.
     fn push(&mut self, t: f64, y: &[Tangent<K>], dydt: &mut [Tangent<K>]) -> Result<(), Failure> {
         let state = values(y);
         let free = self.held.free(t, &state)?;
@@ -77,7 +85,8 @@ impl<const K: usize> HeldTangents<'_, K> {
         Ok(())
     }
 
-    /// Sets the slopes of the values of the contacts' constraints, the first of which has the index `own`.
+    /// Sets the slopes of the contacts' constraint values. These begin at index `own` of `values`; gaps
+    /// come before velocities.
     fn turn(&self, own: usize, y: &[Tangent<K>], values: &mut [Tangent<K>]) {
         let n = y.len() - self.held.contacts.system.lengths().variables;
         let of_gaps: Vec<Tangent<K>> = [self.parameters, &y[..n]].concat();

@@ -1,16 +1,20 @@
-//! Jumps of slopes at instants at which velocities jump, or contacts are released, held, stick or slip.
+//! Jumps of derivatives ("slopes") at instants at which velocities jump, or contacts open, close,
+//! stick or slip.
 //!
-//! At an instant t(p) a motion goes from y⁻(t, p) to y⁺ = R(y⁻, p), and its rates go from f⁻ to f⁺. Slopes at a fixed
-//! instant go from s⁻ to s⁺ = R_y (s⁻ + f⁻ dt/dp) + R_p − f⁺ dt/dp. The instant has the derivative dt/dp = −(g_y s⁻ +
-//! g_p)/(g_y f⁻), where g is zero at the instant: a gap, a force, the margin of friction, or a slip ([`super::zero`]).
-//! Sources: M. A. Aizerman & F. R. Gantmakher, "On the stability of periodic motions", *Journal of Applied Mathematics
-//! and Mechanics* 22 (1958), 1065–1078; P. C. Müller, "Calculation of Lyapunov exponents for dynamic systems with
-//! discontinuities", *Chaos, Solitons & Fractals* 5 (1995), 1671–1681. The map is linear in s⁻ and p: forwards it is
-//! applied to slopes, and a backward sweep uses its transpose.
+//! At an instant t(p), the state goes from y⁻(t, p) to y⁺ = R(y⁻, p), and its rates go from f⁻ to
+//! f⁺. Slopes at a fixed instant go from s⁻ to s⁺ = R_y (s⁻ + f⁻ dt/dp) + R_p − f⁺ dt/dp. The
+//! instant has the derivative dt/dp = −(g_y s⁻ + g_p)/(g_y f⁻). Here g is the function that is zero
+//! at the instant: a gap, a force, a friction margin or a slip velocity ([`super::zero`]). Sources:
+//! M. A. Aizerman & F. R. Gantmakher, "On the stability of periodic motions", *Journal of Applied
+//! Mathematics and Mechanics* 22 (1958), 1065–1078; P. C. Müller, "Calculation of Lyapunov
+//! exponents for dynamic systems with discontinuities", *Chaos, Solitons & Fractals* 5 (1995),
+//! 1671–1681. The map is linear in s⁻ and p. Forward runs apply it to slopes, and a backward sweep
+//! applies its transpose.
 //!
-//! R is differentiated with the sets of contacts that push, stick and slip held fixed. In three cases there is no
-//! derivative, and the reason is given: these sets change with the varied number; contacts that change together do not
-//! stay together; or contacts close without a velocity.
+//! R is differentiated while the sets of contacts that push, stick and slip stay the same. In three
+//! cases there is no derivative, and the reason is given. The sets may change with the varied
+//! number. Contacts that change together may change at different instants. Or contacts may close
+//! without a velocity.
 
 use super::contacts::{Acting, Change, Direction, SMALL, Wide, Without};
 use super::forces::{Forces, NOTHING, RatesAlong, Varied};
@@ -21,38 +25,43 @@ use crate::preparation::impacts::{Crossing, HeldContacts, NONE};
 use nalgebra::DVector;
 use tripos_sim::{Failure, Mode};
 
-/// Function that gives the rates at an instant and a state while contacts are held.
+/// Function that computes the rates (q̇, v̇) at an instant and a state while the given contacts are
+/// held closed.
 pub type HeldRates<'c> = dyn Fn(&HeldContacts, f64, &[f64]) -> Result<Vec<f64>, Failure> + 'c;
 
-/// Change of contacts at an instant, with the data that its derivatives along all directions need.
+/// Change of contacts at an instant, prepared for derivatives in any direction.
 pub struct Crossed<'c> {
+    /// Contacts of the scene in 32 digits.
     wide: &'c Wide<'c>,
+    /// Instant, states and contacts of the change.
     crossing: &'c Crossing<'c>,
+    /// Function for the derivative of the rates without contact forces.
     rates_along: &'c RatesAlong<'c>,
-    /// Functions of contacts that are zero at the instant of the crossing.
+    /// Functions of contacts that are zero at the instant.
     zeros: Zeros<'c>,
-    /// Impulses of the crossing, in their order.
+    /// Impacts at the instant, split into steps of impulses in their order.
     strikes: Vec<Strike>,
-    /// Rates after the crossing, with the forces of held contacts.
+    /// Rates of the state after the change, with the forces of held contacts.
     rates: Vec<f64>,
-    /// Forces of the contacts that are held after the crossing; `None` if no contact is held.
+    /// Forces of the contacts that are held closed after the change; `None` if no contact is held.
     forces: Option<Forces>,
 }
 
-/// Slopes along one direction after they were taken across a crossing.
+/// Slopes in one direction after a change of contacts.
 pub struct Across {
-    /// Derivative of the instant of the crossing.
+    /// Derivative of the instant of the change, s per unit of the varied number.
     pub later: f64,
-    /// Slopes of the state after the crossing.
+    /// Slopes of the state just after the change.
     pub slopes: Vec<f64>,
-    /// Derivatives of the impulses of each strike, in their order.
+    /// Derivatives of the impulses of each strike (step of the impact), in their order.
     changes: Vec<Change>,
-    /// Slopes of the state before each strike.
+    /// Slopes of the state before each strike (step of the impact).
     before: Vec<Vec<f64>>,
 }
 
 impl<'c> Crossed<'c> {
-    /// Prepares a crossing for differentiation. `flow` gives the rates of the motion while contacts are held.
+    /// Prepares a change of contacts for derivatives. `flow` computes the rates of the motion while
+    /// contacts are held.
     ///
     /// # Errors
     /// Text that says why there is no derivative by any number.
@@ -88,11 +97,12 @@ impl<'c> Crossed<'c> {
         })
     }
 
-    /// Computes the derivative of the instant, and the slopes of the state after the crossing from those before,
-    /// `state`. Checks that the sets of contacts stay fixed along this direction.
+    /// Computes the derivative of the instant, and the slopes of the state after the change of
+    /// contacts. `state` holds the slopes before it. Checks that the sets of pushing, sticking and
+    /// slipping contacts do not change with the number.
     ///
     /// # Errors
-    /// Text that says why there is no derivative.
+    /// Text that says why there is no derivative by the varied number.
     pub fn across(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(f64, Vec<f64>), String> {
         self.begins_together(varied, state)?;
         self.zeros.stay_together(varied, state)?;
@@ -102,13 +112,14 @@ impl<'c> Crossed<'c> {
         Ok((across.later, across.slopes))
     }
 
-    /// True if several contacts hold the same motion: then only numbers that move them alike have derivatives.
+    /// True if several contacts hold the same motion. Then only numbers that move these contacts alike
+    /// have derivatives.
     pub fn shares(&self) -> bool {
         let before = &self.zeros.coming.forces;
         before.iter().chain(&self.forces).any(Forces::are_shared)
     }
 
-    /// True if possibly only some of the numbers have derivatives, so that each must be checked.
+    /// True if only some numbers may have derivatives, so that each number must be checked.
     pub fn asks(&self) -> bool {
         let is_open = |strike: &Strike| {
             let compliance =
@@ -125,7 +136,8 @@ impl<'c> Crossed<'c> {
             || !self.at_rest().is_empty()
     }
 
-    /// Takes slopes across the crossing, without checking that the sets of contacts stay fixed along this direction.
+    /// Takes slopes across the change of contacts, without a check that the sets of contacts stay the
+    /// same.
     ///
     /// # Errors
     /// Text that names a value that does not exist.
@@ -144,17 +156,22 @@ impl<'c> Crossed<'c> {
         Ok(Across { later, slopes, changes, before })
     }
 
+    /// Name of a contact, by its index.
     fn name(&self, contact: usize) -> &str {
         &self.wide.contacts.impacts[contact].name
     }
 
-    /// Index of the row of a contact's gap.
+    /// Index of the gap direction of a contact among the directions of all contacts.
     fn normal(&self, contact: usize) -> usize {
         self.wide.contacts.rows[contact][0]
     }
 
-    /// Derivative of the impulses of a strike if they follow from the rows and friction of `grip`. `last` is the
-    /// derivative of the strike before.
+    /// Derivative of the impulses of a strike (step of an impact) if `grip` gives the held directions
+    /// and friction. `slopes` are those of the state before it. `last` is the derivative of the strike
+    /// before.
+    ///
+    /// # Errors
+    /// Text that says why there is no finite derivative.
     fn strike(
         &self,
         strike: &Strike,
@@ -170,7 +187,7 @@ impl<'c> Crossed<'c> {
         let e = along_rows(contacts, |at| contacts.impacts[at].restitution);
         let turns = along_rows(contacts, |at| contacts.turns(at, &velocities));
         let by_e = along_rows(contacts, |at| varied.restitutions[at]);
-        // An opening contact gives nothing back, whatever its coefficient.
+        // An opening contact has no restitution, whatever its coefficient.
         let by_turns =
             along_rows(contacts, |at| if velocities[self.normal(at)] < 0.0 { varied.restitutions[at] } else { 0.0 });
         let nothing = DVector::zeros(contacts.count);
@@ -184,7 +201,7 @@ impl<'c> Crossed<'c> {
                 let friction = grip.of_coefficients(varied.frictions, &(impulses + given)) + grip.of_given(&before);
                 (nothing.add_scalar(1.0), nothing, friction)
             }
-            // Impulses e Λ, with Λ of the strike before.
+            // The impulses are e Λ, with the impulses Λ of the strike before.
             Law::Return(of) => (nothing.clone(), nothing, e.component_mul(&before) + by_e.component_mul(of)),
         };
         let direction = Direction { parameters: varied.parameters, state: slopes };
@@ -192,7 +209,7 @@ impl<'c> Crossed<'c> {
         self.wide.change(&acting, &without, direction, &given).map_err(|failure| failure.message)
     }
 
-    /// Text that says that a contact may push or open as the number varies.
+    /// Text that says that a small change of the varied number decides if a contact pushes or opens.
     fn undecided(&self, contact: usize, varied: &Varied<'_>) -> String {
         format!(
             "whether the contact `{}` pushes or opens there depends on a small change of `{}`",
@@ -201,7 +218,11 @@ impl<'c> Crossed<'c> {
         )
     }
 
-    /// Refuses, at the start of a run, a number that opens a closed contact or lets it overlap.
+    /// Checks, at the start of a run, that the varied number neither opens a closed contact nor makes
+    /// bodies overlap.
+    ///
+    /// # Errors
+    /// Text that names the contact and the number.
     fn begins_together(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
         if self.crossing.contact_change.is_some() {
             return Ok(());
@@ -223,7 +244,11 @@ impl<'c> Crossed<'c> {
         Ok(())
     }
 
-    /// Refuses a number that changes the set of contacts that take part in an impact, or their modes.
+    /// Checks that the varied number does not change which contacts take part in the impact, nor their
+    /// modes.
+    ///
+    /// # Errors
+    /// Text that says why there is no derivative.
     fn stays_decided(&self, varied: &Varied<'_>, across: &Across) -> Result<(), String> {
         let largest = across.changes.iter().map(|change| change.size).fold(0.0, f64::max);
         for (at, (strike, change)) in self.strikes.iter().zip(&across.changes).enumerate() {
@@ -264,20 +289,21 @@ impl<'c> Crossed<'c> {
         Ok(())
     }
 
-    /// Contacts that are held after the crossing with a force of zero.
+    /// Indices of the contacts that are held closed after the change with a normal force of zero.
     fn lying(&self) -> Vec<usize> {
         let Some(forces) = &self.forces else { return Vec::new() };
         forces.kept().map(|(at, _)| at).filter(|at| forces.is_nothing(self.normal(*at))).collect()
     }
 
-    /// Contacts that stick after the crossing, with a force at the limit of their friction.
+    /// Indices of the contacts that stick after the change, with a force at their friction limit.
     fn at_limit(&self) -> Vec<usize> {
         let Some(forces) = &self.forces else { return Vec::new() };
         let sticks = forces.kept().filter(|(_, mode)| *mode == Mode::Sticks).map(|(at, _)| at);
         sticks.filter(|at| forces.is_at_limit(self.wide.contacts, *at)).collect()
     }
 
-    /// Contacts that begin to slip from rest at the start of the run.
+    /// Indices of the contacts that begin to slip at the start of the run, with a slip velocity of
+    /// zero.
     fn at_rest(&self) -> Vec<usize> {
         let Some(forces) = self.forces.as_ref().filter(|_| self.crossing.contact_change.is_none()) else {
             return Vec::new();
@@ -293,8 +319,12 @@ impl<'c> Crossed<'c> {
         slips.filter(is_still).collect()
     }
 
-    /// Refuses a number that gives a force to a contact that is held without one. Refuses also a number that makes a
-    /// contact slip that sticks at its limit, or that moves a contact that begins to slip from rest.
+    /// Checks that the varied number does not change which contacts are held. It must give no force to
+    /// a contact held without force. It must not make a contact slip that sticks at its limit, nor move
+    /// a contact that begins to slip from rest.
+    ///
+    /// # Errors
+    /// Text that says why there is no derivative.
     fn stays_held(&self, varied: &Varied<'_>, slopes: &[f64]) -> Result<(), String> {
         let Some(forces) = &self.forces else { return Ok(()) };
         let contacts = self.wide.contacts;

@@ -1,20 +1,23 @@
-//! Sensitivities: the derivatives of quantities that a run shows with respect to parameters and numbers of its start.
+//! Sensitivities: derivatives of the quantities that a run shows by parameters and by numbers of
+//! its start.
 //!
-//! The run is made in numbers that carry their slopes ([`tripos_traits::Tangent`]). The same equations, compiled or
-//! interpreted, compute y′ = f and s′ = f_y s + f_p in one call. So every method also computes the derivative of the
-//! steps that it takes. The run equals the run without sensitivities, bit by bit. Steps are chosen by the errors of the
-//! states alone. A second run gives the errors of the derivatives, as it does for the states. Source: H. G. Bock,
-//! "Numerical treatment of inverse problems in chemical reaction kinetics", *Modelling of Chemical Reaction Systems*
-//! (1981), 102–125: internal numerical differentiation.
+//! The run is made in numbers that carry derivatives, called slopes ([`tripos_traits::Tangent`]).
+//! The same equations, compiled or interpreted, compute y′ = f and s′ = f_y s + f_p in one call. So
+//! every integrator also computes the derivative of the steps that it takes. The run equals the run
+//! without sensitivities, bit by bit. Only the errors of the states determine the steps. A second
+//! run gives the errors of the derivatives, as it does for the states. Source: H. G. Bock,
+//! "Numerical treatment of inverse problems in chemical reaction kinetics", *Modelling of Chemical
+//! Reaction Systems* (1981), 102–125: internal numerical differentiation.
 //!
-//! If an event ends the run, its instant depends on the varied number: dt/dp = −(g_y s + g_p)/(g_y f), with g = 0 at
-//! the event. The derivatives at the end are then total ones, s + f dt/dp. Events that do not end the run change no
-//! derivative of the state.
+//! If an event ends the run, its instant depends on the varied number:
+//! `dt/dp = −(g_y s + g_p)/(g_y f)`, with g = 0 at the event. The derivatives at the end then
+//! include the shift of the end: `s + f dt/dp`. Other events change no derivative of the state.
 //!
-//! The derivatives of one quantity at the end, by many numbers at once, are computed backwards: [`gradient`].
+//! A backward sweep computes the derivatives of one quantity at the end by many numbers at once:
+//! [`gradient`].
 //!
-//! A scene's reduced equations are left out on purpose. They contain constants that would have to be differentiated
-//! as well.
+//! Reduced equations of a scene are not differentiated. They contain constants that would have to
+//! be differentiated too.
 
 mod apart;
 mod bounce;
@@ -52,51 +55,56 @@ use shown_quantities::Quantities;
 use start::Seed;
 use tripos_derive::scene::{Integrator, Scene, Solve};
 
-/// A run with the derivatives of its shown quantities.
+/// Run of a scene, with the derivatives of its shown quantities by the varied numbers.
 pub struct Sensitivities {
     /// The run itself, equal bit by bit to the run without derivatives.
     pub run: Run,
-    /// Names of the numbers by which derivatives are taken.
+    /// Names of the varied numbers (parameters and numbers of the start) by which derivatives are
+    /// taken.
     pub by: Vec<String>,
-    /// Names of the differentiated quantities: coordinates, generalized speeds, other outputs of the scene,
-    /// `kinetic_energy` and `potential_energy`.
+    /// Names of the differentiated quantities: coordinates, generalized speeds, other outputs of the
+    /// scene, `kinetic_energy` and `potential_energy`.
     pub names: Vec<String>,
-    /// Unit of each derivative, a list for each of `by`, in the order of `names`; `None` if the unit of an output is
-    /// not known.
+    /// Unit of each derivative: a list for each of `by`, in the order of `names`. `None` if the unit of
+    /// an output is not known.
     pub units: Vec<Vec<Option<String>>>,
-    /// Derivatives at the end of the run, a list for each of `by`, in the order of `names`. They are total ones if an
-    /// event ends the run, otherwise derivatives at a fixed instant.
+    /// Derivatives at the end of the run: a list for each of `by`, in the order of `names`. If an event
+    /// ends the run, they include the shift of the end; otherwise they hold at a fixed instant.
     pub end: Vec<Vec<f64>>,
-    /// Estimated errors of the derivatives at the end, in the order of `end`; `None` if no second run comes to the same
-    /// end.
+    /// Estimated errors of the derivatives at the end, in the order of `end`; `None` if no second run
+    /// comes to the same end.
     pub errors: Option<Vec<Vec<f64>>>,
-    /// Derivatives at fixed instants: for each of `by`, at each sample, in the order of `names`. Empty if not
-    /// requested.
+    /// Derivatives at fixed instants. Indices: number in `by`, sample, quantity in `names`. Empty if
+    /// not requested.
     pub samples: Vec<Vec<Vec<f64>>>,
-    /// Derivative of the instant at which the run ends, by each of `by`: 0 unless an event ends it.
+    /// Derivative of the instant of the run's end by each of `by`, s per unit; 0 unless an event ends
+    /// the run.
     pub t_end: Vec<f64>,
-    /// Derivatives of the instant of each event of the run, by each of `by`; `None` for events that do not cross zero.
+    /// Derivatives of the instant of each event of the run by each of `by`; `None` for an event that
+    /// does not cross zero.
     pub events: Vec<Option<Vec<f64>>>,
-    /// Description of the second run, which gave the errors; `None` if no second run comes to the same end.
+    /// Description of the second run that gave the errors; `None` if no second run comes to the same
+    /// end.
     pub assessed_by: Option<String>,
-    /// Instant and reason of an early end of the derivatives by each of `by`; `None` if they reach the end of the run.
+    /// Instant and reason at which the derivatives by each of `by` end early; `None` if they reach the
+    /// end of the run.
     pub ended: Vec<Option<String>>,
 }
 
 /// Instants of a run at which derivatives are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum At {
-    /// Derivatives at the end of the run and at its events.
+    /// Derivatives at the end of the run and at its events only.
     End,
-    /// Derivatives at the end, at events and at each sample.
+    /// Derivatives at the end of the run, at its events and at each sample.
     Samples,
 }
 
 impl Sensitivities {
-    /// Derivative, at the end of the run, of the quantity `name` by the number `by`.
+    /// Derivative of the quantity `name` by the number `by`, at the end of the run.
     ///
     /// # Errors
-    /// [`Error::Request`] if no quantity or number has the given name.
+    /// [`Error::Request`] if no quantity or no varied number has the given name.
     pub fn of(&self, name: &str, by: &str) -> Result<f64, Error> {
         let place = |list: &[String], name: &str, what: &str| {
             list.iter().position(|other| other == name).ok_or_else(|| {
@@ -108,7 +116,7 @@ impl Sensitivities {
         Ok(self.end[by][place(&self.names, name, "nothing is differentiated that is called")?])
     }
 
-    /// Describes a derivative at the end that has no value; `None` if all have one.
+    /// Message about the first derivative at the end that has no finite value; `None` if all have one.
     #[must_use]
     pub fn missing(&self) -> Option<String> {
         let found = self.end.iter().zip(&self.by).find_map(|(list, by)| {
@@ -123,13 +131,14 @@ impl Sensitivities {
     }
 }
 
-/// Runs a scene by full equations, with the derivatives of its shown quantities with respect to the named parameters
-/// and numbers of its start. `set` holds the numbers that were set and differ from the scene file.
+/// Runs a scene by full (not reduced) equations, together with the derivatives of its shown
+/// quantities by the named parameters and numbers of its start. `set` holds the names and values
+/// that differ from the scene file.
 ///
 /// # Errors
-/// [`Error::Input`] for a name that the scene does not have. [`Error::Request`] for equations or a method that cannot
-/// be differentiated, and for a number that moves a jump of the equations at which there is no derivative. Otherwise
-/// the errors of [`crate::simulate`].
+/// [`Error::Input`] for a name that the scene does not have. [`Error::Request`] for equations or an
+/// integrator that cannot be differentiated, and for a number that moves a jump of the equations
+/// where there is no derivative. Otherwise the errors of [`crate::simulate`].
 pub fn sensitivities(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -194,7 +203,12 @@ pub fn sensitivities(
     })
 }
 
-/// Computes the derivatives of a run that changes its speeds on the way, by differences of runs.
+/// Computes the derivatives of a run that changes its generalized speeds on the way, by differences
+/// of whole runs.
+///
+/// # Errors
+/// `Error::Request` if derivatives at samples are requested; `Error` if a neighbouring run cannot
+/// be made or ends otherwise.
 fn by_differences(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -230,15 +244,22 @@ fn by_differences(
     })
 }
 
-/// Data from which the derivatives of a run are computed.
+/// Inputs for the derivatives of a run: scene, equations, quantities and varied numbers.
 struct Parts<'a> {
+    /// Scene with its equations of motion in double precision.
     problem: &'a Problem<'a>,
+    /// Equations of motion in numbers with slopes (derivatives).
     equations: &'a Equations,
+    /// Differentiated quantities: those that the run shows, its energies, and its events' functions.
     quantities: &'a Quantities,
+    /// Varied numbers, by which the derivatives are taken.
     seeds: &'a [Seed],
 }
 
-/// Refuses an empty list of numbers, and a number that is named twice.
+/// Checks that the list of varied numbers is not empty and names no number twice.
+///
+/// # Errors
+/// `Error::Request` otherwise.
 fn check_names(names: &[String]) -> Result<(), Error> {
     if names.is_empty() {
         let help = "name parameters or numbers of the start";
@@ -250,7 +271,11 @@ fn check_names(names: &[String]) -> Result<(), Error> {
     }
 }
 
-/// Refuses equations and runs that cannot be differentiated.
+/// Checks that the equations and the integrator of a scene can be differentiated.
+///
+/// # Errors
+/// `Error::Request` for reduced equations, quadrature, projection or a numeric solve for
+/// accelerations.
 fn check_equations(scene: &Scene, by: Option<&EquationsName>) -> Result<(), Error> {
     let how = &scene.integration;
     let refuse = |what: &str, help: &str| Err(Error::request(what, help));
@@ -272,7 +297,7 @@ fn check_equations(scene: &Scene, by: Option<&EquationsName>) -> Result<(), Erro
     Ok(())
 }
 
-/// Notes to the user on the derivatives of a run.
+/// Notes to the user about the derivatives of a run, such as a number on which nothing depends.
 fn notes(mechanism: &Mechanism, seeds: &[Seed], carried: &Carried, end: &End) -> Vec<String> {
     let mut list = Vec::new();
     if mechanism.loops.is_empty() {
@@ -290,7 +315,8 @@ fn notes(mechanism: &Mechanism, seeds: &[Seed], carried: &Carried, end: &End) ->
     list
 }
 
-/// Warning that derivatives may lack the effect of jumps of the equations; `None` if there are no such jumps.
+/// Warning that derivatives may lack the effect of jumps of the equations at signs of states.
+/// `None` if the model has no such signs.
 fn jumps(mechanism: &Mechanism) -> Option<String> {
     let list = mechanism.model.signs_of_states();
     let shown: Vec<String> = list.iter().map(|text| format!("`{text}`")).collect();
@@ -302,7 +328,11 @@ fn jumps(mechanism: &Mechanism) -> Option<String> {
     })
 }
 
-/// Computes the derivatives of the shown quantities by each seed, at each sample.
+/// Computes the derivatives of the shown quantities at each sample. Indices: varied number, sample,
+/// quantity.
+///
+/// # Errors
+/// `Error::Request` if the number of parameters does not fit the equations.
 fn samples(parts: &Parts<'_>, carried: &Carried) -> Result<Vec<Vec<Vec<f64>>>, Error> {
     let solution = &carried.solution;
     let mut lists = vec![Vec::with_capacity(solution.t.len()); parts.seeds.len()];
@@ -315,7 +345,8 @@ fn samples(parts: &Parts<'_>, carried: &Carried) -> Result<Vec<Vec<Vec<f64>>>, E
     Ok(lists)
 }
 
-/// Options of a short run from a sample to an instant after it.
+/// Integration options of a short run from a sample to a later instant: the scene's, with only the
+/// ends kept.
 fn onward(parts: &Parts<'_>) -> tripos_sim::Options {
     tripos_sim::Options { output: tripos_sim::Output::Ends, ..options(parts.problem.scene) }
 }

@@ -1,8 +1,8 @@
 //! Derivatives of the quantities that a run shows, from the derivatives of its states.
 //!
-//! Coordinates have the slopes of the state, and so have speeds that are integrated. Every other quantity is a function
-//! of parameters and state. Its derivative along their slopes is a difference in 32 digits ([`super::difference`]),
-//! which needs no second definition of the quantity.
+//! Coordinates have the derivatives of the state, and so have speeds that are integrated. Every
+//! other quantity is a function of parameters and state. Its derivative in their direction is a
+//! difference in 32 digits ([`super::difference`]), so the quantity need not be defined twice.
 
 use super::difference::along;
 use crate::code::{Code, Ready, code, tape};
@@ -19,39 +19,46 @@ use tripos_sim::Dynamics;
 use tripos_sim::linear::{self, Shape};
 use tripos_traits::{DoubleDouble, Lengths, Scalar};
 
-/// Differentiated quantities: the shown quantities of a run, its energies, and the functions that it watches.
+/// Differentiated quantities of a run: those that it shows, its energies, and the functions whose
+/// zeros are its events.
 pub struct Quantities {
-    /// Names of coordinates, of generalized speeds, of other outputs, and of the kinetic and the potential energy.
+    /// Names of the quantities: coordinates, generalized speeds, other outputs, kinetic energy and
+    /// potential energy.
     pub names: Vec<String>,
     /// Units of the quantities, in the order of `names`; `None` if a unit is not known.
     pub units: Vec<Option<Unit>>,
-    /// Number of coordinates and speeds among the names.
+    /// Number of coordinates and generalized speeds, which are the first names.
     states: usize,
-    /// Tape of the other outputs, then of the watched functions: the conditions of the domain and the events of the
-    /// scene.
+    /// Tape of the other outputs, followed by the watched functions: the conditions of the domain and
+    /// the scene's events.
     tape: Tape<DoubleDouble>,
-    /// Number of other outputs.
+    /// Number of outputs that are neither coordinates nor speeds.
     outputs: usize,
+    /// True if a quantity depends on accelerations.
     needs_accelerations: bool,
-    /// Indices in [`ENERGIES`] of the energies that the tape reads.
+    /// Indices in [`ENERGIES`] of the energies that are inputs of the tape.
     energies: Vec<usize>,
-    /// Equations of the force balance; `None` if no quantity mentions a reaction.
+    /// Equations of the force balance; `None` if no quantity depends on a reaction.
     balance: Option<Code>,
 }
 
-/// An integrated state of a run, and the unknowns of the force balance if a quantity mentions a reaction.
+/// State of a run at which derivatives are taken, with the reactions there if a quantity depends on
+/// them.
 pub struct Place<'a> {
+    /// Scene with its equations of motion.
     problem: &'a Problem<'a>,
+    /// Integrated state (q, v).
     y: &'a [f64],
-    /// Unknowns of the force balance, accelerations before reactions; empty if no quantity needs them.
+    /// Unknowns of the force balance, accelerations before reactions; empty if no quantity depends on
+    /// reactions.
     reactions: Vec<f64>,
 }
 
-/// Derivatives of the shown and the watched quantities along a direction.
+/// Derivatives of the shown and the watched quantities in a direction of parameters and state.
 pub struct Slopes {
-    /// Derivatives of the outputs along the direction of the run, in the order of [`Quantities::names`].
+    /// Derivatives of the shown quantities, in the order of [`Quantities::names`].
     pub shown: Vec<f64>,
-    /// Derivatives of the watched functions, in the order of the events of a run.
+    /// Derivatives of the watched functions, in the order of a run's events.
     pub watched: Vec<f64>,
 }
 
@@ -59,7 +66,8 @@ impl Quantities {
     /// Prepares the differentiated quantities for the runs of a scene.
     ///
     /// # Errors
-    /// [`Error`] if a quantity needs a reaction that the model does not determine.
+    /// [`Error`] if an output contains a symbol without a value, or the equations of the force balance
+    /// cannot be derived.
     pub fn new(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let (model, arena) = (&mechanism.model, &mechanism.arena);
         let mut names = state_names(model);
@@ -96,12 +104,13 @@ impl Quantities {
         })
     }
 
-    /// Number of watched functions: conditions of the domain, and events of the scene.
+    /// Number of watched functions: the conditions of the domain and the events of the scene.
     pub fn watched(&self) -> usize {
         self.tape.outputs() - self.outputs
     }
 
-    /// Prepares an integrated state of a run for derivatives: computes its reactions if they are needed.
+    /// Prepares the integrated state `y` at time `t`, s, for derivatives. Computes its reactions if a
+    /// quantity depends on them; they are NaN if the model does not determine them.
     ///
     /// # Errors
     /// [`Error::Request`] if the number of parameters does not fit the equations.
@@ -119,7 +128,8 @@ impl Quantities {
         Ok(Place { problem, y, reactions })
     }
 
-    /// Derivatives of all quantities along a direction of parameters and of the integrated state.
+    /// Computes the derivatives of all quantities in a direction of parameters and of the integrated
+    /// state.
     pub fn slopes(&self, place: &Place<'_>, parameters: &[f64], state: &[f64]) -> Slopes {
         let problem = place.problem;
         let moved = self.moved_with(problem, state);
@@ -132,14 +142,16 @@ impl Quantities {
         Slopes { shown: all, watched }
     }
 
-    /// Slopes of the state that are shown directly: those of coordinates, and of speeds if these are integrated.
+    /// Derivatives of the state that are shown unchanged: of coordinates, and of speeds if these are
+    /// integrated.
     fn moved_with(&self, problem: &Problem<'_>, state: &[f64]) -> Vec<f64> {
         let is_rate = problem.by.formulation().is_some_and(Formulation::is_in_rates);
         let known = if is_rate { problem.model.coordinates.len() } else { self.states };
         state[..known].to_vec()
     }
 
-    /// Computes all quantities in 32 digits from parameters, state and unknowns of the force balance, which `x` joins.
+    /// Computes all quantities in 32 digits. `x` joins parameters, integrated state and unknowns of the
+    /// force balance.
     fn values(&self, problem: &Problem<'_>, x: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let system = problem.code.extended();
         let Lengths { parameters, coordinates: n, speeds, .. } = system.lengths();
@@ -169,7 +181,8 @@ impl Quantities {
         state.iter().copied().chain(values).chain(own).chain(watched).collect()
     }
 
-    /// Derivatives of the unknowns of the force balance A x = b along a direction, by A x′ = b′ − A′ x.
+    /// Derivatives of the unknowns x of the force balance A x = b in a direction, from A x′ = b′ − A′
+    /// x. They are NaN if A is singular; the list is empty without a force balance.
     fn reactions(&self, place: &Place<'_>, parameters: &[f64], state: &[f64]) -> Vec<f64> {
         let Some(balance) = &self.balance else { return Vec::new() };
         let (problem, system) = (place.problem, balance.extended());

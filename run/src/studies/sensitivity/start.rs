@@ -1,8 +1,8 @@
-//! Derivatives of the start of a run and of its parameters by one number of a scene.
+//! Derivatives of the start of a run, and of its parameters, by one varied number of a scene.
 //!
-//! A start may follow from a number in many ways: by formulas, by closed loops, by speeds that rates determine. Its
-//! derivative is a difference of starts in 32 digits, of order 4 in the step. The derivative has some 20 correct
-//! digits, so that it is exact in doubles.
+//! A start may depend on a number in many ways: by formulas, by closed loops, or by speeds that
+//! rates determine. Its derivative is a difference of starts in 32 digits, of order 4 in the step.
+//! It has about 20 correct digits, so it is accurate to double precision.
 
 use super::difference::{CENTRAL, FORWARD, STEP, difference};
 use super::forces::Varied;
@@ -13,31 +13,33 @@ use tripos_derive::model::Unit;
 use tripos_derive::scene::{Impact, Nearby, Scene};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
-/// A number of a scene, with the derivatives by it of the parameters and the start of a run.
+/// Varied number of a scene, with the derivatives by it of the parameters and the start of a run.
 #[derive(Clone)]
 pub struct Seed {
-    /// Name of the number.
+    /// Name of the varied number.
     pub name: String,
-    /// Unit of the number.
+    /// Unit of the varied number.
     pub unit: Unit,
-    /// Derivatives of the parameters, in the order of the model.
+    /// Derivatives of the parameters by the number, in the order of the model.
     pub parameters: Vec<f64>,
-    /// Derivatives of the integrated state at the start.
+    /// Derivatives of the integrated state (q, v) at the start by the number.
     pub state: Vec<f64>,
-    /// Derivatives of the restitutions, one for each contact.
+    /// Derivatives of the coefficients of restitution by the number, for each contact.
     pub restitutions: Vec<f64>,
-    /// Derivatives of the coefficients of friction, one for each contact; 0 for a contact without friction.
+    /// Derivatives of the coefficients of friction by the number, for each contact; 0 for a contact
+    /// without friction.
     pub frictions: Vec<f64>,
-    /// True if the span of the scene changes with the number.
+    /// True if the scene's span of time changes with the number.
     pub moves_span: bool,
 }
 
 impl Seed {
-    /// Computes the derivatives with respect to the number with the given name. `set` holds the numbers that were set
-    /// and differ from the scene file.
+    /// Computes the derivatives of start and parameters by the number with the given name. `set` holds
+    /// the names and values that differ from the scene file.
     ///
     /// # Errors
-    /// [`Error::Input`] for a name that is no parameter and no number of the start, and if no neighboring scenes exist.
+    /// [`Error::Input`] if the name is neither a parameter nor a number of the start, or if no
+    /// neighbouring scene exists.
     pub fn new(problem: &Problem<'_>, set: &[(String, f64)], name: &str) -> Result<Self, Error> {
         let mut nearby = Nearby::new(problem.scene, problem.mechanism, set, name)?;
         let (value, unit) = (nearby.value(), nearby.unit());
@@ -63,10 +65,11 @@ impl Seed {
         Ok(Self { name: name.to_owned(), unit, parameters, state, restitutions, frictions, moves_span })
     }
 
-    /// Refuses a number that changes a coefficient of friction from 0: the direction of friction is not known there.
+    /// Checks that the number does not change a coefficient of friction from 0, where the direction of
+    /// friction is unknown.
     ///
     /// # Errors
-    /// [`Error::Request`] with the reason why there is no derivative.
+    /// [`Error::Request`] with the reason if there is no derivative.
     pub fn check(&self, scene: &Scene) -> Result<(), Error> {
         let is_zero = |impact: &Impact| impact.friction.as_ref().is_some_and(|friction| friction.coefficient == 0.0);
         let found = scene.impacts.iter().zip(&self.frictions).find(|(impact, by)| is_zero(impact) && **by != 0.0);
@@ -79,25 +82,29 @@ impl Seed {
         })
     }
 
-    /// Returns the number with the derivatives of the parameters and of the coefficients of contacts.
+    /// Returns the number with the derivatives of the parameters and of the contacts' coefficients by
+    /// it.
     pub fn varied(&self) -> Varied<'_> {
         let Self { name, parameters, restitutions, frictions, .. } = self;
         Varied { name, parameters, restitutions, frictions }
     }
 }
 
-/// Scenes at the places of a rule for differences, and the rule itself.
+/// Scenes at the positions of a difference rule, and this rule as pairs of position and weight.
 type Around = (Vec<Scene>, &'static [(i32, i64)]);
 
-/// Makes the scenes at the places of a rule for differences: on both sides of the number, or on one side if only that
-/// exists.
+/// Makes the scenes at the positions of a difference rule. The rule is central, or one-sided if the
+/// number cannot be lowered. `at` makes the scene at a position, in steps.
+///
+/// # Errors
+/// `Error` if neither rule is possible.
 fn scenes(at: &mut dyn FnMut(i32) -> Result<Scene, Diagnostics>) -> Result<Around, Error> {
     let mut by = |rule: &'static [(i32, i64)], side: i32| -> Result<Vec<Scene>, Diagnostics> {
         rule.iter().map(|(place, _)| at(side * place)).collect()
     };
     match by(&CENTRAL, 1) {
         Ok(list) => Ok((list, &CENTRAL)),
-        // The number is at the edge of its range.
+        // The number is at the lower edge of its range.
         Err(error) => Ok((by(&FORWARD, 1).map_err(|_| error)?, &FORWARD)),
     }
 }

@@ -1,5 +1,5 @@
-//! An impact as a sequence of strikes. The impulses of a strike follow from the velocities before it and the rows that
-//! one set of contacts holds.
+//! Impact as a sequence of strikes. A strike is a step of the impact whose impulses follow from the
+//! velocities before it, with a fixed set of contacts held.
 
 use super::forces::NOTHING;
 use super::grip::Grip;
@@ -7,42 +7,45 @@ use crate::preparation::impacts::{Contacts, Crossing, HeldContacts, Operators, R
 use nalgebra::DVector;
 use tripos_sim::{Failure, Share};
 
-/// Law that determines the impulses of a strike.
+/// Law that determines the impulses of a strike (step of an impact).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Law {
-    /// Impulses remove the velocities along gaps times 1 + e, by Newton's law.
+    /// Impulses remove 1 + e times the gap velocities, by Newton's law with the restitution e.
     Turn,
-    /// Impulses remove the velocities, by Poisson's law or to bring contacts to rest. Impulses `given` along gaps cause
-    /// friction as well.
+    /// Impulses remove the velocities, in Poisson's law or to bring contacts to rest. The impulses
+    /// `given` along gaps cause friction too; `None` if there are none.
     Stop { given: Option<DVector<f64>> },
-    /// Impulses along gaps are e times those of the strike before, which the variant holds, by Poisson's law.
+    /// Impulses along gaps are e times those of the strike before, by Poisson's law. The value holds
+    /// these impulses.
     Return(DVector<f64>),
 }
 
-/// Impulses at a state, with the law that determines them.
+/// Strike: impulses of contacts at a state, with the law that determines them.
 pub struct Strike {
-    /// State before the impulses.
+    /// State (q, v) before the impulses.
     pub y: Vec<f64>,
+    /// Matrices at this state that relate speeds, impulses and kinetic energy.
     pub operators: Operators,
+    /// Law that determines the impulses.
     pub law: Law,
-    /// Impulses along all rows of contacts.
+    /// Impulses along the gap and slip directions of all contacts.
     pub impulses: DVector<f64>,
-    /// Rows from whose motion the impulses follow, and friction of slipping contacts.
+    /// Held directions, whose motion determines the impulses, and friction of slipping contacts.
     pub grip: Grip,
-    /// Indices of the contacts that neither push nor open.
+    /// Indices of the contacts that neither push nor open in this strike, up to rounding.
     pub undecided: Vec<usize>,
-    /// Indices of the contacts that take part by Newton's law though their gaps have no velocity. They would take no
-    /// part if their gaps opened.
+    /// Indices of the contacts that take part by Newton's law although their gap velocity is zero. If
+    /// their gaps opened, they would take no part.
     pub resting: Vec<usize>,
-    /// Other sets of rows and friction by which contacts with friction may get the same motion.
+    /// Other sets of held directions and friction that give contacts with friction the same motion.
     pub others: Vec<Grip>,
 }
 
-/// Computes the strikes of a crossing, in their order. Contacts that are held after the crossing are brought to rest,
-/// even if they rest already.
+/// Computes the strikes (steps of an impact) at a change of contacts, in their order. The last
+/// strike brings the contacts that are held afterwards to rest, even if they rest already.
 ///
 /// # Errors
-/// [`Failure`] if a quantity of the contacts has no value.
+/// [`Failure`] if impulses cannot be computed, or a permitted motion has no inertia.
 pub fn strikes(contacts: &Contacts<'_>, crossing: &Crossing<'_>) -> Result<Vec<Strike>, Failure> {
     let after = crossing.after;
     let mut made = Making { contacts, y: crossing.before.to_vec(), list: Vec::new() };
@@ -68,27 +71,38 @@ pub fn strikes(contacts: &Contacts<'_>, crossing: &Crossing<'_>) -> Result<Vec<S
     Ok(made.list)
 }
 
-/// Vector over all rows that holds a coefficient of each contact at the row of its gap, and 0 at rows of slips.
+/// Vector over the gap and slip directions of all contacts. It has the value of `of` for a contact
+/// at its gap direction, and 0 at slip directions.
 pub fn along_rows(contacts: &Contacts<'_>, of: impl Fn(usize) -> f64) -> DVector<f64> {
     let mut all = DVector::zeros(contacts.count);
     contacts.rows.iter().enumerate().for_each(|(at, rows)| all[rows[0]] = of(at));
     all
 }
 
-/// Strikes of a crossing so far, and the state after them.
+/// Strikes (steps of an impact) that are made so far, and the state after them.
 struct Making<'m> {
+    /// Contacts of the scene.
     contacts: &'m Contacts<'m>,
+    /// State (q, v) after the strikes so far.
     y: Vec<f64>,
+    /// Strikes so far, in their order.
     list: Vec<Strike>,
 }
 
 impl Making<'_> {
-    /// Response of the velocities to impulses at the present state.
+    /// Response of the gap and slip velocities to impulses, at the state after the strikes so far.
+    ///
+    /// # Errors
+    /// `Failure` if a permitted motion has no inertia.
     fn response(&self) -> Result<Response, Failure> {
         self.contacts.response(&self.y, &self.contacts.rates(&self.y))
     }
 
-    /// Adds a strike of the contacts `which`, whose impulses push and remove the velocities that the law states.
+    /// Adds a strike of the contacts `which`, whose impulses push and remove the velocities that the
+    /// law states.
+    ///
+    /// # Errors
+    /// `Failure` if the impulses cannot be computed.
     fn push(&mut self, which: &[usize], law: Law) -> Result<(), Failure> {
         let contacts = self.contacts;
         let response = self.response()?;
@@ -119,8 +133,8 @@ impl Making<'_> {
         self.add(law, contacts.spread(&impulses, &rows), grip, undecided, Vec::new())
     }
 
-    /// Records the contacts of the last strike whose gaps had no velocity. A contact that was held is left out: its
-    /// velocity stays zero whatever is varied.
+    /// Records, in the last strike, the contacts whose gap velocity was zero. A contact that was held
+    /// closed before is left out, since its velocity stays zero with any varied number.
     fn note_resting(&mut self, hit: &[usize], kept: &HeldContacts) {
         let contacts = self.contacts;
         let Some(strike) = self.list.last_mut() else { return };
@@ -133,7 +147,11 @@ impl Making<'_> {
         strike.resting = hit.iter().copied().filter(|at| kept.mode(*at).is_none() && rests(at)).collect();
     }
 
-    /// Adds a strike with e times the last impulses along gaps, and returns its impulses.
+    /// Adds the strike of Poisson's expansion, whose impulses along gaps are e times the last ones.
+    /// Returns these impulses.
+    ///
+    /// # Errors
+    /// `Failure` if a permitted motion has no inertia.
     fn give_back(&mut self) -> Result<DVector<f64>, Failure> {
         let nothing = || DVector::zeros(self.contacts.count);
         let compression = self.list.last().map_or_else(nothing, |strike| strike.impulses.clone());
@@ -142,7 +160,10 @@ impl Making<'_> {
         Ok(given)
     }
 
-    /// Adds a strike whose impulses bring contacts to rest.
+    /// Adds a strike whose impulses bring the contacts `still` to rest.
+    ///
+    /// # Errors
+    /// `Failure` if the impulses are not finite.
     fn rest(&mut self, still: &HeldContacts) -> Result<(), Failure> {
         let contacts = self.contacts;
         let response = self.response()?;
@@ -152,8 +173,11 @@ impl Making<'_> {
         self.add(Law::Stop { given: None }, impulses, Grip::of(contacts, still), Vec::new(), Vec::new())
     }
 
-    /// Adds a strike with known impulses, and applies them to the state. `undecided` and `others` are the fields of
-    /// [`Strike`].
+    /// Adds a strike with known impulses, and applies these to the state. `undecided` and `others`
+    /// become the fields of the [`Strike`].
+    ///
+    /// # Errors
+    /// `Failure` if a permitted motion has no inertia.
     fn add(
         &mut self,
         law: Law,
@@ -173,6 +197,7 @@ impl Making<'_> {
     }
 }
 
+/// Failure for an impact whose impulses cannot be computed again.
 fn unknown() -> Failure {
     Failure { code: "not-finite", message: "the impulses of an impact could not be computed a second time".to_owned() }
 }

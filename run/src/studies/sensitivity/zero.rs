@@ -1,4 +1,5 @@
-//! Functions that are zero at an instant at which contacts change, and the derivative of that instant.
+//! Functions of contacts that are zero at the instant of a change of contacts, and the derivatives
+//! of this instant.
 
 use super::contacts::{Direction, SMALL, Wide};
 use super::forces::{Forces, NOTHING, RatesAlong, Varied};
@@ -6,59 +7,70 @@ use super::graze;
 use crate::preparation::impacts::{ContactChange, Crossing};
 use tripos_sim::Mode;
 
-/// Function of the state that is zero where a contact changes.
+/// Kind of function of the state that is zero at the instant at which a contact changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum What {
-    /// Gap of a contact that closes.
+    /// Gap of a contact, which closes.
     Gap,
-    /// Force along the gap of a contact that opens.
+    /// Normal force of a contact, which opens.
     Force,
-    /// Friction limit of a sticking contact minus its force along the slip.
+    /// Friction limit of a sticking contact minus the size of its tangential force.
     Margin,
-    /// Slip velocity of a contact that slips.
+    /// Slip velocity of a contact, whose slip ends or reverses.
     Slip,
 }
 
-/// Function of a contact that crosses zero at an instant, and its rate there.
+/// Function of a contact that crosses zero at an instant, with its rate there.
 #[derive(Clone, Copy, Debug)]
 struct Zero {
+    /// Kind of the function, such as a gap or a slip velocity.
     what: What,
+    /// Index of the contact in the scene, from 0.
     contact: usize,
+    /// Time derivative of the function at its zero, in its unit per s.
     rate: f64,
 }
 
-/// Derivative of an instant with respect to a number, and the size of the derivative's terms.
+/// Derivative of an instant by a varied number, and the size of the derivative's terms.
 #[derive(Clone, Copy)]
 struct Moves {
+    /// Derivative of the instant, s per unit of the varied number.
     by: f64,
+    /// Sum of the sizes of the derivative's terms, in the unit of the derivative.
     size: f64,
 }
 
-/// State of a motion just before a crossing, with its rates and forces.
+/// Motion just before a change of contacts, with its rates and contact forces.
 pub struct Coming<'c> {
+    /// Contacts of the scene in 32 digits.
     pub wide: &'c Wide<'c>,
+    /// Instant, states and contacts of the change.
     pub crossing: &'c Crossing<'c>,
+    /// Function for the derivative of the rates without contact forces.
     pub rates_along: &'c RatesAlong<'c>,
-    /// Rates before the crossing, with the forces of held contacts.
+    /// Rates (q̇, v̇) before the change, with the forces of held contacts.
     pub rates: Vec<f64>,
-    /// Forces of the contacts held before the crossing; `None` if no contact is held.
+    /// Forces of the contacts held closed before the change; `None` if no contact was held.
     pub forces: Option<Forces>,
 }
 
-/// Functions of contacts that are zero at a crossing, and contacts that are only touched.
+/// Functions of contacts that are zero at a change of contacts, and contacts that are touched
+/// without an impact.
 pub struct Zeros<'c> {
+    /// Motion just before the change.
     pub coming: Coming<'c>,
-    /// Function whose zero causes the crossing; `None` at the start, and if a contact is only touched.
+    /// Function whose zero causes the change. `None` at the start of a run, and if contacts are only
+    /// touched.
     first: Option<Zero>,
-    /// Other functions that cross zero at the same instant by themselves. They stay together only if their zeros move
-    /// alike.
+    /// Other functions that are zero at the same instant by coincidence. A varied number must move all
+    /// these zeros alike.
     others: Vec<Zero>,
-    /// Indices of the contacts that are touched without a velocity that closes them.
+    /// Indices of the contacts that are touched without a closing velocity.
     touched: Vec<usize>,
 }
 
 impl<'c> Zeros<'c> {
-    /// Finds the functions of contacts that are zero at a crossing.
+    /// Finds the functions of contacts that are zero at a change of contacts.
     ///
     /// # Errors
     /// Text that says why there is no derivative by any number.
@@ -69,12 +81,14 @@ impl<'c> Zeros<'c> {
         Ok(Self { coming, first, others: list.collect(), touched })
     }
 
-    /// True if more than one contact changes, or a contact is only touched.
+    /// True if several contacts change at the instant, or a contact is only touched. Each varied number
+    /// must then be checked.
     pub fn ask(&self) -> bool {
         !self.others.is_empty() || !self.touched.is_empty()
     }
 
-    /// Derivative of the instant of the crossing with respect to the varied number; zero at the start of a run.
+    /// Derivative of the instant of the change by the varied number; 0 at the start of a run. `state`
+    /// holds the derivatives of the state.
     ///
     /// # Errors
     /// Text that says why the derivative has no value.
@@ -82,10 +96,11 @@ impl<'c> Zeros<'c> {
         self.first.as_ref().map_or(Ok(0.0), |zero| Ok(self.coming.moves(zero, varied, state)?.by))
     }
 
-    /// Refuses a number that moves the zeros of one instant apart.
+    /// Checks that the varied number moves all zeros of the instant alike, and does not change a gap
+    /// that is only touched.
     ///
     /// # Errors
-    /// Text that names the contacts and the number.
+    /// Text that names the contacts and the number if there is no derivative.
     pub fn stay_together(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
         let (wide, y) = (self.coming.wide, self.coming.crossing.before);
         self.touched.iter().try_for_each(|contact| graze::check(wide, *contact, y, varied, state))?;
@@ -111,7 +126,11 @@ impl<'c> Zeros<'c> {
     }
 }
 
-/// Finds the zeros of a crossing, the one that causes it first, and the contacts that are touched without a velocity.
+/// Finds the functions that are zero at a change of contacts, with the cause of the change first.
+/// The second list has the contacts that are touched without a closing velocity.
+///
+/// # Errors
+/// Text that says why there is no derivative by any number.
 fn zeros(of: &Coming<'_>) -> Result<(Vec<Zero>, Vec<usize>), String> {
     let Crossing { contact_change, kept, after, .. } = of.crossing;
     let Some(contact_change) = *contact_change else { return Ok((Vec::new(), Vec::new())) };
@@ -147,27 +166,29 @@ fn zeros(of: &Coming<'_>) -> Result<(Vec<Zero>, Vec<usize>), String> {
     Ok((list, touched))
 }
 
-/// Ways in which a gap reaches zero.
+/// Behaviour of a contact's gap at the instant at which it is zero.
 enum Closing {
-    /// The gap grows.
+    /// The gap increases from zero.
     Opens,
-    /// The gap is at its minimum, within the error of the run.
+    /// The gap is at its minimum, up to the error of the run.
     Touches,
-    /// The gap closes at this rate, which is negative.
+    /// The gap closes with this negative rate, in its unit per s.
     Closes(f64),
 }
 
 impl Coming<'_> {
+    /// Name of a contact, by its index.
     fn name(&self, contact: usize) -> &str {
         &self.wide.contacts.impacts[contact].name
     }
 
+    /// Index of the gap direction of a contact among the directions of all contacts.
     fn normal(&self, contact: usize) -> usize {
         self.wide.contacts.rows[contact][0]
     }
 
-    /// Function whose zero makes a held contact change; `None` if it does not change, or only because other contacts
-    /// change.
+    /// Kind of function whose zero makes a held contact change its mode. `None` if the contact does not
+    /// change, or changes only because other contacts do.
     fn changes(&self, contact: usize, mode: Mode) -> Option<What> {
         let forces = self.forces.as_ref()?;
         match (mode, self.crossing.after.kept.mode(contact)) {
@@ -181,7 +202,7 @@ impl Coming<'_> {
         }
     }
 
-    /// Finds the way in which the gap of a contact reaches zero.
+    /// Finds the behaviour of a contact's gap that is zero: it opens, touches or closes.
     fn closes(&self, contact: usize) -> Closing {
         let (contacts, y) = (self.wide.contacts, self.crossing.before);
         let slopes = contacts.gap_slopes(y);
@@ -192,7 +213,7 @@ impl Coming<'_> {
         let slopes = contacts.rates(y).slopes;
         let (acceleration, _) =
             sum(slopes.row(self.normal(contact)).iter().zip(&self.rates).map(|(slope, rate)| slope * rate));
-        // Depth to which the gap would go without the impact.
+        // Depth of penetration that the gap would reach without the impact.
         let depth = if acceleration > 0.0 { 0.5 * rate * rate / acceleration } else { f64::INFINITY };
         if rate >= -NOTHING * scale || depth <= self.wide.near * contacts.made_of(contact, y) {
             return Closing::Touches;
@@ -200,7 +221,11 @@ impl Coming<'_> {
         Closing::Closes(rate)
     }
 
-    /// Zero of a contact that was held before the crossing, with the rate at which its function crosses zero.
+    /// Makes the zero of a contact's function at the change, with the rate at which the function
+    /// crosses zero.
+    ///
+    /// # Errors
+    /// Text that says why the function has no crossing, or its force is not determined.
     fn crosses(&self, what: What, contact: usize) -> Result<Zero, String> {
         let still = vec![0.0; self.wide.contacts.parameters.len()];
         let none = vec![0.0; self.wide.contacts.impacts.len()];
@@ -230,7 +255,11 @@ impl Coming<'_> {
         Ok(Zero { what, contact, rate })
     }
 
-    /// Derivative of a contact's function along a direction, and the size of its terms.
+    /// Derivative of a contact's function by the varied number, and the size of its terms. `state`
+    /// holds the derivatives of the state.
+    ///
+    /// # Errors
+    /// Text that says why the derivative has no value.
     fn value(&self, what: What, contact: usize, varied: &Varied<'_>, state: &[f64]) -> Result<(f64, f64), String> {
         let direction = Direction { parameters: varied.parameters, state };
         match what {
@@ -251,14 +280,18 @@ impl Coming<'_> {
         })
     }
 
-    /// Derivative of the instant at which a function is zero, and the size of its terms.
+    /// Derivative of the instant at which a function is zero by the varied number, and the size of its
+    /// terms.
+    ///
+    /// # Errors
+    /// Text that says why the derivative has no value.
     fn moves(&self, zero: &Zero, varied: &Varied<'_>, state: &[f64]) -> Result<Moves, String> {
         let (change, size) = self.value(zero.what, zero.contact, varied, state)?;
         Ok(Moves { by: -change / zero.rate, size: size / zero.rate.abs() })
     }
 }
 
-/// Sum of terms, and the sum of their sizes.
+/// Sum of terms, and the sum of their absolute values.
 fn sum(terms: impl Iterator<Item = f64>) -> (f64, f64) {
     terms.fold((0.0, 0.0), |(sum, size), term: f64| (sum + term, size + term.abs()))
 }

@@ -1,5 +1,5 @@
-//! Errors of each solve for accelerations along a passage, with condition numbers: the digits that a numeric solve
-//! loses, and the reason.
+//! Errors of the accelerations, and condition numbers of their matrices, along a passage near a
+//! singular surface. They show how many digits a numeric solve loses, and why.
 
 use super::findings::{Findings, Looked, Row, Study, Topic};
 use super::ladder::passage;
@@ -15,17 +15,21 @@ use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::{Dynamics, Options, Output, linear};
 use tripos_traits::{DoubleDouble, Real, Scalar, System, larger};
 
-/// Number of distances from the singular surface, per decade, at which matrices are examined.
+/// Number of examined distances from the singular surface per factor of ten.
 const PER_DECADE: usize = 6;
 
-/// State of a passage near a singular surface: divisor of the kinematic equations, coordinates, speeds.
+/// State on a passage near a singular surface of the kinematic equations.
 struct Waypoint {
+    /// Size of the divisor of the kinematic equations, which is zero on the surface.
     divisor: f64,
+    /// Generalized coordinates.
     q: Vec<f64>,
+    /// Generalized speeds.
     u: Vec<f64>,
 }
 
-/// Accelerations u̇ at a state of a passage, in twice the precision of the doubles that give the state.
+/// Computes the accelerations u̇ at a state of a passage in twice the precision of a double.
+/// `system` are the equations.
 fn exact(study: &Study<'_>, system: &dyn System<DoubleDouble>, place: &Waypoint) -> Vec<DoubleDouble> {
     let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
     let (p, q, u) = (wide(&study.scene.parameters), wide(&place.q), wide(&place.u));
@@ -37,17 +41,21 @@ fn exact(study: &Study<'_>, system: &dyn System<DoubleDouble>, place: &Waypoint)
     u_dot
 }
 
-/// Error of the accelerations at a state, and condition numbers of their matrix.
+/// Error of the accelerations at a state of a passage, and condition numbers of their matrix.
 struct Examined {
     /// Largest error of u̇ relative to the largest u̇; NaN if the linear system has no solution.
     error: f64,
-    /// Condition number of the matrix as it is.
+    /// Condition number of the unscaled matrix.
     plain: f64,
-    /// Condition number of the matrix with its rows and columns scaled.
+    /// Condition number of the matrix after its rows and columns are scaled.
     scaled: f64,
 }
 
-/// Examines the accelerations of a case at a state of a passage.
+/// Examines the accelerations of a case at a state of a passage. `exact` are the accelerations u̇
+/// in 32 digits.
+///
+/// # Errors
+/// `Error::Request` if the parameters do not fit the equations.
 fn look(
     case: &Case,
     extended: &dyn System<DoubleDouble>,
@@ -67,7 +75,8 @@ fn look(
             Err(_) => v_dot.fill(f64::NAN),
         },
     }
-    // The definitions of the speeds are applied in twice the precision of a double, to add no error of their own.
+    // The definitions of the speeds are evaluated in twice the precision of a double, so that they add
+    // no error.
     let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
     let mut u_dot = vec![DoubleDouble::int(0); place.u.len()];
     let mut exact_v = vec![DoubleDouble::int(0); v.len()];
@@ -82,8 +91,12 @@ fn look(
     Ok(Examined { error, plain, scaled: 1.0 / linear::reciprocal_condition(&matrix, n) })
 }
 
-/// States along the first passage of the scene's rung that is nearest to the singular surface, up to `PER_DECADE` in
-/// each decade of the divisor.
+/// Lists states along the first passage of that rung of the scene's ladder which comes nearest to
+/// the singular surface. There are at most `PER_DECADE` for each factor of ten of the divisor.
+/// Empty without a passage.
+///
+/// # Errors
+/// `Error` if the rungs cannot be run.
 fn places(study: &Study<'_>) -> Result<Vec<Waypoint>, Error> {
     let model = study.model;
     let mut narrow: Option<(f64, f64, Scene)> = None;
@@ -123,22 +136,25 @@ fn places(study: &Study<'_>) -> Result<Vec<Waypoint>, Error> {
     Ok(list)
 }
 
-/// Curves of the figure of condition numbers: in each panel one for each formulation, with its name and style.
+/// Curves of the four panels of the figure of condition numbers: a curve for each formulation in
+/// each panel.
 #[derive(Default)]
 struct Curves {
-    /// Errors of eliminated accelerations along the passage.
+    /// Errors of eliminated accelerations against the divisor of the kinematic equations.
     eliminated: Vec<Series>,
-    /// Errors of numerically solved accelerations along the passage.
+    /// Errors of numerically solved accelerations against the divisor of the kinematic equations.
     numeric: Vec<Series>,
-    /// Condition numbers of the matrices.
+    /// Condition numbers of the unscaled matrices against the divisor.
     plain: Vec<Series>,
-    /// Condition numbers of the matrices with scaled rows and columns.
+    /// Condition numbers of the matrices with scaled rows and columns, against the divisor.
     scaled: Vec<Series>,
-    /// Text with the largest error of each case that has one.
+    /// Largest error of each examined case, as text.
     worst: Vec<String>,
 }
 
 impl Curves {
+    /// Adds the curves of a case: points (divisor, value) of the errors and of both condition numbers.
+    /// Does nothing without points.
     fn add(&mut self, case: &Case, errors: Vec<(f64, f64)>, plain: Vec<(f64, f64)>, scaled: Vec<(f64, f64)>) {
         if errors.is_empty() {
             return;
@@ -158,11 +174,12 @@ impl Curves {
     }
 }
 
-/// Examines accelerations along a passage, if the scene has one and the model has Lagrange's equations. These give the
-/// exact accelerations, in twice the precision of a double.
+/// Examines the accelerations of all cases along a passage near a singular surface. Does nothing if
+/// the scene has no passage, or the model has no Lagrange's equations, which give the exact
+/// accelerations in 32 digits.
 ///
 /// # Errors
-/// [`Error`] if the scene cannot be run at all.
+/// [`Error`] if the scene cannot be run.
 pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let lagrange = match code(study.model, &Formulation::Lagrange.into(), None, Ready::Solved) {
         Ok(lagrange) => lagrange,

@@ -1,4 +1,5 @@
-//! Domain of the equations: the conditions that stop a run where its equations no longer describe the motion.
+//! Study of the domain of the equations: the conditions that stop a run where its equations no
+//! longer hold.
 
 use super::findings::{Findings, Row, Study, Topic};
 use crate::code::{Ready, code};
@@ -12,10 +13,11 @@ use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::plain::{significant, within};
 use tripos_sim::{Method, Options, Output, Stop};
 
-/// Runs a scene with and without the conditions of the domain, if the model has any and the motion leaves it.
+/// Runs a scene with and without the conditions of the model's domain, and records the difference.
+/// Does nothing if the model has no such conditions and the scene has no events.
 ///
 /// # Errors
-/// [`Error`] if the scene cannot be run at all.
+/// [`Error`] if the scene cannot be run.
 pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let model = study.model;
     if model.domain.is_empty() && study.scene.events.is_empty() {

@@ -1,5 +1,5 @@
-//! Long runs by each method, in which conserved quantities drift for ever or stay bounded; and tolerances finer than
-//! rounding.
+//! Study of long runs by each integrator, in which conserved quantities drift without bound or stay
+//! bounded. Also studies tolerances finer than rounding.
 
 use super::findings::{Findings, Row, Study, Topic};
 use crate::code::{Ready, code};
@@ -15,15 +15,16 @@ use tripos_sim::stability::{Trend, trend};
 use tripos_sim::{Method, Options, Output};
 use tripos_traits::larger;
 
-/// Length of a long run in spans of the scene: for a quick study, then for a full study.
+/// Durations of a long run, in spans of the scene: for a quick study and for a full study.
 const SPANS: [f64; 2] = [20.0, 200.0];
-/// Number of steps of a fixed-step run in one span of the scene.
+/// Number of steps of a fixed-step run in each span of the scene.
 const FIXED: f64 = 400.0;
 
-/// Runs every method over many spans, if energy is conserved and the motion stays in its domain.
+/// Runs every integrator over many spans and records the drift of the energy. Does nothing if
+/// energy is not conserved; only tolerances are studied if the motion leaves its domain.
 ///
 /// # Errors
-/// [`Error`] if the scene cannot be run at all.
+/// [`Error`] if the scene cannot be run.
 pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let (model, scene) = (study.model, study.scene);
     let watch = Watch::of_model(model)?;
@@ -80,29 +81,33 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     Ok(())
 }
 
-/// Change of the energy along a run.
+/// Change of the energy T + V during a run.
 struct EnergyCourse {
-    /// Word that says if the energy drifts.
+    /// Word for the trend of the drift: `secular`, `bounded` or `stopped`.
     trend: &'static str,
-    /// Pairs of an instant, s, and the size of the energy's change since the start.
+    /// Pairs of an instant, s, and the absolute change of the energy since the start.
     changes: Vec<(f64, f64)>,
 }
 
-/// A long run whose energy is examined.
+/// Long run whose energy is examined.
 struct LongRun<'r> {
+    /// Scene with its equations of motion.
     problem: &'r Problem<'r>,
-    /// Integrated state at the start.
+    /// Integrated state (q, v) at the start.
     y0: &'r [f64],
-    /// First and last instant, s.
+    /// First and last instant of the run, s.
     span: (f64, f64),
-    /// First integrals of the motion.
+    /// First integrals of the motion, the energy among them.
     watch: &'r Watch,
     /// Index of the energy among the first integrals.
     energy: usize,
 }
 
 impl LongRun<'_> {
-    /// Makes the run with given options. Adds the rows of the table, under the case `how`.
+    /// Makes the run with the given options, and adds its rows to the table, under the case name `how`.
+    ///
+    /// # Errors
+    /// `Error::Request` if the options are invalid; `Error::Interrupted` if the observer ended the run.
     fn course(&self, options: &Options, how: &str, findings: &mut Findings) -> Result<EnergyCourse, Error> {
         let Self { problem, y0, span, watch, energy } = *self;
         let run = problem.integrate_over(span, y0, options, &mut []).map_err(|e| refused(problem.scene, &e))?;
@@ -138,8 +143,12 @@ impl LongRun<'_> {
     }
 }
 
-/// Runs a problem with a tolerance below the rounding of the variables, and with a larger one for comparison. The small
-/// tolerance makes a run longer and no better, so the run must warn.
+/// Runs a problem with an absolute tolerance below the rounding of its variables, and with a larger
+/// tolerance for comparison. The small tolerance costs steps and improves nothing, so the run must
+/// warn.
+///
+/// # Errors
+/// `Error::Request` if the options are invalid; `Error::Interrupted` if the observer ended a run.
 fn below_rounding(study: &Study<'_>, problem: &Problem<'_>, y0: &[f64], findings: &mut Findings) -> Result<(), Error> {
     for (tolerance, case) in [(1e-12, "1e-12"), (1e-18, "1e-18")] {
         let options = Options {

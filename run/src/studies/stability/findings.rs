@@ -1,4 +1,4 @@
-//! Inputs of the stability studies, and their findings.
+//! Inputs of the studies of a scene's limits, and the findings of these studies.
 
 use crate::follow::Progress;
 use crate::mechanism::Mechanism;
@@ -6,69 +6,70 @@ use crate::studies::figure::Figure;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::{Scene, Solve};
 
-/// Row of the table of a study: one number, with the run that it belongs to.
+/// Row of the table of findings: the value of a quantity, with the run in which it was found.
 #[derive(Clone, Debug, Default)]
 pub struct Row {
-    /// Name of the study.
+    /// Name of the study, such as `passage`.
     pub check: &'static str,
-    /// Name of the equations; empty if the number does not depend on them.
+    /// Name of the equations of motion; empty if the value does not depend on them.
     pub formulation: String,
-    /// Name of the solve for accelerations.
+    /// Name of the method that finds accelerations; empty if the value does not depend on it.
     pub solve: &'static str,
-    /// Name of the integration method.
+    /// Name of the integrator; empty if the value does not depend on it.
     pub method: &'static str,
-    /// Rung, instant or tolerance that the value belongs to.
+    /// Least distance, instant or tolerance to which the value belongs, as text.
     pub case: String,
-    /// Name of the quantity whose value is given.
+    /// Name of the quantity, such as `energy drift`.
     pub quantity: &'static str,
-    /// Value of the quantity; `None` if the run stopped before it.
+    /// Value of the quantity; `None` if the run stopped before it was known.
     pub value: Option<f64>,
-    /// Expected value by theory or by the reference; `None` if there is none.
+    /// Value that theory or the reference predicts; `None` if there is no prediction.
     pub expected: Option<f64>,
-    /// Instant and reason of a run's stop, or a note on the value.
+    /// Instant and reason of the stop of a run, or a note on the value.
     pub remark: String,
 }
 
-/// A run past a singular surface, which gives a cell of the heat map.
+/// Run past a singular surface, which gives a cell of the heat map.
 #[derive(Clone, Debug)]
 pub struct Passed {
-    /// Equations that were integrated.
+    /// Origin of the equations that were integrated.
     pub by: EquationsOrigin,
-    /// Name of the solve for accelerations.
+    /// Name of the method that finds accelerations; `-` for quadrature.
     pub solve: &'static str,
-    /// Name of the integration method.
+    /// Name of the integrator.
     pub method: &'static str,
-    /// Variable that was integrated past the surface: the coordinate or its distance.
+    /// Variable that was integrated past the surface: the coordinate, or its distance from the surface.
     pub variable: Variable,
-    /// Least distance of the passage: the smallest size of the divisor of the kinematic equations.
+    /// Least distance from the surface: the smallest absolute value of the divisor of the kinematic
+    /// equations.
     pub least: f64,
-    /// Error at the end of the run; `None` if the run stopped earlier.
+    /// Largest error of a compared quantity at the end of the run; `None` if the run stopped earlier.
     pub error: Option<f64>,
     /// Number of accepted steps of the run.
     pub steps: u64,
-    /// Reason why the run ended.
+    /// Code of the reason why the run ended, such as `end`.
     pub stop: String,
     /// Instant at which the run ended, s.
     pub t_end: f64,
 }
 
-/// Topic of a study.
+/// Topic of a study of a scene's limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Topic {
-    /// Passages near a singular surface.
+    /// Passages near a singular surface of the kinematic equations.
     Passages,
-    /// Condition of the matrices along a passage.
+    /// Condition numbers of the matrices for accelerations along a passage.
     Conditioning,
-    /// Domain in which the equations describe the motion.
+    /// Domain in which the equations describe the motion, and runs that leave it.
     Domain,
-    /// Growth of small errors of the start.
+    /// Growth of small errors of the start during the motion.
     Growth,
-    /// Drift of conserved quantities over long runs.
+    /// Drift of conserved quantities in long runs.
     Drift,
 }
 
 impl Topic {
-    /// Name of the study in a line of progress.
+    /// Name of the topic for a line of progress, such as `passages`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -81,32 +82,33 @@ impl Topic {
     }
 }
 
-/// Errors of accelerations and condition of a matrix at one state of a passage.
+/// Error of the accelerations and condition of their matrix at one state of a passage near a
+/// singular surface.
 #[derive(Clone, Debug)]
 pub struct Looked {
-    /// Equations that give the accelerations.
+    /// Origin of the equations that give the accelerations.
     pub by: EquationsOrigin,
-    /// Way in which the accelerations are found.
+    /// Method that finds the accelerations: eliminated beforehand or solved numerically.
     pub solve: Solve,
-    /// Size of the divisor of the kinematic equations at the state.
+    /// Absolute value of the divisor of the kinematic equations at the state.
     pub divisor: f64,
-    /// Largest error of the accelerations against those with 32 digits, relative to the largest acceleration.
+    /// Largest error of the accelerations u̇ against those in 32 digits, relative to the largest u̇.
     pub error: f64,
-    /// Condition number of the matrix with its rows and columns scaled.
+    /// Condition number of the matrix after its rows and columns are scaled.
     pub equilibrated: f64,
 }
 
 /// Variable that is integrated past a singular surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variable {
-    /// The coordinate that is singular on the surface.
+    /// The coordinate itself, with its singular value on the surface.
     Coordinate,
-    /// Distance of the coordinate from its value on the surface.
+    /// Distance of the coordinate from its value on the surface, such as an angle minus 90°.
     Distance,
 }
 
 impl Variable {
-    /// Name of the variable in tables.
+    /// Name of the variable for tables.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -116,48 +118,50 @@ impl Variable {
     }
 }
 
-/// Findings of all studies.
+/// Findings of all studies of a scene's limits.
 #[derive(Default)]
 pub struct Findings {
-    /// Rows of the table, one for every number that was found.
+    /// Rows of the table, a row for every value that was found.
     pub rows: Vec<Row>,
-    /// Runs past singular surfaces, the cells of the heat map.
+    /// Runs past singular surfaces, for the cells of the heat map.
     pub passages: Vec<Passed>,
-    /// Errors of accelerations and conditions of matrices along the narrowest passage, up to its least distance.
+    /// Errors of accelerations and condition numbers along the narrowest passage, up to its least
+    /// distance.
     pub looked: Vec<Looked>,
-    /// True if the motion leaves the domain of its equations.
+    /// True if the motion leaves the domain of its equations in a run.
     pub left_domain: bool,
-    /// File names and contents of the figures.
+    /// Figures, each with its file name.
     pub figures: Vec<(&'static str, Figure)>,
-    /// Conclusions of the studies, one line each.
+    /// Conclusions of the studies, each a sentence.
     pub statements: Vec<Statement>,
-    /// Study that was interrupted; later studies were not begun. `None` if all were completed.
+    /// Topic of the study that was interrupted, after which no study began. `None` if all were
+    /// completed.
     pub unfinished: Option<Topic>,
 }
 
-/// Conclusion of a study in one sentence.
+/// Conclusion of a study, in one sentence.
 #[derive(Clone, Debug)]
 pub struct Statement {
-    /// Study that the conclusion belongs to.
+    /// Topic of the study that gave the conclusion.
     pub study: Topic,
-    /// The conclusion as a sentence.
+    /// Conclusion as a sentence for the user.
     pub text: String,
 }
 
-/// Model, scene and options on which a study works.
+/// Inputs of a study of a scene's limits.
 pub struct Study<'a> {
-    /// Mechanism that the study examines.
+    /// Mechanism of the scene.
     pub model: &'a Mechanism,
-    /// Scene that the study examines.
+    /// Scene whose limits are studied.
     pub scene: &'a Scene,
-    /// True for a shorter study with fewer runs.
+    /// True for a shorter study with fewer runs; false for the full study.
     pub quick: bool,
-    /// Receiver of progress messages.
+    /// Display of the progress of the study.
     pub progress: &'a dyn Progress,
 }
 
 impl Findings {
-    /// Adds a conclusion of a study.
+    /// Adds a conclusion of a study, as a sentence, to the findings.
     pub(super) fn say(&mut self, study: Topic, text: String) {
         self.statements.push(Statement { study, text });
     }

@@ -1,4 +1,5 @@
-//! Growth of small errors: the horizon after which no digit is left, predicted and measured.
+//! Study of the growth of small errors: the horizon after which no correct digit is left, predicted
+//! and measured.
 
 use super::findings::{Findings, Row, Study, Topic};
 use crate::code::{Ready, code};
@@ -15,15 +16,16 @@ use tripos_sim::work_precision::error;
 use tripos_sim::{Eliminated, Method, Options, Output};
 use tripos_traits::larger;
 
-/// Number of instants at which runs are compared with the reference.
+/// Number of instants at which the errors of runs are measured against the reference.
 const INSTANTS: u32 = 40;
-/// Tolerances of the runs whose predicted horizons are measured.
+/// Tolerances of the runs whose horizons are predicted and measured.
 const TOLERANCES: [f64; 3] = [1e-4, 1e-7, 1e-10];
 
-/// Predicts the growth of an error from the linearized equations, and compares it with runs at three tolerances.
+/// Predicts the growth of an error by the linearized equations, and compares it with runs at three
+/// tolerances.
 ///
 /// # Errors
-/// [`Error`] if the scene cannot be run at all.
+/// [`Error`] if the scene cannot be run.
 pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let (model, scene) = (study.model, study.scene);
     let by = EquationsOrigin::from(Formulation::Kane);
@@ -57,7 +59,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     )];
     for (at, tolerance) in TOLERANCES.into_iter().enumerate() {
         let (steps, errors) = errors_along(&problem, &y0, tolerance, &times, &reference)?;
-        // Every step adds an error of its own, which the prediction counts.
+        // Every step adds an error of its own, which the prediction takes into account.
         let predicted = found.horizon(|t| tolerance * (steps * (t - from) / (to - from)).max(1.0));
         let lost = errors.iter().find(|(_, e)| *e >= 1.0).map(|(t, _)| *t);
         let remark = if lost.is_none() { "a digit is left to the end" } else { "first instant with an error of 1" };
@@ -93,7 +95,11 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     Ok(())
 }
 
-/// Makes a run at a tolerance. Returns the number of its steps, and pairs of instant, s, and error at each of `times`.
+/// Makes a run at the given tolerance. Returns the number of its steps, and a pair of instant, s,
+/// and error for each of `times`.
+///
+/// # Errors
+/// `Error::Request` if the options are invalid; `Error::Interrupted` if the observer ended the run.
 fn errors_along(
     problem: &Problem<'_>,
     y0: &[f64],

@@ -1,5 +1,8 @@
-//! Passages near a singular surface: errors of every formulation, solve and method, in the coordinate and in its
-//! distance.
+//! Study of passages near a singular surface: the errors of every formulation and integrator, in
+//! the singular coordinate and in its distance from the surface.
+//!
+//! A scene's ladder is a list of variants of its start, called rungs, that pass ever closer to the
+//! surface.
 
 use super::findings::{Findings, Passed, Row, Study, Topic, Variable};
 use crate::code::{Ready, code, tape};
@@ -20,7 +23,7 @@ use tripos_sim::work_precision::{error, options};
 use tripos_sim::{Method, Options, Output};
 use tripos_traits::larger;
 
-/// Methods that are compared, each at a tolerance near the finest that it accepts.
+/// Integrators that are compared, each with a tolerance near the finest that it accepts.
 const METHODS: [(Method, f64); 5] = [
     (Method::Dop853, 3e-14),
     (Method::Ode45, 1e-12),
@@ -28,25 +31,28 @@ const METHODS: [(Method, f64); 5] = [
     (Method::Gauss6, 1e-11),
     (Method::Rk4, 1e-12),
 ];
-/// Method for a scene's reduced equations. Near the surface their states have very different sizes, and none of them
-/// loses digits. An absolute tolerance alone keeps the digits of all.
+/// Integrator and tolerance for a scene's reduced equations. Near the surface, their states have
+/// very different sizes and lose no digits. An absolute tolerance alone keeps the digits of all
+/// states.
 const OWN: MethodAtTolerance = MethodAtTolerance::Absolute(Method::Dop853, 1e-14);
-/// Number of methods that a quick study compares.
+/// Number of integrators that a quick study compares.
 const QUICK: usize = 2;
 
-/// Passage of a motion near a singular surface.
+/// Passage of a motion near a singular surface of the kinematic equations.
 pub struct Passage {
     /// Instant at which the motion is nearest to the surface, s.
     pub t: f64,
-    /// Distance from the surface at that instant: the size of the divisor of the kinematic equations.
+    /// Least distance from the surface: the absolute value of the divisor of the kinematic equations at
+    /// that instant.
     pub least: f64,
 }
 
-/// Finds the first passage of a scene near a singular surface: a minimum of a divisor of the kinematic equations.
-/// `None` if there is none.
+/// Finds the first passage of a scene near a singular surface: a minimum of the absolute value of a
+/// divisor of the kinematic equations. `None` if there is no minimum, or the motion goes through
+/// the surface.
 ///
 /// # Errors
-/// [`Error`] if the scene cannot be run at all.
+/// [`Error`] if the scene cannot be run.
 pub fn passage(model: &Mechanism, scene: &Scene) -> Result<Option<Passage>, Error> {
     let Some(divisor) = model.kinematic_equations.divisors.first() else { return Ok(None) };
     let by = EquationsOrigin::from(Formulation::Kane);
@@ -60,7 +66,7 @@ pub fn passage(model: &Mechanism, scene: &Scene) -> Result<Option<Passage>, Erro
     let run = uninterrupted(problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?)?;
     let values: Vec<f64> =
         run.y.iter().map(|y| tape.evaluate(&[scene.parameters.clone(), problem.coordinates(y)].concat())[0]).collect();
-    // A motion that goes through the surface does not pass by it.
+    // A motion that goes through the surface has no passage beside it.
     if values.iter().any(|v| *v > 0.0) && values.iter().any(|v| *v < 0.0) {
         return Ok(None);
     }
@@ -69,18 +75,21 @@ pub fn passage(model: &Mechanism, scene: &Scene) -> Result<Option<Passage>, Erro
     Ok(least.map(|at| Passage { t: run.t[at], least: values[at] }))
 }
 
-/// Rung of the ladder: a scene, with the reference at its passage and at its end.
+/// Rung of the ladder: a variant of the scene, with the reference at its passage and at its end.
 struct Rung {
+    /// Variant of the scene.
     scene: Scene,
+    /// Reference states in 32 digits at the passage and at the end.
     reference: Reference,
-    /// Least distance of the passage.
+    /// Least distance of the motion from the singular surface.
     least: f64,
 }
 
-/// Runs all passages of the scene's ladder, if the kinematic equations become singular near the motion.
+/// Runs all passages of the scene's ladder with every case and integrator, and records their
+/// errors. Does nothing if the scene has no passage near a singular surface.
 ///
 /// # Errors
-/// [`Error`] if the scene cannot be run at all.
+/// [`Error`] if the scene cannot be run.
 pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let model = study.model;
     let mut rungs = Vec::new();
@@ -118,7 +127,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
             }
         }
     }
-    // A scene's reduced equations are written in the distance if they have one.
+    // The scene's reduced equations always use the distance from the surface if they have one.
     let own = own(model, study.scene);
     if let Err(failure) = &own {
         findings.say(Topic::Passages, format!("the scene's reduced equations were not run: {}", failure.first_line()));
@@ -148,15 +157,21 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     Ok(())
 }
 
-/// Variable that is integrated in a row of the heat map.
+/// Variable that is integrated in the runs of a row of the heat map.
 #[derive(Clone, Copy)]
 struct Integrated {
-    /// Distance in which the equations of the whole model are written; `None` for the coordinate.
+    /// Distance that the equations of the whole model use as a variable; `None` if they use the
+    /// coordinate.
     distance: Option<Distance>,
+    /// Kind of the variable, for tables.
     variable: Variable,
 }
 
-/// Makes one run of one rung. Adds its rows to the findings, and returns its cell of the heat map.
+/// Makes the run of a case on one rung, adds its rows to the findings, and returns its cell of the
+/// heat map.
+///
+/// # Errors
+/// `Error` if the run cannot be made or is interrupted.
 fn cell(
     study: &Study<'_>,
     findings: &mut Findings,
@@ -197,8 +212,8 @@ fn cell(
     let (mut t, mut y, mut steps, mut last) = (scene.span.0, start.clone(), 0, f64::NAN);
     let instants = rung.reference.times.iter().zip(&rung.reference.states);
     for (quantity, (next, state)) in ["error inside", "error at the end"].into_iter().zip(instants) {
-        // Quadrature starts anew for each part: it takes no steps that a first part could save, and a state inside the
-        // passage holds the energy with fewer digits.
+        // Quadrature starts anew for each part. It takes no steps that the first part could save, and a
+        // state inside the passage determines the energy to fewer digits.
         if way == MethodAtTolerance::Quadrature {
             (t, y) = (scene.span.0, start.clone());
         }
@@ -226,16 +241,22 @@ fn cell(
     Ok(Cell::Value(last))
 }
 
-/// End of a run over one part of a passage.
+/// Result of a run over one part of a passage.
 struct Arrival {
-    /// Reason why the run stopped before the end of the part; `None` if it did not.
+    /// Code of the reason why the run stopped before the end of the part; `None` if it reached the end.
     stop: Option<String>,
+    /// Instant at which the run ended, s.
     t_end: f64,
+    /// Number of accepted steps.
     steps: u64,
+    /// Integrated state at the end; `None` if quadrature gave no motion.
     y_end: Option<Vec<f64>>,
 }
 
-/// Runs a problem over one part of a passage.
+/// Runs a problem over one part of a passage, from the integrated state `y0` over `span`, s.
+///
+/// # Errors
+/// `Error` if the run cannot be made or is interrupted.
 fn arrive(
     study: &Study<'_>,
     problem: &Problem<'_>,
@@ -251,7 +272,7 @@ fn arrive(
             steps: solution.steps,
             y_end: Some(solution.y_end),
         }),
-        // Quadrature does not give every motion.
+        // Quadrature cannot compute every motion.
         Err(_) if way == MethodAtTolerance::Quadrature && !study.model.follow.is_interrupted() => {
             Ok(Arrival { stop: Some("no-quadrature".to_owned()), t_end: span.0, steps: 0, y_end: None })
         }
@@ -259,8 +280,8 @@ fn arrive(
     }
 }
 
-/// Adds to the findings the best and the worst run through the narrowest passage, and the uncertainty of the
-/// references.
+/// Adds two conclusions to the findings: the best and the worst run through the narrowest passage,
+/// and the uncertainty of the references.
 fn summary(findings: &mut Findings, rungs: &[Rung]) {
     let Some(narrow) = rungs.iter().min_by(|a, b| a.least.total_cmp(&b.least)) else { return };
     let describe = |p: &Passed| format!("{}, {}, {}, in the {}", p.by.name(), p.solve, p.method, p.variable.name());

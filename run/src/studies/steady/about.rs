@@ -1,4 +1,4 @@
-//! Linear system, modes and stability of a mechanism near a steady motion.
+//! Linear system of a mechanism near a steady motion, with its modes and stability.
 
 use super::Question;
 use super::control::{Transfer, reached, transfers};
@@ -13,68 +13,73 @@ use nalgebra::DMatrix;
 use tripos_derive::plain::significant;
 use tripos_derive::scene::Asked;
 
-/// Linear system near a steady motion, with its modes, stability and transfer functions.
+/// Linear system near a steady motion, with its eigenvalues, stability and transfer functions.
 #[derive(Clone, Debug)]
 pub struct About {
-    /// Names of all states of the mechanism: coordinates, then generalized speeds.
+    /// Names of all states of the mechanism: coordinates, followed by generalized speeds.
     pub all: Vec<String>,
-    /// Index of time among the states, with which drives go on; `None` if the model does not name time.
+    /// Index of the time t among the states; `None` if the model does not name the time.
     pub time: Option<usize>,
-    /// Steady motion about which the system is linear.
+    /// Steady motion about which the mechanism is linearised.
     pub steady: Steady,
-    /// Descriptions of the symmetries along which the motion moves, each with its rate.
+    /// Symmetries along which the steady motion moves, each as a description and a rate.
     pub moves: Vec<(String, f64)>,
     /// Names of the inputs of the linear system.
     pub inputs: Vec<String>,
     /// Names of the outputs of the linear system.
     pub outputs: Vec<String>,
-    /// Matrices of the linear system.
+    /// Matrices of the linear system, and the states that they refer to.
     pub system: Quotient,
-    /// Eigenvalues of the linear system.
+    /// Eigenvalues of the matrix A, with their multiplicities and errors.
     pub modes: Vec<Mode>,
-    /// Stability of the steady motion by the eigenvalues.
+    /// Stability of the steady motion, judged by the eigenvalues.
     pub stability: Stability,
-    /// Names of states that distinguish the steady motions of the family, as many as the family has parameters. Empty
-    /// if the matrix A maps directions to zero but no steady motions were found along these.
+    /// Names of the states that distinguish the neighbouring steady motions, as many as their family
+    /// has parameters. Empty if no neighbouring steady motions were found.
     pub family: Vec<String>,
     /// Number of independent directions that the matrix A maps to zero.
     pub still: usize,
-    /// Dimension of the space of states that the inputs reach.
+    /// Dimension of the subspace of states that the inputs can reach.
     pub controllable: usize,
-    /// Dimension of the space of states that the outputs show.
+    /// Dimension of the space of states that the outputs can distinguish.
     pub observable: usize,
-    /// Transfer functions from each input to each output.
+    /// Transfer functions of the linear system from each input to each output.
     pub transfers: Vec<Transfer>,
 }
 
 impl About {
-    /// Names and values of coordinates and speeds in the steady motion; time is left out.
+    /// Iterates over the names and values of coordinates and speeds in the steady motion; the time is
+    /// left out.
     pub fn states(&self) -> impl Iterator<Item = (&str, f64)> + '_ {
         let all = self.all.iter().zip(&self.steady.x).enumerate().filter(|(at, _)| Some(*at) != self.time);
         all.map(|(_, (name, x))| (name.as_str(), x.hi()))
     }
 }
 
-/// Options of a linearisation.
+/// Options of a linearisation about a steady motion.
 #[derive(Clone, Debug, Default)]
 pub struct Wanted {
-    /// Names of the inputs: inputs of the model, or parameters. If the list is empty, all inputs of the model.
+    /// Names of the inputs of the linear system: inputs or other parameters of the model. If empty, all
+    /// inputs of the model.
     pub inputs: Vec<String>,
-    /// True if states that symmetries shift are kept in the linear system.
+    /// True if states that a symmetry shifts, such as cyclic coordinates, stay in the linear system.
     pub whole: bool,
-    /// True if a state that is not steady is accepted, with the loops closed by the sought coordinates.
+    /// True if a state that is not steady is accepted too. Only its loops are then closed, by the
+    /// sought coordinates.
     pub as_is: bool,
 }
 
-/// Advice for a state that is not steady.
+/// Advice for the user if the state is not steady.
 const ASK: &str =
     "put the values that may change under [guess], or let `tripos equilibria` find a steady motion nearby";
 
-/// Linearises a mechanism about a steady motion: the given state, with its sought states solved for.
+/// Linearises a mechanism about a steady motion near the requested state; the sought states are
+/// solved for.
 ///
 /// # Errors
-/// [`Error`] if the model cannot be derived or lacks one of the inputs, or if the state is singular. [`Error`] also if
-/// the state is not steady and no steady state was found near it.
+/// [`Error`] if the model cannot be derived or lacks an input, or if the state is singular.
+/// [`Error`] also if no steady state is found near the requested state, unless the options accept
+/// this.
 pub fn linearise(model: &Mechanism, asked: &Asked, wanted: &Wanted) -> Result<About, Error> {
     let mut question = Question::new(model, asked, &wanted.inputs)?;
     let unknowns = Unknowns { states: asked.sought.clone(), moves: true };
@@ -89,26 +94,32 @@ pub fn linearise(model: &Mechanism, asked: &Asked, wanted: &Wanted) -> Result<Ab
     question.about(model, steady, shifted)
 }
 
-/// Treatment of the family of a steady motion.
+/// Choice to search for steady motions beside a steady motion (its family), or not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Family {
-    /// Other steady motions beside this one are sought.
+    /// Neighbouring steady motions are searched for.
     Sought,
-    /// The family is not sought.
+    /// Neighbouring steady motions are not searched for.
     LeftOut,
 }
 
 impl Question {
-    /// Computes the linear system near a steady motion, with its modes and stability; `shifted` tells if the
-    /// states that symmetries shift are kept.
+    /// Computes the linear system near a steady motion, with its modes and stability. `shifted` tells
+    /// if the states that symmetries shift stay in the system.
     ///
     /// # Errors
-    /// [`Error::Stopped`] in a singular pose, and if a slope has no value.
+    /// [`Error::Stopped`] if loops are dependent in this pose, or a slope has no finite value.
+    /// `Error::Request` if the equations are singular at the state.
     pub fn about(&mut self, model: &Mechanism, steady: Steady, shifted: Shifted) -> Result<About, Error> {
         self.about_in(model, steady, shifted, Family::Sought)
     }
 
-    /// Linearises about a steady motion. The search for a crossing does not need its family.
+    /// Computes the linear system near a steady motion, with or without a search for neighbouring
+    /// steady motions.
+    ///
+    /// # Errors
+    /// `Error::Stopped` for a singular pose or a slope without value; `Error::Request` for singular
+    /// equations.
     pub(super) fn about_in(
         &mut self,
         model: &Mechanism,
@@ -144,8 +155,8 @@ impl Question {
     }
 }
 
-/// Indices, in ascending order, of rows of a matrix by which its columns can be distinguished. Large rows are
-/// preferred.
+/// Indices, in ascending order, of rows that distinguish the columns of a matrix, as many as
+/// columns. Rows with large entries are preferred.
 fn leading(columns: &DMatrix<f64>) -> Vec<usize> {
     let mut left = columns.clone();
     let mut rows = Vec::new();
@@ -161,7 +172,8 @@ fn leading(columns: &DMatrix<f64>) -> Vec<usize> {
 }
 
 impl Question {
-    /// Error that says why a state is not steady, with the given advice.
+    /// Error that lists why a state is not steady: rates, forces and open loops. `help` is the advice
+    /// to the user.
     #[must_use]
     pub fn unbalanced(&self, steady: &Steady, help: &str) -> Error {
         let rates = steady
@@ -181,7 +193,8 @@ impl Question {
         }
     }
 
-    /// Descriptions of the symmetries along which a steady motion moves, each with its rate.
+    /// Symmetries along which a steady motion moves, each as a description and a rate; the shift of
+    /// time is left out.
     fn moves(&self, model: &Mechanism, steady: &Steady) -> Vec<(String, f64)> {
         let all = self.flow.symmetries.iter().zip(&steady.along).enumerate();
         let all = all.filter(|(at, _)| Some(*at) != self.by_time);

@@ -1,4 +1,5 @@
-//! A steady motion followed along a number: its eigenvalues that cross the imaginary axis, and its end.
+//! Steady motion followed along a varied number: eigenvalues that cross the imaginary axis, and the
+//! end of the motion.
 
 use super::Question;
 use super::about::{About, Family};
@@ -11,37 +12,39 @@ use crate::{Error, Mechanism};
 use tripos_derive::scene::Asked;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Largest number of halvings of the interval in which a crossing or an end lies.
+/// Largest number of halvings of the interval that contains a crossing or an end.
 const HALVINGS: usize = 200;
-/// Width, relative to the values at its ends, at which an interval is no longer halved.
+/// Relative width below which an interval is no longer halved.
 const WIDTH: f64 = 4.0 * f64::EPSILON;
-/// Ratio of two crossings' distance to their value up to which they are one.
+/// Relative difference up to which two crossings count as equal.
 const SAME: f64 = 1e-9;
-/// Largest number of crossings that are distinguished between two values.
+/// Largest number of crossings that are found between two given values of the varied number.
 const MOST_CROSSINGS: usize = 32;
 
-/// Steady motion at one value of the number that it is followed along.
+/// Steady motion at one value of the varied number.
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// Value of the number.
+    /// Value of the varied number, in the unit of the state file.
     pub value: f64,
-    /// Linear system of the steady motion at this value.
+    /// Linear system near the steady motion at this value.
     pub about: About,
 }
 
-/// Kind of change of a steady motion between two values.
+/// Kind of change of a steady motion between two values of the varied number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CrossingKind {
-    /// A real eigenvalue passes 0: other steady motions branch off, or this motion exchanges stability with them.
+    /// A real eigenvalue passes 0. Other steady motions branch off, or exchange stability with this
+    /// motion.
     Real,
-    /// A pair of eigenvalues passes the imaginary axis: oscillations begin or cease to grow (E. Hopf).
+    /// A pair of complex eigenvalues passes the imaginary axis, and oscillations begin or cease to grow
+    /// (E. Hopf).
     Pair,
-    /// Two steady motions meet and end: no steady motion goes on beyond.
+    /// The steady motion ends, where it meets another steady motion.
     Fold,
 }
 
 impl CrossingKind {
-    /// Name of the kind in JSON and tables.
+    /// Name of the kind for JSON and tables.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -52,32 +55,35 @@ impl CrossingKind {
     }
 }
 
-/// Change of stability of a steady motion, or its end.
+/// Change of stability of a steady motion, or its end, at a value of the varied number.
 #[derive(Clone, Debug)]
 pub struct Crossing {
-    /// Kind of the change.
+    /// Kind of the change, such as a real eigenvalue that passes 0.
     pub kind: CrossingKind,
-    /// Value of the number at the change.
+    /// Value of the varied number at the change.
     pub value: f64,
-    /// Angular frequency of the oscillations at the change, rad/s; 0 except for a pair.
+    /// Angular frequency of the oscillations at the change, rad/s; 0 unless a pair of eigenvalues
+    /// crosses.
     pub frequency: f64,
 }
 
-/// Course of a steady motion along a number.
+/// Steady motion along a varied number: its points, its changes of stability and its end.
 #[derive(Clone, Debug, Default)]
 pub struct Course {
-    /// Points at the requested values, as far as the motion goes.
+    /// Points at the given values of the number, up to the end of the motion.
     pub points: Vec<Point>,
-    /// Changes of stability between the points, and the end of the motion.
+    /// Changes of stability between the points, and the end of the motion if it has one.
     pub crossings: Vec<Crossing>,
-    /// Reason why the motion ends before the last value; `None` if it reaches that value.
+    /// Reason why the motion ends before the last value; `None` if it exists at the last value.
     pub ended: Option<String>,
 }
 
-/// Follows a steady motion over values of a number of the state file; `asked` gives the request at each value.
+/// Follows a steady motion over values of a number in the state file. `asked` reads the state file
+/// with a value of the number.
 ///
 /// # Errors
-/// Errors of [`super::equilibria`], at the first value.
+/// `Error` if no steady motion is found at the first value, or the state file cannot be read with a
+/// value.
 pub fn follow(
     model: &Mechanism,
     asked: &mut dyn FnMut(f64) -> Result<Asked, Error>,
@@ -88,7 +94,12 @@ pub fn follow(
     along(model, &mut question, asked, values)
 }
 
-/// Follows a steady motion, as [`follow`] does, for a mechanism that is already prepared.
+/// Follows a steady motion over values of a number, for a mechanism that is already prepared.
+/// `asked` reads the state file with a value of the number.
+///
+/// # Errors
+/// `Error` if no steady motion is found at the first value, or the state file cannot be read with a
+/// value.
 pub(super) fn along(
     model: &Mechanism,
     question: &mut Question,
@@ -100,7 +111,7 @@ pub(super) fn along(
     let start = asked(*first)?;
     let mut unknowns = unknowns(question, &start);
     if let Some(last) = values.last() {
-        // States that the number changes are not solved for.
+        // States that the varied number changes are not solved for.
         let other = asked(*last)?;
         unknowns.states.retain(|at| start.x[*at] == other.x[*at]);
     }
@@ -125,22 +136,33 @@ pub(super) fn along(
     Ok(course)
 }
 
-/// Mechanism, unknowns and requests of a steady motion that is followed along a number.
+/// Steady motion that is followed along a varied number: mechanism, unknowns and requests.
 struct FollowedMotion<'w> {
+    /// Mechanism whose motion is followed.
     model: &'w Mechanism,
+    /// Prepared equations, at the parameters of the last value.
     question: &'w mut Question,
+    /// Unknowns of the search for the steady motion.
     unknowns: Unknowns,
+    /// Function that reads the state file with a value of the number.
     asked: &'w mut dyn FnMut(f64) -> Result<Asked, Error>,
 }
 
 impl FollowedMotion<'_> {
-    /// Finds the steady motion at a value of the number, beginning at a steady motion near it.
+    /// Finds the steady motion at a value of the number. The search begins at the steady motion `near`,
+    /// or at the guess.
+    ///
+    /// # Errors
+    /// `Error` if no steady motion is found, or it has no linear system.
     fn point(&mut self, value: f64, near: Option<&Steady>) -> Result<Point, Error> {
         self.point_in(value, near, Family::Sought)
     }
 
-    /// Finds the steady motion at a value of the number. Also finds its family if that is
-    /// sought.
+    /// Finds the steady motion at a value of the number. `family` tells if neighbouring steady motions
+    /// are searched for too.
+    ///
+    /// # Errors
+    /// `Error` if no steady motion is found, or it has no linear system.
     fn point_in(&mut self, value: f64, near: Option<&Steady>, family: Family) -> Result<Point, Error> {
         let asked = (self.asked)(value)?;
         self.question.at(&asked.parameters);
@@ -155,8 +177,8 @@ impl FollowedMotion<'_> {
         Ok(Point { value, about: self.question.about_in(self.model, steady, Shifted::LeftOut, family)? })
     }
 
-    /// Last value at which the steady motion is found, between a point of it and the value `to` at which it is not
-    /// found.
+    /// Last value of the number at which the steady motion is found. It lies between that of the point
+    /// `from` and the value `to`, at which no steady motion is found.
     fn end(&mut self, from: &Point, to: f64) -> f64 {
         let (mut near, mut last, mut beyond) = (from.about.steady.clone(), from.value, to);
         for _ in 0..HALVINGS {
@@ -172,10 +194,15 @@ impl FollowedMotion<'_> {
         last
     }
 
-    /// Finds the eigenvalues that cross the imaginary axis between two points. A real eigenvalue crosses where the
-    /// product of all eigenvalues except those of the family changes its sign. This product is known even where
-    /// eigenvalues near 0 are not. A pair crosses where the number of growing eigenvalues changes by two. Two real
-    /// eigenvalues that meet and become a pair cross nothing.
+    /// Finds the eigenvalues that cross the imaginary axis between two points.
+    ///
+    /// A real eigenvalue crosses where the product of all eigenvalues changes its sign, without those
+    /// of the family. This product is known even if eigenvalues near 0 are not. A pair crosses where
+    /// the number of growing eigenvalues changes by two. Two real eigenvalues that meet and become a
+    /// pair do not cross.
+    ///
+    /// # Errors
+    /// `Error` if no steady motion is found between the points.
     fn crossings(&mut self, from: &Point, to: &Point) -> Result<Vec<Crossing>, Error> {
         let family = from.about.still;
         let is_negative = |point: &Point| is_negative(&point.about.system.a, family);
@@ -196,8 +223,8 @@ impl FollowedMotion<'_> {
                 }
                 _ => (None, 0.0),
             };
-            // Next to a crossing, eigenvalues near 0 may be undecided: what changes at both ends of that stretch is one
-            // crossing.
+            // Next to a crossing, eigenvalues near 0 may be undecided in an interval. The changes at both of
+            // its ends are the same crossing.
             let is_same = |known: &Crossing| (known.value - after.value).abs() <= SAME * after.value.abs();
             let kind = kind.filter(|_| !list.iter().any(is_same));
             list.extend(kind.map(|kind| Crossing { kind, value: after.value, frequency }));
@@ -206,8 +233,12 @@ impl FollowedMotion<'_> {
         Ok(list)
     }
 
-    /// Brackets by halving, to rounding, the first point at which `what` differs from its value at `from`. Returns the
-    /// last point before the difference, and the first point with it.
+    /// Finds, by halving the interval down to rounding, the first point at which the value of `what`
+    /// differs from that at `from`. Returns the last point before the difference, and the first point
+    /// with it.
+    ///
+    /// # Errors
+    /// `Error` if no steady motion is found between the points.
     fn change<T: PartialEq>(
         &mut self,
         from: &Point,
@@ -230,14 +261,14 @@ impl FollowedMotion<'_> {
     }
 }
 
-/// Number of eigenvalues of a point with a positive real part.
+/// Number of eigenvalues with a positive real part at a point, so that solutions grow.
 fn growing(point: &Point) -> usize {
     let grows = |mode: &&Mode| mode.grows();
     point.about.modes.iter().filter(grows).count()
 }
 
-/// True if the coefficient of s^family in det(s − A) is negative. The coefficient is ± the sum of the products of n −
-/// family eigenvalues (D. K. Faddeev's recurrence).
+/// True if the coefficient of s^family in det(s − A) is negative. Up to its sign, the coefficient
+/// is the sum of the products of n − family eigenvalues (D. K. Faddeev's recurrence).
 fn is_negative(a: &Wide, family: usize) -> bool {
     let n = a.rows.len();
     let one = DoubleDouble::int(1);

@@ -1,31 +1,31 @@
-//! Complex numbers of 32 digits.
+//! Complex numbers whose parts have 32 digits.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Complex number of 32 digits.
+/// Complex number whose real and imaginary part have 32 digits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Complex {
-    /// Real part.
+    /// Real part of the number, to 32 digits.
     pub re: DoubleDouble,
-    /// Imaginary part.
+    /// Imaginary part of the number, to 32 digits.
     pub im: DoubleDouble,
 }
 
 impl Complex {
-    /// Makes the complex number of a real number.
+    /// Makes a complex number from its real part; the imaginary part is 0.
     #[must_use]
     pub fn real(re: DoubleDouble) -> Self {
         Self { re, ..Self::default() }
     }
 
-    /// Makes the complex number of a real number that is given as a double.
+    /// Makes a complex number from its real part, given as a double; the imaginary part is 0.
     #[must_use]
     pub fn from_f64(re: f64) -> Self {
         Self::real(DoubleDouble::from_f64(re))
     }
 
-    /// Makes a complex number from its absolute value and its angle, to the digits of doubles.
+    /// Makes a complex number from its absolute value and its angle, rad, in double precision.
     #[must_use]
     pub fn polar(size: f64, angle: f64) -> Self {
         let [re, im] = [size * angle.cos(), size * angle.sin()].map(DoubleDouble::from_f64);
@@ -50,19 +50,19 @@ impl Complex {
         self.squared_norm().sqrt()
     }
 
-    /// Absolute value |z|, as a double.
+    /// Absolute value |z|, rounded to a double.
     #[must_use]
     pub fn norm(self) -> f64 {
         self.re.hi().hypot(self.im.hi())
     }
 
-    /// Product z r with a real number.
+    /// Product z r with a real number r.
     #[must_use]
     pub fn scaled(self, r: DoubleDouble) -> Self {
         Self { re: self.re * r, im: self.im * r }
     }
 
-    /// Square root of the number, whose real part is not negative.
+    /// Principal square root of the number, whose real part is not negative.
     #[must_use]
     pub fn sqrt(self) -> Self {
         let half = DoubleDouble::from_f64(0.5);

@@ -1,4 +1,5 @@
-//! Rest and steady motion in closed form: terms in letters that must vanish, and solutions that exact algebra finds.
+//! Conditions of rest and of steady motion in closed form: terms that must be zero, and exact
+//! solutions where algebra finds them.
 
 use super::newton::Steady;
 use crate::{Error, Mechanism};
@@ -10,94 +11,100 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::flow::Steadiness;
 use tripos_traits::DoubleDouble;
 
-/// Distance of a number from the value of a formula up to which it lies on the formula's branch, relative to the
-/// number's size or 1.
+/// Difference up to which a number and the value of a formula count as equal, relative to the
+/// number's size or to 1.
 const NEAR: f64 = 1e-9;
 
-/// A formula in the notation of model files and in LaTeX.
+/// Formula as text in two notations: that of model files, and LaTeX.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Formula {
-    /// Formula in the language of model files.
+    /// Formula in the notation of model files.
     pub text: String,
-    /// Formula in LaTeX, for math mode.
+    /// Formula in LaTeX for math mode, without dollar signs.
     pub latex: String,
 }
 
-/// A name and its value, both as formulas.
+/// Equation `name` = `value`, with both sides as formulas.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedFormula {
-    /// An unknown, its square, or a sine, cosine or tangent of it.
+    /// Left side: an unknown, its square, or its sine, cosine or tangent.
     pub name: Formula,
-    /// Formula of the value of `name`.
+    /// Right side: the value of the left side.
     pub value: Formula,
 }
 
-/// Velocity along a symmetry of the mechanism.
+/// Velocity along a symmetry of the mechanism, as a symbol in conditions of steady motion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Velocity {
-    /// Letter of the velocity; the name of a rate of a coordinate if the velocity is one.
+    /// Symbol of the velocity. It is the name of a rate such as `q1'` if the velocity is the rate of a
+    /// coordinate.
     pub name: String,
-    /// Description of the motion of the mechanism along the symmetry.
+    /// Description of the motion of the mechanism along the symmetry, in words.
     pub along: String,
-    /// True if the velocity is the rate of a coordinate.
+    /// True if the velocity is the rate of a coordinate; false if it has a symbol of its own.
     pub is_rate: bool,
 }
 
-/// Solutions that are given by formulas; angles hold up to whole turns.
+/// Branch of solutions of the conditions of rest or steady motion, as formulas. Angles are
+/// determined up to whole turns.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Solved {
-    /// Formulas of the unknowns that were solved for, in terms of those that are left free.
+    /// Formulas of the unknowns that are solved for, in terms of the free unknowns and the parameters.
     pub solved: Vec<NamedFormula>,
-    /// Conditions for the unknowns to be real, such as `l*cos(q) >= 0`.
+    /// Conditions under which the solved unknowns are real, such as `l*cos(q) >= 0`.
     pub needs: Vec<Formula>,
     /// Divisors of the formulas, which must not be 0.
     pub divided_by: Vec<Formula>,
-    /// Terms that must vanish as well, but were not solved.
+    /// Further terms that must be zero, but could not be solved.
     pub left: Vec<Formula>,
+    /// Branch as terms in the arena, to evaluate it at numbers.
     branch: Branch,
 }
 
-/// Conditions of rest, or of motion along symmetries, in closed form.
+/// Conditions of rest, or of steady motion along symmetries, in closed form.
 #[derive(Clone, Debug)]
 pub struct Conditions {
-    /// True for conditions of rest, with all velocities 0.
+    /// True for conditions of rest, with all velocities 0; false for those of steady motion.
     pub rest: bool,
-    /// Velocities along symmetries; empty at rest.
+    /// Velocities along the symmetries; empty for conditions of rest.
     pub along: Vec<Velocity>,
-    /// Generalized speeds as formulas in coordinates and the velocities `along`.
+    /// Generalized speeds as formulas in the coordinates and the velocities `along`.
     pub speeds: Vec<NamedFormula>,
-    /// Velocities, coordinates and parameters that were solved for, the preferred ones first.
+    /// Names of the velocities, coordinates and parameters to solve for, in the order of preference.
     pub unknowns: Vec<String>,
-    /// Terms that must vanish.
+    /// Terms that must be zero.
     pub equations: Vec<Formula>,
-    /// Number of further equations that are too large for a readable form.
+    /// Number of further conditions that are too large to be readable.
     pub too_large: usize,
-    /// Divisors of the equations: if one of them is 0 the conditions say nothing.
+    /// Divisors of the conditions. If a divisor is 0, the conditions say nothing.
     pub divided_by: Vec<Formula>,
-    /// Solutions for which no divisor is 0, each proved by substitution: all of them if `complete`.
+    /// Branches of solutions with all divisors different from 0, each proved by substitution. They are
+    /// all branches if `complete` is true.
     pub branches: Vec<Solved>,
-    /// True if the search ended within its budget.
+    /// True if the search for branches ended within its budget, so that none is missing.
     pub complete: bool,
-    /// Symbols of the parameters, the coordinates and the velocities.
+    /// Symbols of the parameters, coordinates and velocities, in this order.
     symbols: Vec<Expr>,
 }
 
-/// Conditions of rest and of steady motion of a mechanism in closed form.
+/// Conditions of rest and of steady motion of a mechanism, in closed form.
 #[derive(Clone)]
 pub struct ClosedForm {
-    /// Conditions of rest, then of motion along symmetries, if the mechanism has any.
+    /// Conditions of rest, followed by those of steady motion if the mechanism has symmetries.
     pub list: Vec<Conditions>,
+    /// Arena with the terms of all branches.
     arena: Arena,
-    /// Flags of the coordinates that are angles.
+    /// Flags for the coordinates: true if the coordinate is an angle.
     is_angle: Vec<bool>,
 }
 
-/// Finds the conditions of rest and of steady motion in letters, and solves them if exact algebra can. It prefers to
-/// solve for the names in `asked`: velocities, coordinates, and parameters. Parameters are solved for only if they are
-/// named.
+/// Derives the conditions of rest and of steady motion in closed form, and solves them where exact
+/// algebra can. `asked` names the velocities, coordinates and parameters that are preferred as
+/// unknowns. Parameters are unknowns only if named.
 ///
 /// # Errors
-/// [`Error`] if the model cannot be derived, depends on time, or has no quantity of a given name.
+/// [`Error`] if the model cannot be derived, depends on time, or has no quantity with a name in
+/// `asked`.
 pub fn conditions(model: &Mechanism, asked: &[String]) -> Result<ClosedForm, Error> {
     let mut flow = super::steady_flow(model)?;
     let mut balances = vec![flow.balance(model, Steadiness::Rest)];
@@ -150,12 +157,12 @@ pub fn conditions(model: &Mechanism, asked: &[String]) -> Result<ClosedForm, Err
     Ok(ClosedForm { list, arena: flow.arena, is_angle })
 }
 
-/// Writes a term in the notation of model files and in LaTeX.
+/// Writes a term as text in the notation of model files and in LaTeX.
 fn formula(arena: &Arena, e: Expr) -> Formula {
     Formula { text: text(arena, e), latex: latex(arena, e) }
 }
 
-/// Left side of a relation: the unknown, its square, or a function of the angle.
+/// Left side of a solved relation: the unknown, its square, or its sine, cosine or tangent.
 fn subject(arena: &mut Arena, relation: &Relation) -> Expr {
     match relation.kind {
         Kind::Value => relation.unknown,
@@ -169,7 +176,7 @@ fn subject(arena: &mut Arena, relation: &Relation) -> Expr {
     }
 }
 
-/// Writes a branch of solutions as formulas.
+/// Writes a branch of solutions as formulas in both notations.
 fn solved(arena: &mut Arena, branch: Branch) -> Solved {
     let mut list = Vec::new();
     for relation in &branch.solved {
@@ -195,18 +202,20 @@ fn solved(arena: &mut Arena, branch: Branch) -> Solved {
     }
 }
 
-/// Conditions that a motion satisfies, and the branches of their solutions on which it lies.
+/// Conditions that apply to a given steady motion, and the branches of their solutions to which it
+/// belongs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BranchesAt {
-    /// Index of the conditions in [`ClosedForm::list`].
+    /// Index in [`ClosedForm::list`] of the conditions that apply.
     pub conditions: usize,
-    /// Indices of the branches; empty if the motion lies on none.
+    /// Indices of the branches to which the motion belongs; empty if it belongs to none.
     pub branches: Vec<usize>,
 }
 
 impl ClosedForm {
-    /// Conditions that a motion satisfies, with the branches on which it lies, judged by its numbers. This proves
-    /// nothing. `None` if no conditions apply.
+    /// Finds the conditions that apply to a steady motion, and the branches to which it belongs. The
+    /// decision is numerical and proves nothing. `None` if there are no conditions for rest or for
+    /// steady motion, as needed.
     #[must_use]
     pub fn branches_at(&self, parameters: &[DoubleDouble], steady: &Steady) -> Option<BranchesAt> {
         let at = self.list.iter().position(|conditions| conditions.rest == steady.is_rest())?;
@@ -219,7 +228,8 @@ impl ClosedForm {
         Some(BranchesAt { conditions: at, branches })
     }
 
-    /// True if the numbers of a motion satisfy a branch of solutions.
+    /// True if the numerical values of a motion satisfy a branch of solutions, up to rounding. `values`
+    /// belong to the symbols of the conditions.
     fn holds(&self, conditions: &Conditions, branch: &Branch, values: &[DoubleDouble]) -> bool {
         let mut arena = self.arena.clone();
         let sides = branch.solved.iter().map(|relation| [subject(&mut arena, relation), relation.value]);

@@ -1,4 +1,4 @@
-//! Dimensions of a linear system that its inputs reach and its outputs show, and its transfer functions.
+//! Controllability and observability of a linear system, and its transfer functions.
 
 use super::complex::Complex;
 use super::dense::Wide;
@@ -7,11 +7,13 @@ use crate::Error;
 use nalgebra::DMatrix;
 use tripos_traits::DoubleDouble;
 
-/// Length of a unit direction, after its parts along the reached directions are removed, up to which it counts as zero.
+/// Length of a unit vector, after its components along known directions are removed, up to which it
+/// counts as zero.
 const NOTHING: f64 = 1e-9;
 
-/// Number of dimensions that inputs reach: the rank of (B, A B, A² B, …), found direction by direction, so that powers
-/// of A do not hide any (Kalman's condition). For (Aᵀ, Cᵀ) it is the number of dimensions that outputs show.
+/// Computes the dimension of the subspace that the inputs reach: the rank of (B, A B, A² B, …)
+/// (Kalman's condition). It is found direction by direction, so that powers of A lose no digits.
+/// For (Aᵀ, Cᵀ) it is the dimension that the outputs show.
 #[must_use]
 pub fn reached(a: &DMatrix<f64>, b: &DMatrix<f64>) -> usize {
     let mut basis: Vec<nalgebra::DVector<f64>> = Vec::new();
@@ -19,7 +21,7 @@ pub fn reached(a: &DMatrix<f64>, b: &DMatrix<f64>) -> usize {
     let mut next: Vec<nalgebra::DVector<f64>> =
         b.column_iter().filter(|c| c.norm() > 0.0).map(|c| c.into_owned().normalize()).collect();
     while let Some(mut direction) = next.pop() {
-        // This is done twice, since rounding leaves a rest.
+        // The components are removed twice, since rounding leaves a remainder the first time.
         for _ in 0..2 {
             for known in &basis {
                 direction -= known * known.dot(&direction);
@@ -30,7 +32,7 @@ pub fn reached(a: &DMatrix<f64>, b: &DMatrix<f64>) -> usize {
         }
         direction.normalize_mut();
         let moved = a * &direction;
-        // A direction that A maps to zero, relative to its size, reaches nothing further.
+        // A direction that A maps to zero, relative to the size of A, leads to no further direction.
         if moved.norm() > f64::EPSILON * size {
             next.insert(0, moved.normalize());
         }
@@ -39,24 +41,25 @@ pub fn reached(a: &DMatrix<f64>, b: &DMatrix<f64>) -> usize {
     basis.len()
 }
 
-/// Transfer function y(s)/r(s) of one output and one input, (n₀ sᵐ + n₁ sᵐ⁻¹ + …)/(sᵏ + …).
+/// Transfer function y(s)/r(s) from an input to an output, (n₀ sᵐ + n₁ sᵐ⁻¹ + …)/(sᵏ + …).
 #[derive(Clone, Debug)]
 pub struct Transfer {
-    /// Index of the input.
+    /// Index of the input among the inputs of the linear system.
     pub input: usize,
-    /// Index of the output.
+    /// Index of the output among the outputs of the linear system.
     pub output: usize,
-    /// Coefficients of the numerator, that of the highest power first.
+    /// Coefficients of the numerator, with the highest power of s first.
     pub numerator: Vec<f64>,
-    /// Coefficients of the denominator, 1 first.
+    /// Coefficients of the denominator, with the highest power of s first; this coefficient is 1.
     pub denominator: Vec<f64>,
 }
 
-/// Transfer functions of d' = A d + B r, y = C d + D r. Each is (det(s − A + b c) − det(s − A))/det(s − A), plus an
-/// entry of D, with a column b of B and a row c of C.
+/// Computes the transfer functions of d' = A d + B r, y = C d + D r, from each input to each
+/// output. Each is (det(s − A + b c) − det(s − A))/det(s − A) plus an entry of D, with a column b
+/// of B and a row c of C.
 ///
 /// # Errors
-/// [`Error::Stopped`] if eigenvalues are not found.
+/// [`Error::Stopped`] if eigenvalues cannot be computed.
 pub fn transfers(a: &Wide, b: &Wide, c: &Wide, d: &Wide) -> Result<Vec<Transfer>, Error> {
     let mut list = Vec::new();
     let open = characteristic(a)?;
@@ -82,7 +85,10 @@ pub fn transfers(a: &Wide, b: &Wide, c: &Wide, d: &Wide) -> Result<Vec<Transfer>
     Ok(list)
 }
 
-/// Coefficients of the characteristic polynomial det(s − A), that of the highest power first.
+/// Coefficients of the characteristic polynomial det(s − A), with the highest power first.
+///
+/// # Errors
+/// `Error::Stopped` if eigenvalues cannot be computed.
 fn characteristic(a: &Wide) -> Result<Vec<DoubleDouble>, Error> {
     let mut coefficients = vec![Complex::from_f64(1.0)];
     if !a.rows.is_empty() {

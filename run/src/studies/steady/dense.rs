@@ -1,40 +1,41 @@
-//! Small dense matrices: in 32 digits for results, in doubles for choices and corrections.
+//! Small dense matrices, in 32 digits for results, and in double precision for decisions and
+//! corrections.
 
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Matrix of numbers of 32 digits.
+/// Dense matrix of numbers with 32 digits.
 #[derive(Clone, Debug, Default)]
 pub struct Wide {
-    /// Entries of the matrix, row by row.
+    /// Entries of the matrix, row by row; all rows have the same length.
     pub rows: Vec<Vec<DoubleDouble>>,
 }
 
 impl Wide {
-    /// Makes a matrix of zeros.
+    /// Makes a matrix of zeros with the given numbers of rows and columns.
     #[must_use]
     pub fn zeros(rows: usize, columns: usize) -> Self {
         Self { rows: vec![vec![DoubleDouble::int(0); columns]; rows] }
     }
 
-    /// Makes a matrix from its columns, which have one length.
+    /// Makes a matrix from its columns, each with `rows` entries.
     #[must_use]
     pub fn from_columns(rows: usize, columns: &[Vec<DoubleDouble>]) -> Self {
         Self { rows: (0..rows).map(|row| columns.iter().map(|column| column[row]).collect()).collect() }
     }
 
-    /// Number of columns of the matrix; 0 without rows.
+    /// Number of columns of the matrix; 0 if it has no rows.
     pub fn columns(&self) -> usize {
         self.rows.first().map_or(0, Vec::len)
     }
 
-    /// Part of the matrix with the given rows and columns, by their indices.
+    /// Submatrix of the rows and columns with the given indices, in the given order.
     #[must_use]
     pub fn part(&self, rows: &[usize], columns: &[usize]) -> Self {
         Self { rows: rows.iter().map(|row| columns.iter().map(|column| self.rows[*row][*column]).collect()).collect() }
     }
 
-    /// Sum of this matrix and the product of two others: self + sign · a b.
+    /// Computes self + sign · a b, with matrices of fitting shapes.
     #[must_use]
     pub fn plus(&self, sign: f64, a: &Self, b: &Self) -> Self {
         let sign = DoubleDouble::from_f64(sign);
@@ -49,19 +50,20 @@ impl Wide {
         sum
     }
 
-    /// Rounds the matrix to doubles.
+    /// Rounds the matrix to double precision.
     #[must_use]
     pub fn rounded(&self) -> DMatrix<f64> {
         DMatrix::from_fn(self.rows.len(), self.columns(), |row, column| self.rows[row][column].hi())
     }
 
-    /// Rows of the matrix, rounded to doubles.
+    /// Rows of the matrix, rounded to double precision.
     #[must_use]
     pub fn doubles(&self) -> Vec<Vec<f64>> {
         self.rows.iter().map(|row| row.iter().map(|x| x.hi()).collect()).collect()
     }
 
-    /// Solution X of self · X = right, by Gauss's elimination with row pivots; `None` if the matrix is singular.
+    /// Solves self · X = right for the matrix X, by Gaussian elimination with row pivots; `None` if
+    /// self is singular.
     #[must_use]
     pub fn solve(&self, right: &Self) -> Option<Self> {
         let n = self.rows.len();
@@ -88,8 +90,9 @@ impl Wide {
     }
 }
 
-/// Shortest vector x for which a x + r is smallest, after columns are scaled to one size. Singular values below
-/// `relative` times the largest count as zero. `None` if an entry is not finite.
+/// Finds the shortest vector x that minimizes |a x + r|, after the columns of a are scaled to equal
+/// size. Singular values below the fraction `relative` of the largest count as zero. `None` if an
+/// entry is not finite.
 pub fn least(a: &DMatrix<f64>, r: &DVector<f64>, relative: f64) -> Option<DVector<f64>> {
     if a.ncols() == 0 || a.nrows() == 0 {
         return Some(DVector::zeros(a.ncols()));
@@ -106,7 +109,8 @@ pub fn least(a: &DMatrix<f64>, r: &DVector<f64>, relative: f64) -> Option<DVecto
     Some(DVector::from_fn(found.len(), |j, _| found[j] / columns[j]))
 }
 
-/// Orthonormal basis of all x with a x = 0. Singular values up to `relative` times the largest count as zero.
+/// Orthonormal basis, as columns, of all x with a x = 0. Singular values up to the fraction
+/// `relative` of the largest count as zero.
 pub fn null_space(a: &DMatrix<f64>, relative: f64) -> DMatrix<f64> {
     let n = a.ncols();
     if a.nrows() == 0 || n == 0 {
@@ -122,7 +126,8 @@ pub fn null_space(a: &DMatrix<f64>, relative: f64) -> DMatrix<f64> {
     if columns.is_empty() { DMatrix::zeros(n, 0) } else { DMatrix::from_columns(&columns) }
 }
 
-/// Orthonormal basis, as columns, of the `count` directions that a square matrix maps to the smallest vectors.
+/// Orthonormal basis, as columns, of the `count` directions that a square matrix maps to the
+/// shortest vectors.
 pub fn least_moved(a: &DMatrix<f64>, count: usize) -> DMatrix<f64> {
     let svd = a.clone().svd(false, true);
     let v_t = svd.v_t.unwrap_or_else(|| DMatrix::identity(a.ncols(), a.ncols()));

@@ -1,9 +1,10 @@
-//! Eigenvalues of small matrices in 32 digits, with their multiplicity, their growth, and the shares of the states in
-//! them. Eigenvalues that coincide form groups ([`super::groups`]), whose nilpotent part tells how solutions grow
-//! ([`super::nilpotent`]).
+//! Eigenvalues of small matrices in 32 digits, with multiplicity, growth, and the share of each
+//! state in them.
 //!
-//! Entries of a matrix that are exactly 0 have no error. States that do not act on one another in a circle are
-//! therefore solved for separately, so that each eigenvalue has the error of its own part alone.
+//! Eigenvalues that coincide form groups ([`super::groups`]). The nilpotent part of a group tells
+//! how solutions grow ([`super::nilpotent`]). Entries of a matrix that are exactly 0 have no error.
+//! States are therefore split into blocks that do not act on one another in a circle. Each block is
+//! solved for separately, so an eigenvalue has only the error of its own block.
 
 use super::dense::Wide;
 use super::groups::{Spectrum, united};
@@ -14,18 +15,18 @@ use crate::Error;
 use nalgebra::{Complex as Double, DMatrix};
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Relative error of the entries of a matrix whose eigenvalues are found.
+/// Relative error that the entries of a matrix are assumed to have.
 const DIGITS: f64 = 1e-27;
-/// Ratio to the size of the matrix below which an entry is rounding alone.
+/// Fraction of the size of a matrix below which an entry counts as rounding.
 const NOTHING: f64 = 1e-24;
-/// Rounding of a computation in doubles, relative to the size of the matrix.
+/// Rounding error of a computation in double precision, relative to the size of the matrix.
 const IN_DOUBLES: f64 = 1e-12;
 
-/// Eigenvalues of a square matrix, those with the largest real part first. The entries of the matrix are known to 27
-/// digits, and may have a further error of `uncertain` times the size of the matrix.
+/// Computes the eigenvalues of a square matrix, with the largest real part first. The entries are
+/// known to 27 digits, and may have a further error of `uncertain` times the norm of the matrix.
 ///
 /// # Errors
-/// [`Error::Stopped`] if the eigenvalues are not found.
+/// [`Error::Stopped`] if the eigenvalues cannot be computed.
 pub fn modes(a: &Wide, uncertain: f64) -> Result<Vec<Mode>, Error> {
     if a.rows.is_empty() {
         return Ok(Vec::new());
@@ -58,8 +59,9 @@ pub fn modes(a: &Wide, uncertain: f64) -> Result<Vec<Mode>, Error> {
     Ok(list.into_iter().flat_map(|mode| std::iter::repeat_n(mode.clone(), mode.multiplicity)).collect())
 }
 
-/// True if eigenvalues satisfy their matrix within their errors and its own, `noise`: their sum is its trace, their
-/// product its determinant, and A − λ is singular for each of them.
+/// True if eigenvalues fit their matrix within their errors and the matrix's error `noise`. Their
+/// sum must be the trace, their product the determinant, and A − λ must be singular for each
+/// eigenvalue λ.
 fn satisfy(a: &Wide, noise: f64, list: &[Mode]) -> bool {
     let n = a.rows.len();
     let rounded = a.rounded();
@@ -71,7 +73,8 @@ fn satisfy(a: &Wide, noise: f64, list: &[Mode]) -> bool {
     let is_sum = (sum - trace).norm() <= all().map(|mode| mode.error).sum::<f64>() + off * n as f64;
     let product = all().fold(Double::new(1.0, 0.0), |product, mode| product * value(mode));
     let most: f64 = all().map(|mode| value(mode).norm() + mode.error).product();
-    // An error of one row changes the determinant by at most its product with the sizes of the other rows.
+    // An error in one row changes the determinant by at most this error times the sizes of the other
+    // rows.
     let sizes: Vec<f64> = rounded.row_iter().map(|row| row.norm() + noise).collect();
     let others = |row: usize| (0..n).filter(|at| *at != row).map(|at| sizes[at]).product::<f64>();
     let by_noise: f64 = (0..n).map(|row| noise * others(row)).sum();
@@ -84,7 +87,8 @@ fn satisfy(a: &Wide, noise: f64, list: &[Mode]) -> bool {
     all().count() == n && is_sum && is_product && list.iter().all(is_root)
 }
 
-/// Determinant of a matrix, by Gauss's elimination with row pivots in 32 digits.
+/// Determinant of a square matrix, by Gaussian elimination with row pivots in 32 digits; rounded to
+/// a double.
 fn determinant(a: &Wide) -> f64 {
     let mut rows = a.rows.clone();
     let mut product = DoubleDouble::int(1);
@@ -108,8 +112,8 @@ fn determinant(a: &Wide) -> f64 {
     product.hi()
 }
 
-/// Sets of states that act on one another in a circle, by the entries of a matrix that are not exactly 0. No set acts
-/// on one that comes after it.
+/// Splits states into sets that act on one another in a circle, by the entries of a matrix that are
+/// not exactly 0. The sets are ordered so that no set acts on a later set.
 fn in_turn(a: &Wide) -> Vec<Vec<usize>> {
     let n = a.rows.len();
     // Entry (i, j) is true if state j acts on state i, directly or through others.
@@ -130,7 +134,8 @@ fn in_turn(a: &Wide) -> Vec<Vec<usize>> {
     sets
 }
 
-/// Makes modes exact pairs: eigenvalues below the real axis mirror those above it, to the last digit.
+/// Replaces the eigenvalues below the real axis by exact mirror images of those above it. Returns
+/// the list unchanged if the numbers of both differ.
 fn in_pairs(modes: Vec<Mode>) -> Vec<Mode> {
     let count = |is_side: fn(f64) -> bool| -> usize {
         modes.iter().filter(|mode| is_side(mode.value[1])).map(|mode| mode.multiplicity).sum()
@@ -149,9 +154,9 @@ fn in_pairs(modes: Vec<Mode>) -> Vec<Mode> {
     list
 }
 
-/// Similar matrix whose rows and columns have comparable sizes, scaled by powers of two, and the possible errors of its
-/// entries (B. N. Parlett & C. Reinsch, Numer. Math. 13, 1969). Entries that are not clearly larger than their
-/// uncertainty do not count in the scaling.
+/// Scales a matrix by powers of two to a similar matrix with rows and columns of comparable sizes.
+/// Also returns the possible error of each entry (B. N. Parlett & C. Reinsch, Numer. Math. 13,
+/// 1969). Entries that are not clearly larger than their uncertainty are ignored in the scaling.
 fn balanced(a: &Wide, uncertain: f64) -> (Wide, DMatrix<f64>) {
     let rounded = a.rounded();
     let (size, off) = (rounded.norm(), uncertain * rounded.norm());

@@ -1,4 +1,5 @@
-//! Steady motions beside a steady motion: an eigenvalue of 0 of the linear system shows that others may exist.
+//! Search for steady motions beside a steady motion. They may exist if its linear system has an
+//! eigenvalue of 0.
 
 use super::Question;
 use super::dense::{least, least_moved};
@@ -7,17 +8,20 @@ use super::quotient::Quotient;
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Distance at which other steady motions are searched, relative to the size of the state or 1.
+/// Distance at which neighbouring steady motions are searched for, relative to the size of the
+/// state or to 1.
 const BESIDE: f64 = 1e-3;
-/// Largest residual of the balance of a steady motion that is found beside another.
+/// Largest residual of the balance that a neighbouring steady motion may have.
 const LEFT: f64 = 1e-20;
-/// Largest part of the distance by which Newton's method may lead back to the first steady motion.
+/// Largest fraction of the initial distance by which Newton's method may move back towards the
+/// first steady motion.
 const BACK: f64 = 0.3;
 
 impl Question {
-    /// Directions, in the kept states, in which steady motions were found beside a steady motion: as many as A maps to
-    /// zero, or none. Each direction is tried both ways, and so is their sum. For example, q̈ = −q³ has no steady
-    /// motion beside q = 0.
+    /// Finds the directions, in the kept states of the linear system, in which neighbouring steady
+    /// motions were found by Newton's method. The columns are all `count` directions that A maps to
+    /// zero, or none. Each direction and their sum are tried both ways. For example, `q̈ = −q³` has no
+    /// steady motion beside `q = 0`.
     pub(super) fn family_directions(&self, steady: &Steady, system: &Quotient, count: usize) -> DMatrix<f64> {
         let directions = least_moved(&system.a.rounded(), count);
         let together = directions.column_iter().fold(DVector::zeros(directions.nrows()), |sum, column| sum + column);
@@ -28,7 +32,7 @@ impl Question {
         if is_found { directions } else { DMatrix::zeros(directions.nrows(), 0) }
     }
 
-    /// True if another steady motion is found in a direction `way` of the kept states.
+    /// True if another steady motion is found in the direction `way` of the kept states.
     fn goes_on(&self, steady: &Steady, system: &Quotient, directions: &DMatrix<f64>, way: &DVector<f64>) -> bool {
         let unknowns = Unknowns { states: self.free_states(), moves: true };
         let Some(lifted) = self.lifted(steady, &unknowns.states, system, way) else { return false };
@@ -46,8 +50,9 @@ impl Question {
         found.is_steady() && found.residual <= LEFT.max(10.0 * steady.residual) && back <= BACK * way.norm()
     }
 
-    /// Direction in the given states of the mechanism, with the components `way` in the kept states. Other components
-    /// are those that the slopes of the residual determine. `None` if a slope is not finite.
+    /// Extends a direction `way` of the kept states to a direction in the given states of the
+    /// mechanism. The slopes of the residual determine the other components. `None` if a slope is not
+    /// finite.
     fn lifted(&self, steady: &Steady, states: &[usize], system: &Quotient, way: &DVector<f64>) -> Option<Vec<f64>> {
         let slopes = self.slopes_at(steady, states);
         let (rows, columns) = slopes.shape();

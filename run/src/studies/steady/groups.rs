@@ -1,37 +1,41 @@
 //! Groups of eigenvalues that coincide.
 //!
-//! Rounding splits an eigenvalue of multiplicity k by the k-th root of the rounding. Two questions are therefore asked
-//! of each set of eigenvalues. They coincide if the symmetric functions of their differences are zero, compared with
-//! rounding. These functions are the coefficients of the characteristic polynomial of the eigenvalues' part of the
-//! Schur form. They stay apart from the others if an error of the matrix moves none of them across a circle around the
-//! set: ‖E‖ ‖(A − z)⁻¹‖ < 1 on the circle (L. N. Trefethen & M. Embree, *Spectra and Pseudospectra*, 2005, chapter 52).
+//! Rounding splits an eigenvalue of multiplicity k by the k-th root of the rounding. So two
+//! questions are asked about each set of eigenvalues. First, the eigenvalues coincide if the
+//! symmetric functions of their differences are zero up to rounding. These functions are the
+//! coefficients of the characteristic polynomial of their part of the Schur form. Second, the set
+//! is separate from the others if no error of the matrix moves an eigenvalue across a circle around
+//! it. This holds if `‖E‖ ‖(A − z)⁻¹‖ < 1` on the circle (L. N. Trefethen & M. Embree, *Spectra and
+//! Pseudospectra*, 2005, chapter 52).
 
 use super::complex::Complex;
 use super::mode::Mode;
 use super::nilpotent::{NOT_ZERO, Part, Size, ZERO, projector};
 use super::schur::Schur;
 
-/// Number of points of a circle around eigenvalues at which the inverse of A − z is computed.
+/// Number of points on a circle around eigenvalues at which the inverse of A − z is computed.
 const AROUND: usize = 8;
-/// Largest number of circles that are tried around eigenvalues.
+/// Largest number of radii, besides the first, that are tried for a circle around eigenvalues.
 const CIRCLES: usize = 4;
 
-/// Eigenvalues that coincide, by their indices on the diagonal of the Schur form.
+/// Group of eigenvalues that coincide, or that the errors do not allow to separate.
 #[derive(Clone, Debug)]
 pub(super) struct Group {
+    /// Indices of the eigenvalues on the diagonal of the Schur form.
     places: Vec<usize>,
-    /// Mean of the eigenvalues.
+    /// Mean of the eigenvalues of the group.
     mean: Complex,
-    /// Possible error of the mean.
+    /// Possible error of the mean, in absolute value.
     off: f64,
-    /// Circle that the eigenvalues of the group do not leave, by its centre and radius, if the group may coincide with
-    /// others.
+    /// Centre and radius of a circle that the eigenvalues of the group do not leave, if they may
+    /// coincide with others. `None` if the group is surely separate.
     doubt: Option<(Complex, f64)>,
 }
 
 impl Group {
-    /// Makes the mode of the group. `form` is the Schur form of the whole matrix, `noise` its possible error, and
-    /// `size` its norm. Eigenvalues of a group in doubt have a mode each.
+    /// Makes the modes of the group: a single mode, or a mode for each eigenvalue if the group is in
+    /// doubt. `form` is the Schur form of the whole matrix, `noise` its possible error, and `size` its
+    /// norm.
     pub(super) fn modes(&self, form: &Schur, noise: f64, size: f64) -> Vec<Mode> {
         if let (Some(_), true) = (self.doubt, self.places.len() > 1) {
             let single = |at: &usize| Self { places: vec![*at], mean: form.t[*at][*at], ..self.clone() };
@@ -54,7 +58,8 @@ impl Group {
         };
         let raw = [self.mean.re.hi(), self.mean.im.hi()];
         if let Some((centre, radius)) = self.doubt {
-            // An eigenvalue whose real part is not 0 decays or grows, whatever it coincides with.
+            // An eigenvalue whose real part is surely not 0 decays or grows, even if it may coincide with
+            // others.
             let is_undecided = centre.re.hi().abs() <= radius || centre.re.hi() * raw[0] <= 0.0;
             return vec![mode(raw, radius + (self.mean - centre).norm(), is_undecided)];
         }
@@ -73,7 +78,7 @@ impl Group {
     }
 }
 
-/// Unites groups of separate parts of a matrix whose means are equal, compared with their errors.
+/// Unites groups from separate blocks of a matrix if their means are equal within their errors.
 pub(super) fn united(groups: Vec<Group>) -> Vec<Group> {
     let mut list: Vec<Group> = Vec::new();
     for mut group in groups {
@@ -99,21 +104,24 @@ pub(super) fn united(groups: Vec<Group>) -> Vec<Group> {
     list
 }
 
-/// Schur form of a matrix, with the data that sort its eigenvalues into groups that coincide.
+/// Eigenvalues of a matrix with its Schur form, to be sorted into groups that coincide.
 pub(super) struct Spectrum<'f> {
+    /// Schur form of the matrix.
     pub(super) form: &'f Schur,
+    /// Eigenvalues, in the order of the diagonal of the Schur form.
     pub(super) values: Vec<Complex>,
-    /// Possible error of the matrix, by its norm.
+    /// Norm of the possible error of the matrix.
     pub(super) noise: f64,
-    /// Norm of the matrix.
+    /// Frobenius norm of the matrix.
     pub(super) size: f64,
 }
 
 impl Spectrum<'_> {
     /// Sorts the eigenvalues into groups that coincide. `first` is added to their indices.
     ///
-    /// Sets of eigenvalues that do not coincide are split at the largest gap. Eigenvalues that an error of the matrix
-    /// may mix with others are in doubt; they stay in the smallest circle that no error moves an eigenvalue across.
+    /// A set of eigenvalues that do not coincide is split at the largest gap. Eigenvalues that an error
+    /// of the matrix may mix with others are in doubt. They stay in the smallest circle across which no
+    /// error moves an eigenvalue.
     pub(super) fn groups(&self, first: usize) -> Vec<Group> {
         let all: Vec<usize> = (0..self.values.len()).collect();
         let mut groups = Vec::new();
@@ -134,14 +142,16 @@ impl Spectrum<'_> {
         groups
     }
 
-    /// Growth of an error of the matrix in the mean of eigenvalues.
+    /// Factor by which an error of the matrix grows in the mean of the eigenvalues with the given
+    /// indices.
     fn condition(&self, places: &[usize]) -> f64 {
         let many = places.len();
         let (norm, _) = projector(&self.form.with_first(places), many, self.noise.max(f64::MIN_POSITIVE));
         norm / (many as f64).sqrt()
     }
 
-    /// Splits eigenvalues at the largest gap: the longest link of the shortest tree that connects them.
+    /// Splits a set of eigenvalues in two at its largest gap: the longest link of the shortest tree
+    /// that connects them.
     fn split(&self, places: &[usize]) -> [Vec<usize>; 2] {
         let between = |a: usize, b: usize| (self.values[a] - self.values[b]).norm();
         let mut tree = vec![(places[0], places[0], 0.0)];
@@ -163,8 +173,8 @@ impl Spectrum<'_> {
         [near, far]
     }
 
-    /// Radius of a circle around eigenvalues that no error of the matrix moves an eigenvalue across; `None` if none is
-    /// found.
+    /// Radius of a circle around the mean of eigenvalues, across which no error of the matrix moves an
+    /// eigenvalue. `None` if no circle is found.
     fn circle(&self, places: &[usize], mean: Complex) -> Option<f64> {
         let distance = |at: &usize| (self.values[*at] - mean).norm();
         let inner = places.iter().map(distance).fold(0.0, f64::max);
@@ -172,7 +182,7 @@ impl Spectrum<'_> {
         let outer = others.map(|at| distance(&at)).fold(f64::INFINITY, f64::min);
         let error = NOT_ZERO * self.noise;
         if outer.is_infinite() {
-            // All eigenvalues move by less than the size of the matrix and its error.
+            // No eigenvalue moves by more than the size of the matrix and its error.
             return Some(2.0 * self.size + error);
         }
         let inner = inner.max(error.min(0.5 * outer));
@@ -186,7 +196,7 @@ impl Spectrum<'_> {
         radii.into_iter().find(is_barrier)
     }
 
-    /// Frobenius norm of (T − z)⁻¹.
+    /// Frobenius norm of (T − z)⁻¹, with the upper triangular Schur form T; infinite at an eigenvalue.
     fn inverse(&self, z: Complex) -> f64 {
         let (t, n) = (&self.form.t, self.form.t.len());
         let one = Complex::from_f64(1.0);

@@ -1,4 +1,5 @@
-//! Linear system near a steady motion with numbers kept as letters, such as the speed of a bicycle.
+//! Linear system near a steady motion with numbers kept as letters (symbols), such as the speed of
+//! a bicycle.
 
 use super::Question;
 use super::about::About;
@@ -12,34 +13,37 @@ use tripos_derive::flow::{Chosen, InLetters, NotInLetters, OperatingPoint};
 use tripos_derive::scene::Asked;
 use tripos_traits::DoubleDouble;
 
-/// Change of a sought state, relative to its size or 1, up to which its guess counts as exact for every value of the
+/// Relative change of a sought state up to which its guess counts as exact for every value of the
 /// letters.
 const AS_GUESSED: f64 = 1e-12;
 
-/// Entry of a matrix of the linear system, in letters.
+/// Entry of a matrix of the linear system, as a function of the letters (numbers that are kept as
+/// symbols).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Entry {
-    /// Coefficients of a polynomial in a single letter, that of the power 0 first.
+    /// Polynomial in the only letter: coefficients in ascending powers, from power 0.
     Polynomial(Vec<f64>),
-    /// A formula in letters and parameters.
+    /// Formula in the letters and the parameters.
     Formula(View),
 }
 
-/// Matrices A, B, C and D in letters, in the states of the linear system to which they belong.
+/// Matrices A, B, C and D of a linear system as functions of letters (numbers that are kept as
+/// symbols).
 #[derive(Clone, Debug)]
 pub struct Letters {
-    /// Names of the letters.
+    /// Names of the letters: the numbers that are kept as symbols.
     pub names: Vec<String>,
-    /// Matrices A, B, C and D, each row by row.
+    /// Entries of A, B, C and D in this order, each row by row.
     pub matrices: [Vec<Vec<Entry>>; 4],
 }
 
-/// Computes the linear system of a steady motion with numbers kept as letters: names of the state file, or parameters.
-/// It is proved that the motion is steady for all values of the letters.
+/// Computes the linear system near a steady motion with numbers kept as letters. `letters` names
+/// parameters, or numbers of the state file. The motion is proved to be steady for all values of
+/// the letters.
 ///
 /// # Errors
-/// [`Error`] if a letter is unknown, if the motion is steady only for certain values of the letters, or if it is known
-/// by numbers alone.
+/// [`Error`] if a letter is unknown, if the motion is steady only for some values of the letters,
+/// or if a sought state is known only as a number.
 pub fn in_letters(model: &Mechanism, asked: &Asked, found: &About, letters: &[String]) -> Result<Letters, Error> {
     let question = Question::new(model, asked, &found.inputs)?;
     let symbols = letters.iter().map(|name| letter(model, asked, name)).collect::<Result<Vec<Expr>, Error>>()?;
@@ -53,7 +57,7 @@ pub fn in_letters(model: &Mechanism, asked: &Asked, found: &About, letters: &[St
     let parameters = model.parameters.iter().zip(&asked.rational).zip(&asked.parameters);
     let (mut numbers, mut known) = (Vec::new(), Vec::new());
     for ((parameter, exact), value) in parameters {
-        // An input has a value as well: the slope by it is taken before its value is inserted.
+        // An input has a value too. The derivative by the input is taken before its value is inserted.
         if let (false, Some(exact)) = (symbols.contains(&parameter.symbol), exact) {
             numbers.push((parameter.symbol, exact.clone()));
         }
@@ -74,7 +78,7 @@ pub fn in_letters(model: &Mechanism, asked: &Asked, found: &About, letters: &[St
     Ok(Letters { names: letters.to_vec(), matrices })
 }
 
-/// Error for a linear system that does not exist in letters.
+/// Error for a linear system that has no form in the given letters.
 fn refused(why: &NotInLetters, letters: &[String]) -> Error {
     let letters = letters.join(", ");
     match why {
@@ -88,7 +92,10 @@ fn refused(why: &NotInLetters, letters: &[String]) -> Error {
     }
 }
 
-/// Symbol of the letter with the given name.
+/// Symbol of the letter with the given name: a parameter, or a number of the state file.
+///
+/// # Errors
+/// `Error::Request` if there is no such number.
 fn letter(model: &Mechanism, asked: &Asked, name: &String) -> Result<Expr, Error> {
     let own = asked.names.iter().map(|own| (own.name.as_str(), own.symbol));
     let all: Vec<(&str, Expr)> = own.chain(model.parameters.iter().map(|p| (p.name.as_str(), p.symbol))).collect();
@@ -98,7 +105,8 @@ fn letter(model: &Mechanism, asked: &Asked, name: &String) -> Result<Expr, Error
     })
 }
 
-/// Makes an entry of a matrix: a polynomial if the term is one in a single letter, otherwise a formula.
+/// Makes an entry of a matrix from a term: a polynomial if possible in the only letter, otherwise a
+/// formula. `known` are values of the other symbols.
 fn entry(system: &mut InLetters, e: Expr, letters: &[Expr], known: &[(Expr, DoubleDouble)]) -> Entry {
     let polynomial = if let [letter] = letters { system.polynomial(e, *letter, known) } else { None };
     let polynomial = polynomial.map(|list| list.iter().map(|c| c.hi()).collect());
@@ -106,20 +114,21 @@ fn entry(system: &mut InLetters, e: Expr, letters: &[Expr], known: &[(Expr, Doub
 }
 
 impl Entry {
-    /// True if the entry is 0 for every value of the letters.
+    /// True if the entry is 0 for every value of the letters. Always false for a formula.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         matches!(self, Self::Polynomial(list) if list.iter().all(|c| c.abs() <= 0.0))
     }
 
-    /// Text of the entry in the language of model files, with numbers in shortest decimals.
+    /// Writes the entry in the notation of model files, with numbers in their shortest decimal form.
+    /// `letter` is the name of the letter in a polynomial.
     #[must_use]
     pub fn text(&self, letter: &str) -> String {
         text_of(&self.view(letter, &|x| x.to_string()))
     }
 
-    /// View of the entry, for any notation; `letter` is the name of a single letter, and `decimals` writes numbers that
-    /// are not negative.
+    /// Makes a view of the entry that can be written in any notation. `letter` is the name of the
+    /// letter in a polynomial; `decimals` writes its coefficients' absolute values.
     #[must_use]
     pub fn view(&self, letter: &str, decimals: &dyn Fn(f64) -> String) -> View {
         let coefficients = match self {
@@ -143,7 +152,8 @@ impl Entry {
 }
 
 impl Question {
-    /// Choices of states and symmetries that the numeric elimination made, for the exact elimination to repeat.
+    /// Choices of states and symmetries in the numeric linear system, which the symbolic elimination
+    /// must repeat.
     fn chosen(&self, found: &About) -> Chosen {
         let (values, _) = self.program.evaluate(&self.wide, &self.parameters, &found.steady.x, &[]);
         let carriers = found.steady.carriers();

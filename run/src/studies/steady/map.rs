@@ -1,22 +1,25 @@
-//! A steady motion followed over two numbers.
+//! Steady motion followed over two varied numbers: a grid of points and crossings.
 
 use super::Question;
 use super::along::{Course, along};
 use crate::{Error, Mechanism};
 use tripos_derive::scene::Asked;
 
-/// A steady motion over two numbers: its course along the first, for each value of the second.
+/// Steady motion over two varied numbers: it is followed along the first number for each value of
+/// the second.
 #[derive(Clone, Debug)]
 pub struct Map {
-    /// Values of the second number, each with the course at that value, or the reason why there is none.
+    /// Values of the second number, each with the motion along the first, or the reason why there is
+    /// none.
     pub rows: Vec<(f64, Result<Course, Error>)>,
 }
 
-/// Follows a steady motion over values of one number of the state file, for each value of another. `asked` gives the
-/// request at values of both numbers.
+/// Follows a steady motion over values of a first number of the state file, for each value of a
+/// second number. `asked` reads the state file with values of both numbers.
 ///
 /// # Errors
-/// Errors of [`super::follow`] if none of the second values has a steady motion to begin with.
+/// `Error` if no value of the second number has a steady motion at the first value of the first
+/// number.
 pub fn map(
     model: &Mechanism,
     asked: &mut dyn FnMut(f64, f64) -> Result<Asked, Error>,

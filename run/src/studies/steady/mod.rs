@@ -1,10 +1,12 @@
-//! Equilibria, steady motions and the linear systems near them, computed by the exact slopes of a mechanism's equations
-//! in 32 digits.
+//! Equilibria, steady motions and the linear systems near them, from the exact derivatives of a
+//! mechanism's equations in 32 digits.
 //!
-//! A steady motion is one that the symmetries of the mechanism carry along: x' = f(x) is a combination Σ c ζ(x) of its
-//! symmetries ([`tripos_derive::flow`]). So every quantity that the symmetries leave unchanged is constant. Rest is the
-//! case c = 0. Differences d from a steady motion, in the frame that moves along, obey d' = (Df − Σ c Dζ) d. The states
-//! that the symmetries shift are left out (J. E. Marsden, Lectures on Mechanics, 1992, chapter 5: relative equilibria).
+//! A motion is steady if it moves along symmetries of the mechanism. Its rates are then a
+//! combination of the symmetries' directions ζ: `x' = f(x) = Σ c ζ(x)` ([`tripos_derive::flow`]).
+//! So every quantity that the symmetries leave unchanged is constant. Rest is the case c = 0.
+//! Differences d from a steady motion, in the frame that moves with it, obey
+//! `d' = (Df − Σ c Dζ) d`. States that the symmetries shift are left out (J. E. Marsden, Lectures
+//! on Mechanics, 1992, chapter 5: relative equilibria).
 
 mod about;
 mod along;
@@ -49,45 +51,46 @@ use tripos_derive::prove::IntegralKind;
 use tripos_derive::scene::Asked;
 use tripos_traits::DoubleDouble;
 
-/// Mechanism prepared for the search of steady motions at given parameters: its equations, and the requested functions.
+/// Mechanism prepared for the search of steady motions at given parameters: its equations of motion
+/// and its outputs.
 pub struct Question {
-    /// Equations of the mechanism in first order, with its symmetries.
+    /// Equations of motion in first order, x' = f(x), with loops and symmetries.
     pub flow: Flow,
-    /// Names of the states: coordinates, then generalized speeds.
+    /// Names of the states: coordinates, followed by generalized speeds.
     pub names: Vec<String>,
     /// Number of coordinates among the states.
     pub coordinates: usize,
-    /// Index of time among the states; `None` if the model does not name time.
+    /// Index of the time t among the states; `None` if the model does not name the time.
     pub(crate) time: Option<usize>,
-    /// Index of the shift of time among the symmetries, which carries every state along at the rate 1; `None` if there
-    /// is none.
+    /// Index of the shift of time among the symmetries, along which every state moves at the rate 1.
+    /// `None` if there is none.
     pub(crate) by_time: Option<usize>,
-    /// Names of the loops, the redundant ones last.
+    /// Names of the loops, with redundant loops last.
     loops: Vec<String>,
-    /// Flags of the states that are angles.
+    /// Flags for the states: true if the state is an angle.
     is_angle: Vec<bool>,
-    /// Indices of the parameters that are inputs.
+    /// Indices of the parameters that are inputs of the linear system.
     inputs: Vec<usize>,
     /// Names of the outputs of the linear system.
     outputs: Vec<String>,
-    /// Terms of the outputs as functions of states and parameters.
+    /// Outputs as terms in states and parameters.
     output_terms: Vec<Expr>,
-    /// Program of all functions that are computed at a state.
+    /// Program that computes rates, loops, symmetries and outputs at a state, with their slopes.
     program: Program,
-    /// Test for states at which the equations are singular.
+    /// Test for states at which the equations of motion are singular.
     poles: poles::Poles,
-    /// Tape of the program in 32 digits.
+    /// Tape of the program, for evaluation in 32 digits.
     wide: Tape<DoubleDouble>,
-    /// Values of the parameters.
+    /// Values of the parameters, to 32 digits, in the order of the model.
     parameters: Vec<DoubleDouble>,
 }
 
 impl Question {
-    /// Prepares a model with the numbers of a state file and with inputs: parameters by name, or all inputs of the
-    /// model if none is named.
+    /// Prepares a model with the parameters and outputs of a state file. `inputs` names the parameters
+    /// that are inputs of the linear system. If it is empty, all inputs of the model are.
     ///
     /// # Errors
-    /// [`Error`] if the model cannot be derived, depends on time, or lacks one of the inputs or outputs.
+    /// [`Error`] if the model cannot be derived, depends on time, or lacks a named input or an output.
     pub fn new(model: &Mechanism, asked: &Asked, inputs: &[String]) -> Result<Self, Error> {
         let inputs = places(model, inputs)?;
         let symbols: Vec<Expr> = inputs.iter().map(|at| model.parameters[*at].symbol).collect();
@@ -127,7 +130,7 @@ impl Question {
         })
     }
 
-    /// True if coordinates change at a state, by its speeds or at given rates.
+    /// True if a coordinate other than the time changes at the state `x`, or a speed is not zero.
     pub(crate) fn moves_at(&self, x: &[DoubleDouble]) -> bool {
         let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<f64>>();
         let (values, _) = self.program.evaluate(self.program.tape(), &doubles(&self.parameters), &doubles(x), &[]);
@@ -136,22 +139,23 @@ impl Question {
         speeds || values.flow[..self.coordinates].iter().enumerate().any(goes_on)
     }
 
-    /// Replaces the values of the parameters.
+    /// Replaces the values of the parameters, which are in the order of the model.
     pub fn at(&mut self, parameters: &[DoubleDouble]) {
         self.parameters = parameters.to_vec();
     }
 }
 
-/// Derives the equations of a model for steady motions. They do not depend on time, though the model may name it.
+/// Derives the equations of motion of a model for steady motions. They must not depend on time,
+/// though the model may name it.
 ///
 /// # Errors
-/// [`Error`] if the model has no speeds, cannot be derived, or depends on time.
+/// [`Error`] if the model has no generalized speed, cannot be derived, or depends on time.
 fn steady_flow(model: &Mechanism) -> Result<Flow, Error> {
     model.has_speeds("the mechanism cannot move: every closed pose is at rest")?;
     let mut flow = Flow::new(model).map_err(|error| model.diagnose(&error))?;
     let Some(time) = model.time() else { return Ok(flow) };
     if flow.by_time(model).is_some() {
-        // A rotation by a drive in time equals the shift of time itself.
+        // A rotation by a drive in time equals the shift of time, so only the shift of time is kept.
         flow.symmetries.retain(|field| field.kind == IntegralKind::Coordinate(time) || field.along[time] == Expr::ZERO);
         return Ok(flow);
     }
@@ -164,7 +168,11 @@ fn steady_flow(model: &Mechanism) -> Result<Flow, Error> {
     Err(Error::request(what, help))
 }
 
-/// Indices of the named parameters, or of all inputs of the model if none is named.
+/// Indices of the named parameters among all parameters, or of all inputs of the model if `names`
+/// is empty.
+///
+/// # Errors
+/// `Error::Request` if the model has no parameter of a given name.
 fn places(model: &Mechanism, names: &[String]) -> Result<Vec<usize>, Error> {
     if names.is_empty() {
         return Ok((0..model.parameters.len()).filter(|at| model.parameters[*at].is_input).collect());

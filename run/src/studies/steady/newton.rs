@@ -1,5 +1,5 @@
-//! Newton's method for states that symmetries carry along, with slopes in doubles and residuals in 32 digits: each step
-//! adds some fifteen digits.
+//! Newton's method for steady states, at which all rates are along symmetries. Slopes are in double
+//! precision and residuals in 32 digits, so each step adds about fifteen digits.
 
 use super::Question;
 use super::dense::least;
@@ -13,101 +13,115 @@ use tripos_traits::{DoubleDouble, Scalar};
 
 /// Largest number of Newton steps towards a steady state.
 const STEPS: usize = 60;
-/// Largest number of halvings of one Newton step.
+/// Largest number of times that a Newton step is halved if it does not reduce the residual.
 const HALVINGS: usize = 14;
-/// Ratio to the largest singular value below which a singular value counts as zero.
+/// Fraction of the largest singular value below which a singular value counts as zero.
 const NOTHING: f64 = 1e-11;
-/// Relative size of the rest of a symmetry's field above which the field is independent. The rest is what remains after
-/// its parts along the fields before it are removed.
+/// Relative size above which the direction of a symmetry counts as independent of those before it.
+/// The size is that of the remainder after its components along the other directions are removed.
 const INDEPENDENT: f64 = 1e-8;
-/// Residual below which 32 digits allow no improvement.
+/// Residual below which numbers of 32 digits allow no improvement.
 const EXACT: f64 = 1e-27;
 /// Largest change of an angle in one Newton step, rad.
 const MOST_TURN: f64 = 1.0;
-/// Ratio of a change to the one before it above which convergence is slow: regular steps shrink much faster.
+/// Ratio of successive changes above which convergence counts as slow; regular steps shrink much
+/// faster.
 const SLOW: f64 = 0.05;
-/// Difference of two states, relative to their size or 1, below which they are the same steady motion.
+/// Difference of two states below which they count as the same steady motion, relative to their
+/// size or to 1.
 const SAME: f64 = 1e-8;
-/// Residual of a rate, relative to its size or 1, up to which a motion counts as steady.
+/// Residual of a rate up to which a motion counts as steady, relative to the size of the rate or to
+/// 1.
 pub const BALANCED: f64 = 1e-9;
 
-/// A state, and the velocities at which the symmetries carry it along, with their residuals.
+/// State of a search for a steady motion, with the velocities along symmetries and the residuals.
 #[derive(Clone, Debug)]
 pub struct Steady {
-    /// Values of the coordinates, then of the generalized speeds.
+    /// Values of the coordinates, followed by the generalized speeds, to 32 digits.
     pub x: Vec<DoubleDouble>,
-    /// Velocity c along each symmetry.
+    /// Velocity c along each symmetry of the mechanism.
     pub along: Vec<DoubleDouble>,
-    /// Largest residual of x' − Σ c ζ, and of the loops that constrain the mechanism.
+    /// Largest absolute residual of x' − Σ c ζ and of the independent loops. Here ζ are the directions
+    /// of the symmetries.
     pub residual: f64,
-    /// Possible error of the state, relative to its size or 1. It is the last change of the state if changes shrank
-    /// slowly, as where steady motions meet; otherwise 0.
+    /// Possible error of the state, relative to its size or to 1. It is the last change of the state if
+    /// the changes shrank slowly, as near a point where steady motions meet; otherwise 0.
     pub uncertain: f64,
-    /// Indices of the states whose rates are not balanced, with the residuals.
+    /// Indices of the states whose rates are not along the symmetries, each with its residual.
     pub unbalanced: Vec<(usize, f64)>,
-    /// Indices of the coordinates along which forces are not balanced, with the forces. Empty where the rates tell
-    /// whether the state is steady.
+    /// Indices of the coordinates along which forces are not balanced, each with the force. Empty if
+    /// the rates already tell if the state is steady.
     pub forces: Vec<(usize, f64)>,
-    /// Indices of the loops that are not closed, with their gaps.
+    /// Indices of the loops that are not closed, each with its residual.
     pub open: Vec<(usize, f64)>,
-    /// Index of the shift of time among the symmetries; `None` if there is none. A state that moves with time alone is
-    /// at rest relative to its drives.
+    /// Index of the shift of time among the symmetries; `None` if there is none. A state that moves
+    /// only along this symmetry is at rest relative to its drives.
     by_time: Option<usize>,
 }
 
 impl Steady {
-    /// True if the symmetries carry the state along: all rates are balanced, and the loops are closed.
+    /// True if the state is steady: all rates are along symmetries, forces are balanced, and loops are
+    /// closed.
     #[must_use]
     pub fn is_steady(&self) -> bool {
         self.residual.is_finite() && self.unbalanced.is_empty() && self.forces.is_empty() && self.open.is_empty()
     }
 
-    /// Indices of the symmetries that carry the state along.
+    /// Indices of the symmetries along which the state moves, with a velocity other than 0.
     #[must_use]
     pub fn carriers(&self) -> Vec<usize> {
         (0..self.along.len()).filter(|at| self.along[*at].hi().abs() > 0.0).collect()
     }
 
-    /// Velocities along all symmetries except the shift of time.
+    /// Velocities of the state along all symmetries except the shift of time.
     #[must_use]
     pub fn velocities(&self) -> Vec<DoubleDouble> {
         let others = self.along.iter().enumerate().filter(|(at, _)| Some(*at) != self.by_time);
         others.map(|(_, c)| *c).collect()
     }
 
-    /// True if only the shift of time, or nothing, carries the state along.
+    /// True if the state is at rest: its velocity is 0 along all symmetries except the shift of time.
     #[must_use]
     pub fn is_rest(&self) -> bool {
         self.along.iter().enumerate().all(|(at, c)| Some(at) == self.by_time || c.hi().abs() <= BALANCED)
     }
 }
 
-/// Unknowns of a search for a steady state: states, by their indices, and velocities along symmetries.
+/// Unknowns of a search for a steady state: components of the state, and perhaps velocities along
+/// symmetries.
 #[derive(Clone, Debug)]
 pub struct Unknowns {
-    /// Indices of the unknown states.
+    /// Indices of the components of the state that may change.
     pub states: Vec<usize>,
-    /// True if the symmetries may carry the state along.
+    /// True if velocities along symmetries are unknown too; false for a search of rest.
     pub moves: bool,
 }
 
-/// Unknowns of one solve by Newton's method: indices of states, and indices of symmetries whose velocities are unknown.
+/// Unknowns of a solve by Newton's method, as indices.
 struct Sought {
+    /// Indices of the unknown components of the state.
     states: Vec<usize>,
+    /// Indices of the symmetries whose velocities are unknown.
     along: Vec<usize>,
 }
 
-/// Guess of Newton's method, with its residuals.
+/// Iterate of Newton's method, with its residuals.
 struct Guess {
+    /// Values of the coordinates and generalized speeds.
     x: Vec<DoubleDouble>,
+    /// Velocity along each symmetry.
     along: Vec<DoubleDouble>,
+    /// Rates, loop residuals and symmetry directions at this state.
     values: Rates<DoubleDouble>,
-    /// Residuals of the rates, then gaps of the loops.
+    /// Residuals of the rates, followed by the residuals of the loops.
     left: Vec<DoubleDouble>,
+    /// Possible error of the state, relative to its size or to 1; 0 if convergence was fast.
     uncertain: f64,
 }
 
 impl Guess {
+    /// Evaluates the equations at a state, and computes the residuals for the given velocities along
+    /// symmetries.
     fn new(question: &Question, x: Vec<DoubleDouble>, along: Vec<DoubleDouble>) -> Self {
         let (values, _) = question.program.evaluate(&question.wide, &question.parameters, &x, &[]);
         let mut left = values.flow.clone();
@@ -120,13 +134,13 @@ impl Guess {
         Self { x, along, values, left, uncertain: 0.0 }
     }
 
-    /// Norm of the residual, each part with its weight.
+    /// Euclidean norm of the residual after each component is multiplied by its weight.
     fn size(&self, weights: &[f64]) -> f64 {
         self.left.iter().zip(weights).map(|(left, weight)| (left.hi() * weight).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// Weights of the parts of the residual, which are 0 after the first `first`. A large rate need not be balanced to
-    /// more digits than others.
+    /// Weights of the components of the residual. They are 0 from index `first` on. Components of large
+    /// rates get small weights, since such rates need no more digits than others.
     fn weights(&self, first: usize) -> Vec<f64> {
         let beside = |at: usize| self.values.flow.get(at).map_or(1.0, |rate| rate.hi().abs().max(1.0));
         (0..self.left.len()).map(|at| if at < first { 1.0 / beside(at) } else { 0.0 }).collect()
@@ -134,37 +148,38 @@ impl Guess {
 }
 
 impl Question {
-    /// Rest at a state where the forces balance along every motion that the constraints permit; `by_forces` has the
-    /// residuals of that balance.
+    /// Makes the result of a search for rest at the state `x`, where forces balance along every
+    /// permitted motion. `by_forces` has the residuals of this balance.
     pub(super) fn rest_at(&self, x: Vec<DoubleDouble>, by_forces: &Steady) -> Steady {
         Steady { x, along: self.standing(), by_time: self.by_time, ..by_forces.clone() }
     }
 
-    /// Finds a steady state near a guess, by changing the given unknowns. If none is near, the last guess is returned
-    /// with its residuals.
+    /// Finds a steady state near the guess `x`, by changing the given unknowns. If none is found, the
+    /// last iterate is returned with its residuals.
     #[must_use]
     pub fn settle(&self, x: &[DoubleDouble], unknowns: &Unknowns) -> Steady {
         let others = (0..self.program.sizes.symmetries).filter(|at| Some(*at) != self.by_time);
         let all = if unknowns.moves { others.collect() } else { Vec::new() };
         let none = self.standing();
-        // First the velocities are found that carry the guess along, so that the guess itself changes as little as
-        // possible.
+        // First the velocities along symmetries are found that fit the guess best, so that the guess
+        // changes as little as possible.
         let carried = self.improved(x, none.clone(), &Sought { states: Vec::new(), along: all.clone() });
         let near = self.improved(x, carried.along, &Sought { states: unknowns.states.clone(), along: all });
         if !unknowns.moves {
             return self.steady_of(near);
         }
-        // If symmetries act alike at a state, as spin and turn of an upright top do, the first one carries it along.
+        // If symmetries act alike at a state, as spin and turn of an upright top do, only the first of them
+        // is used.
         let along = self.independent(&near.values.symmetries);
         let settled = self.improved(&near.x, none, &Sought { states: Vec::new(), along });
         self.steady_of(Guess { uncertain: near.uncertain, ..settled })
     }
 
-    /// Accepts the requested state as it is, carried along by no symmetry. Only the sought coordinates that close the
-    /// loops are solved for.
+    /// Accepts the requested state without a search, with no velocity along symmetries. Only the sought
+    /// coordinates are changed, to close the loops.
     ///
     /// # Errors
-    /// [`Error::Request`] if the sought coordinates do not close the loops.
+    /// [`Error::Request`] if the sought coordinates cannot close the loops.
     pub(super) fn as_it_is(&self, model: &Mechanism, asked: &Asked) -> Result<Steady, Error> {
         let (mut x, n) = (asked.x.clone(), self.coordinates);
         let free: Vec<usize> = asked.sought.iter().copied().filter(|at| *at < n).collect();
@@ -181,8 +196,9 @@ impl Question {
         Err(Error::request(what, "state coordinates that close the loops, or put enough coordinates under [guess]"))
     }
 
-    /// Improves a guess by Newton's method as long as it helps: first with all loops, then with those that constrain
-    /// the mechanism. The numbers of a file close the redundant loops only to their own digits.
+    /// Improves a guess by Newton's method as long as the residual falls: first with all loops, then
+    /// with the independent loops alone. Redundant loops are closed only to the digits of the file's
+    /// numbers.
     fn improved(&self, x: &[DoubleDouble], along: Vec<DoubleDouble>, unknowns: &Sought) -> Guess {
         let sizes = self.program.sizes;
         let guess = Guess::new(self, x.to_vec(), along);
@@ -193,7 +209,7 @@ impl Question {
         self.improved_by(near, unknowns, sizes.states + sizes.ties)
     }
 
-    /// Improves a guess by Newton's method for the first `first` parts of the residual.
+    /// Improves a guess by Newton's method for the first `first` components of the residual.
     fn improved_by(&self, guess: Guess, unknowns: &Sought, first: usize) -> Guess {
         let mut guess = guess;
         let weights = guess.weights(first);
@@ -211,7 +227,8 @@ impl Question {
         guess
     }
 
-    /// Takes one step of Newton's method; `None` if no fraction of the step reduces the residual.
+    /// Makes a step of Newton's method, shortened if necessary; `None` if no fraction of the step
+    /// reduces the residual.
     fn step(&self, guess: &Guess, unknowns: &Sought, weights: &[f64]) -> Option<Guess> {
         let mut jacobian = self.slopes_of_left(guess, unknowns);
         jacobian.row_iter_mut().zip(weights).for_each(|(mut row, weight)| row *= *weight);
@@ -238,33 +255,33 @@ impl Question {
         None
     }
 
-    /// Indices of the states that may change to reach balance: all except time.
+    /// Indices of the states that a search may change: all except the time.
     pub(super) fn free_states(&self) -> Vec<usize> {
         (0..self.names.len()).filter(|at| Some(*at) != self.time).collect()
     }
 
-    /// Velocities along the symmetries at rest: 1 for the shift of time, otherwise 0.
+    /// Velocities along the symmetries in a state of rest: 1 for the shift of time, otherwise 0.
     fn standing(&self) -> Vec<DoubleDouble> {
         (0..self.program.sizes.symmetries).map(|at| DoubleDouble::int(i64::from(Some(at) == self.by_time))).collect()
     }
 
-    /// Indices of the symmetries that are independent of those before them at a state; the shift of time is left out.
-    /// `fields` holds the direction of each symmetry.
+    /// Indices of the symmetries whose directions at a state do not depend on those before them; the
+    /// shift of time is left out. `fields` holds the direction of each symmetry.
     fn independent(&self, fields: &[Vec<DoubleDouble>]) -> Vec<usize> {
         let others: Vec<usize> = (0..fields.len()).filter(|at| Some(*at) != self.by_time).collect();
         let fields: Vec<&Vec<DoubleDouble>> = others.iter().map(|at| &fields[*at]).collect();
         independent(&fields).into_iter().map(|place| others[place]).collect()
     }
 
-    /// Slopes of the residual at a steady state, by the given states, then by the velocities along all symmetries that
-    /// are independent at the state.
+    /// Slopes of the residual at a steady state, a column for each unknown. The unknowns are the given
+    /// states, followed by the velocities along the symmetries that are independent at this state.
     pub(super) fn slopes_at(&self, steady: &Steady, states: &[usize]) -> DMatrix<f64> {
         let guess = Guess::new(self, steady.x.clone(), steady.along.clone());
         let along = self.independent(&guess.values.symmetries);
         self.slopes_of_left(&guess, &Sought { states: states.to_vec(), along })
     }
 
-    /// Slopes of the residual of a guess with respect to the unknowns, one column each.
+    /// Slopes of the residual at an iterate of Newton's method, a column for each unknown.
     fn slopes_of_left(&self, guess: &Guess, unknowns: &Sought) -> DMatrix<f64> {
         let sizes = self.program.sizes;
         let count = sizes.states + sizes.inputs;
@@ -284,7 +301,7 @@ impl Question {
         })
     }
 
-    /// Makes the result of a search from a guess, with the residuals that are not balanced.
+    /// Makes the result of a search from its last iterate, with the residuals that are too large.
     fn steady_of(&self, guess: Guess) -> Steady {
         let (rates, loops) = guess.left.split_at(self.program.sizes.states);
         let open = |size: f64, beside: f64| size.is_nan() || size.abs() > BALANCED * beside;
@@ -301,25 +318,26 @@ impl Question {
     }
 }
 
-/// True if two states are equal, with angles compared up to whole turns.
+/// True if two states are equal up to a tolerance, with angles compared up to whole turns.
 pub(super) fn is_same(model: &Mechanism, a: &Steady, b: &Steady) -> bool {
     (0..a.x.len()).all(|at| is_near(model, at, a.x[at].hi(), b.x[at].hi()))
 }
 
-/// True if two values of a state are equal to a tolerance, an angle up to whole turns.
+/// True if two values of the state with index `at` are equal up to a tolerance; angles up to whole
+/// turns.
 pub(super) fn is_near(model: &Mechanism, at: usize, a: f64, b: f64) -> bool {
     let turns = model.coordinates.get(at).is_some_and(|c| c.unit.is_plain());
     let difference = if turns { (a - b) - TAU * ((a - b) / TAU).round() } else { a - b };
     difference.abs() <= SAME * a.abs().max(1.0)
 }
 
-/// Largest difference of two states, each component relative to its size or 1.
+/// Largest difference of two states in any component, relative to the component's size or to 1.
 fn apart(a: &[DoubleDouble], b: &[DoubleDouble]) -> f64 {
     let one = |(a, b): (&DoubleDouble, &DoubleDouble)| (*a - *b).hi().abs() / a.hi().abs().max(1.0);
     a.iter().zip(b).map(one).fold(0.0, f64::max)
 }
 
-/// Indices of the fields that do not depend linearly on those before them.
+/// Indices of the vectors that do not depend linearly on the vectors before them.
 fn independent(fields: &[&Vec<DoubleDouble>]) -> Vec<usize> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut list = Vec::new();
@@ -327,7 +345,7 @@ fn independent(fields: &[&Vec<DoubleDouble>]) -> Vec<usize> {
         let field = DVector::from_iterator(field.len(), field.iter().map(|x| x.hi()));
         let size = field.norm();
         let mut left = field;
-        // This is done twice, since rounding leaves a rest.
+        // The components are removed twice, since rounding leaves a remainder the first time.
         for _ in 0..2 {
             for known in &basis {
                 left -= known * known.dot(&left);

@@ -1,32 +1,37 @@
-//! Parts of a Schur form that belong to eigenvalues that coincide, and decisions whether a quantity is 0.
+//! Part of a Schur form that belongs to coinciding eigenvalues, and decisions if a quantity is 0 up
+//! to rounding.
 //!
-//! The part of a set that coincides, without its eigenvalue, is nilpotent: its powers tell whether solutions are
-//! bounded or grow like a power of t (F. R. Gantmacher, *The Theory of Matrices*, chapter VIII; J. H. Wilkinson, *The
-//! Algebraic Eigenvalue Problem*, 1965, chapter 2). A quantity that is neither clearly 0 nor clearly different from 0
-//! is reported as undecided.
+//! The part, less its eigenvalue, is nilpotent. Its powers tell if solutions are bounded or grow
+//! like a power of t (F. R. Gantmacher, *The Theory of Matrices*, chapter VIII; J. H. Wilkinson,
+//! *The Algebraic Eigenvalue Problem*, 1965, chapter 2). A quantity that is neither clearly 0 nor
+//! clearly different from 0 is reported as undecided.
 
 use super::complex::Complex;
 use super::schur::Schur;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Multiple of its rounding up to which a quantity is 0.
+/// Multiple of its rounding error up to which a quantity counts as 0.
 pub(super) const ZERO: f64 = 1e3;
-/// Multiple of its rounding from which a quantity is not 0.
+/// Multiple of its rounding error from which a quantity counts as different from 0.
 pub(super) const NOT_ZERO: f64 = 1e7;
-/// Fraction of their rounding up to which the coefficients of eigenvalues that coincide are 0. It is smaller than 1,
-/// for most entries are known to more than 27 digits, and a coefficient has the square of a difference.
+/// Fraction of the rounding error up to which coefficients count as 0 when eigenvalues are tested
+/// for coincidence. It is below 1, since most entries are known to more than 27 digits, and a
+/// coefficient contains squared differences.
 const SAME: f64 = 1e-3;
 
-/// Decision whether a quantity is 0, by its size compared with its rounding.
+/// Decision if a quantity is 0, from its size and its rounding error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Size {
+    /// The quantity is 0 up to rounding.
     Zero,
+    /// The quantity is neither clearly 0 nor clearly different from 0.
     Undecided,
+    /// The quantity is clearly different from 0.
     NotZero,
 }
 
 impl Size {
-    /// Decides whether the size `x` of a quantity is 0, for its rounding.
+    /// Decides if a quantity with the absolute value `x` and the given rounding error is 0.
     pub(super) fn of(x: f64, rounding: f64) -> Self {
         if x <= ZERO * rounding {
             Self::Zero
@@ -38,16 +43,16 @@ impl Size {
     }
 }
 
-/// Part of a Schur form that belongs to eigenvalues that coincide.
+/// Part of a Schur form that belongs to eigenvalues which may coincide.
 pub(super) struct Part {
-    /// Mean of the eigenvalues.
+    /// Mean of the eigenvalues of the part.
     pub(super) mean: Complex,
-    /// Block of the Schur form, less the mean on its diagonal.
+    /// Diagonal block of the Schur form, with the mean subtracted on its diagonal; row by row.
     nilpotent: Vec<Vec<Complex>>,
 }
 
 impl Part {
-    /// Takes the block of the first `many` rows and columns of a Schur form.
+    /// Makes the part from the block of the first `many` rows and columns of a Schur form.
     pub(super) fn new(form: &Schur, many: usize) -> Self {
         let sum = (0..many).fold(Complex::default(), |sum, at| sum + form.t[at][at]);
         let mean = sum.scaled(DoubleDouble::int(1) / DoubleDouble::from_f64(many as f64));
@@ -58,11 +63,11 @@ impl Part {
         Self { mean, nilpotent }
     }
 
-    /// True if eigenvalues coincide: the symmetric functions of their distances from the mean are 0. `off` is the
-    /// possible error of the part.
+    /// True if the eigenvalues coincide: the symmetric functions of their differences from the mean are
+    /// 0 up to rounding. `off` is the possible error of the part.
     pub(super) fn coincides(&self, off: f64) -> bool {
-        // Coefficients of the product of all (s − λ + mean), and coefficients of the product of all (s + |λ − mean|),
-        // which are no smaller.
+        // Coefficients of the product of all (s − λ + mean). Those of the product of all (s + |λ − mean|)
+        // are at least as large.
         let mut coefficients = vec![Complex::from_f64(1.0)];
         for (at, row) in self.nilpotent.iter().enumerate() {
             coefficients.push(Complex::default());
@@ -75,18 +80,18 @@ impl Part {
         coefficients.iter().enumerate().skip(1).all(|(k, coefficient)| {
             ways *= (self.nilpotent.len() + 1 - k) as f64 / k as f64;
             let rounding = ways * off * length.powi(i32::try_from(k).unwrap_or(i32::MAX) - 1);
-            // The smallest positive number is the least rounding that tells anything.
+            // A rounding error below the smallest positive number would be 0.
             coefficient.norm() <= SAME * rounding.max(f64::MIN_POSITIVE)
         })
     }
 
-    /// Frobenius norm of the nilpotent part.
+    /// Frobenius norm of the nilpotent block.
     fn norm(&self) -> f64 {
         norm(&self.nilpotent)
     }
 
-    /// Largest exponent with which a power of the nilpotent part is not 0, and true if that is sure. Entries may have
-    /// the error `off`.
+    /// Largest exponent for which a power of the nilpotent block is not 0, and a flag that is true if
+    /// this is sure. Entries of the block may have the error `off`.
     pub(super) fn power(&self, off: f64) -> (usize, bool) {
         let many = self.nilpotent.len();
         let length = self.norm().max(off);
@@ -104,8 +109,8 @@ impl Part {
         (many - 1, is_sure)
     }
 
-    /// Rank of the nilpotent part, by elimination with the largest pivots, and true if the rank is sure. Entries may
-    /// have the error `off`.
+    /// Rank of the nilpotent block, by elimination with the largest pivots, and a flag that is true if
+    /// the rank is sure. Entries of the block may have the error `off`.
     pub(super) fn rank(&self, off: f64) -> (usize, bool) {
         let mut left = self.nilpotent.clone();
         for rank in 0..left.len() {
@@ -141,11 +146,12 @@ fn times(a: &[Vec<Complex>], b: &[Vec<Complex>]) -> Vec<Vec<Complex>> {
     a.iter().map(|row| (0..b.len()).map(|j| entry(row, j)).collect()).collect()
 }
 
-/// Norm of the projector P onto the vectors of the first eigenvalues of a Schur form, along those of the others. Also
-/// returns the shares |P_kk| of the states, scaled to the sum 1.
+/// Norm of the projector P onto the eigenvectors of the first `many` eigenvalues of a Schur form,
+/// along those of the others. The second value are the shares |P_kk| of the states, scaled so that
+/// their sum is 1.
 ///
-/// P = Q (1 Z; 0 0) Qᴴ with T₁₁ Z − Z T₂₂ = T₁₂, which is solved column by column. Differences of eigenvalues count as
-/// at least `noise`.
+/// P = Q (1 Z; 0 0) Qᴴ with T₁₁ Z − Z T₂₂ = T₁₂, which is solved column by column. Differences of
+/// eigenvalues count as at least `noise`.
 pub(super) fn projector(form: &Schur, many: usize, noise: f64) -> (f64, Vec<f64>) {
     let (t, n) = (&form.t, form.t.len());
     let mut z: Vec<Vec<Complex>> = vec![Vec::with_capacity(n - many); many];

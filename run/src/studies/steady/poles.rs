@@ -1,5 +1,5 @@
-//! States at which the equations of a mechanism are singular by themselves: speeds do not determine the rates of
-//! coordinates, or certain speeds have no inertia.
+//! Test for states at which the equations of a mechanism are singular. Either speeds do not
+//! determine the rates of coordinates, or a combination of speeds has no inertia.
 
 use super::newton::Steady;
 use crate::Error;
@@ -13,30 +13,33 @@ use tripos_derive::flow::Flow;
 use tripos_derive::plain::significant;
 use tripos_traits::DoubleDouble;
 
-/// Least accepted distance of a state from a zero of a divisor, relative to the state's size or 1. Newton's method
-/// finds a state at such a zero only to half or a third of the digits, and slopes near it grow as the distance falls.
+/// Least accepted distance of a state from a zero of a divisor, relative to the state's size or to
+/// 1, whichever is larger. At a zero, Newton's method finds only a half or a third of the digits,
+/// and slopes grow without bound.
 const NEAR: f64 = 1e-7;
-/// Largest ratio of an inertia to its values at the distance [`NEAR`] up to which it counts as zero. An inertia that
-/// vanishes grows with the square of the distance.
+/// Largest ratio of an inertia to its values at the distance [`NEAR`] at which the inertia counts
+/// as zero. An inertia that vanishes grows with the square of the distance.
 const VANISHED: f64 = 1e-2;
-/// Size of the least eigenvalue of a mass matrix with the diagonal 1 up to which the matrix is singular.
+/// Least eigenvalue, in absolute value, of a mass matrix scaled to the diagonal 1; below it, the
+/// matrix is singular.
 const SINGULAR: f64 = 1e-12;
 
-/// Divisors and mass matrix of a mechanism, for a check of states.
+/// Divisors and mass matrix of a mechanism's equations, for the test of states.
 pub(super) struct Poles {
-    /// Text of each divisor.
+    /// Formula of each divisor as text.
     divisors: Vec<String>,
-    /// Names of the generalized speeds.
+    /// Names of the generalized speeds, for messages.
     speeds: Vec<String>,
-    /// Tape of the divisors, of their slopes with respect to all states, and of the mass matrix row by row.
+    /// Tape of the divisors, their slopes by all states, and the mass matrix row by row. Inputs:
+    /// parameters, then states.
     tape: Tape,
 }
 
 impl Poles {
-    /// Prepares the divisors and the mass matrix of a mechanism's equations in first order.
+    /// Prepares the test from the equations of a mechanism in first order.
     ///
     /// # Errors
-    /// [`UnknownSymbol`] if a divisor has no value in states and parameters.
+    /// [`UnknownSymbol`] if a divisor contains a symbol that is neither a state nor a parameter.
     pub(super) fn new(model: &Mechanism, flow: &Flow) -> Result<Self, UnknownSymbol> {
         let mut arena = flow.arena.clone();
         let mut slopes = Vec::new();
@@ -53,10 +56,11 @@ impl Poles {
         })
     }
 
-    /// Refuses a state that is singular, or too near a singular one for slopes to be meaningful.
+    /// Returns an error for a state that is singular, or so near a singular state that slopes are
+    /// meaningless.
     ///
     /// # Errors
-    /// [`Error::Request`] that names the singular divisor or the speeds without inertia.
+    /// [`Error::Request`] that names the divisor that is zero, or the speeds without inertia.
     pub(super) fn refuse(&self, parameters: &[DoubleDouble], steady: &Steady) -> Result<(), Error> {
         let known: Vec<f64> = parameters.iter().chain(&steady.x).map(|x| x.hi()).collect();
         let values = self.tape.evaluate(&known);
@@ -65,7 +69,7 @@ impl Poles {
         let near = NEAR.max(10.0 * steady.uncertain);
         for ((name, value), slopes) in self.divisors.iter().zip(divisors).zip(slopes.chunks(steady.x.len().max(1))) {
             let reach = slopes.iter().zip(&steady.x).map(|(slope, x)| slope.abs() * x.hi().abs().max(1.0)).sum::<f64>();
-            // A divisor that is NaN is refused as well.
+            // A divisor that is NaN is refused too.
             if value.is_nan() || value.abs() <= near * reach || value.abs() <= 0.0 {
                 let what = format!(
                     "the equations are singular at this state: they divide by {name}, which is {} there, and slopes have no bound",
@@ -79,8 +83,9 @@ impl Poles {
         self.has_inertia(inertia, &self.inertia_beside(&known, parameters.len()))
     }
 
-    /// Largest size of each diagonal entry of the mass matrix at states beside this one, at the distance [`NEAR`] along
-    /// one state each. `known` has the parameters, `first` of them, and then the states.
+    /// Largest absolute value of each diagonal entry of the mass matrix at neighbouring states, at the
+    /// distance [`NEAR`] along each state in turn. `known` has the parameters, `first` of them,
+    /// followed by the states.
     fn inertia_beside(&self, known: &[f64], first: usize) -> Vec<f64> {
         let n = self.speeds.len();
         let mut largest = vec![0.0; n];
@@ -98,7 +103,11 @@ impl Poles {
         largest
     }
 
-    /// Refuses a singular mass matrix, given row by row. `beside` are its diagonal entries at states beside this one.
+    /// Returns an error for a singular mass matrix, given row by row. `beside` are its diagonal entries
+    /// at neighbouring states.
+    ///
+    /// # Errors
+    /// `Error::Request` that names the speeds without inertia.
     fn has_inertia(&self, inertia: &[f64], beside: &[f64]) -> Result<(), Error> {
         let n = self.speeds.len();
         let size = |at: usize| inertia[at * n + at].abs().sqrt();

@@ -1,4 +1,5 @@
-//! Linear system near a steady motion, with the loops closed and without the states that symmetries shift.
+//! Linear system near a steady motion, with closed loops and without the states that symmetries
+//! shift.
 
 use super::Question;
 use super::dense::{Wide, least, null_space};
@@ -8,42 +9,47 @@ use nalgebra::{DMatrix, DVector};
 use tripos_derive::flow::Rates;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Ratio of a pivot to the largest entry of its column below which columns are dependent.
+/// Fraction of the largest entry of a column below which a pivot shows that columns are dependent.
 const DEPENDENT: f64 = 1e-9;
 
-/// Linear system d' = A d + B r, y = C d + D r near a steady motion, in the states that are kept.
+/// Linear system d' = A d + B r, y = C d + D r near a steady motion, for differences d of the kept
+/// states.
 #[derive(Clone, Debug)]
 pub struct Quotient {
-    /// Indices of the states that are kept.
+    /// Indices of the states that remain in the linear system.
     pub kept: Vec<usize>,
-    /// Indices of the states that the loops determine.
+    /// Indices of the states that the closed loops determine.
     pub closed: Vec<usize>,
-    /// Indices of the states that symmetries shift, and on which no kept state depends.
+    /// Indices of the states that symmetries shift and that are left out. No kept state depends on
+    /// them.
     pub shifted: Vec<usize>,
-    /// Indices of the symmetries that shift the states `shifted` and that no output shows.
+    /// Indices of the symmetries that shift the states `shifted`; no output depends on these shifts.
     pub(super) symmetries: Vec<usize>,
-    /// Matrix A, rows and columns in the order of `kept`.
+    /// Matrix A, square, with rows and columns in the order of `kept`.
     pub a: Wide,
-    /// Matrix B, one column for each input.
+    /// Matrix B, with a row for each kept state and a column for each input.
     pub b: Wide,
-    /// Matrix C, one row for each output.
+    /// Matrix C, with a row for each output and a column for each kept state.
     pub c: Wide,
-    /// Matrix D, one row for each output and one column for each input.
+    /// Matrix D, with a row for each output and a column for each input.
     pub d: Wide,
 }
 
-/// Treatment of the states that symmetries shift.
+/// Choice to keep the states that symmetries shift in the linear system, or not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shifted {
     /// States that a symmetry shifts, such as cyclic coordinates, stay in the linear system.
     Kept,
-    /// Shifted states are left out of the linear system.
+    /// Shifted states are left out of the linear system, unless an output depends on them.
     LeftOut,
 }
 
 impl Question {
-    /// Computes the linear system near a state that the symmetries carry along; `shifted` tells if the states
-    /// that these shift are kept.
+    /// Computes the linear system near a steady motion. `shifted` tells if states that symmetries shift
+    /// are kept.
+    ///
+    /// # Errors
+    /// `Error::Stopped` if a slope is not finite, or the loops are dependent in this pose.
     pub(super) fn quotient(&self, steady: &Steady, shifted: Shifted) -> Result<Quotient, Error> {
         let sizes = self.program.sizes;
         let (values, slopes) = self.program.all_slopes(&self.wide, &self.parameters, &steady.x);
@@ -79,7 +85,7 @@ impl Question {
             return Err(Error::Stopped("a slope is not a finite number at this state".to_owned()));
         }
         let (closed, symmetries) = all.on_loops(&loops(by_state), &loops(by_input), &values.symmetries)?;
-        // A shift of time is not a difference from the motion, even if differences along symmetries are kept.
+        // A shift of time is no difference from the motion, even if differences along symmetries are kept.
         let left_out: Vec<usize> =
             (0..sizes.symmetries).filter(|at| shifted == Shifted::LeftOut || Some(*at) == self.by_time).collect();
         Ok(closed.without(&symmetries, &left_out, self.coordinates))
@@ -87,8 +93,11 @@ impl Question {
 }
 
 impl Quotient {
-    /// Restricts the system and the symmetries to states in which the loops are closed. `slopes` and `by_input` are the
-    /// slopes of the loops with respect to states and inputs.
+    /// Restricts the system and the symmetries to states with closed loops. `slopes` and `by_input` are
+    /// the slopes of the loops by states and by inputs. Returns the restricted system and symmetries.
+    ///
+    /// # Errors
+    /// `Error::Stopped` if the loops are dependent in this pose.
     fn on_loops(self, slopes: &Wide, by_input: &Wide, symmetries: &[Vec<DoubleDouble>]) -> Result<(Self, Wide), Error> {
         let fields = Wide::from_columns(self.kept.len(), symmetries);
         if slopes.rows.is_empty() {
@@ -104,7 +113,7 @@ impl Quotient {
         let rest: Vec<usize> = columns.iter().copied().filter(|at| !found.contains(at)).collect();
         let all: Vec<usize> = (0..slopes.rows.len()).collect();
         let singular = || Error::Stopped("this pose is singular: the loops cannot be solved for".to_owned());
-        // The closed states depend on the kept states, and on inputs that the loops depend on.
+        // The closed states depend on the kept states, and on inputs that move the loops.
         let follow = |open: &Wide| {
             let open = Wide::zeros(open.rows.len(), open.columns()).plus(-1.0, &identity(open.rows.len()), open);
             slopes.part(&all, &found).solve(&open).ok_or_else(singular)
@@ -126,8 +135,8 @@ impl Quotient {
         Ok((on, fields.part(&rest, &every)))
     }
 
-    /// Removes the states that symmetries shift, as far as no output shows them. `left_out` are the indices of the
-    /// symmetries.
+    /// Removes the states that symmetries shift, unless an output depends on them. `left_out` are the
+    /// indices of these symmetries, and `coordinates` is the number of coordinates among all states.
     fn without(self, symmetries: &Wide, left_out: &[usize], coordinates: usize) -> Self {
         let every: Vec<usize> = (0..self.kept.len()).collect();
         let symmetries = &symmetries.part(&every, left_out);
@@ -162,8 +171,8 @@ impl Quotient {
         }
     }
 
-    /// Combinations of symmetries, as columns, that no output shows at any time: the largest subspace within ker C that
-    /// A leaves invariant.
+    /// Combinations of symmetries, as columns, on which no output depends at any time. They are the
+    /// largest subspace within ker C that A leaves invariant.
     fn hidden(&self, fields: &DMatrix<f64>) -> DMatrix<f64> {
         let count = fields.ncols();
         let seen = self.c.rounded();
@@ -191,7 +200,7 @@ impl Quotient {
     }
 }
 
-/// Identity matrix of n rows.
+/// Identity matrix with n rows and columns.
 fn identity(n: usize) -> Wide {
     let mut one = Wide::zeros(n, n);
     for (at, row) in one.rows.iter_mut().enumerate() {
@@ -200,15 +209,17 @@ fn identity(n: usize) -> Wide {
     one
 }
 
-/// Combines the columns of a matrix: fields · hidden. Columns that are not mixed keep their value, to the last digit.
+/// Product of a matrix and `hidden`, which combines its columns. A column that is not mixed keeps
+/// all of its digits.
 fn combined(fields: &Wide, hidden: &DMatrix<f64>) -> Wide {
     let wide =
         Wide { rows: hidden.row_iter().map(|row| row.iter().map(|x| DoubleDouble::from_f64(*x)).collect()).collect() };
     Wide::zeros(fields.rows.len(), hidden.ncols()).plus(1.0, fields, &wide)
 }
 
-/// Chooses rows and columns of a regular square part of full rank, after columns are scaled to one size. Rows of a
-/// group are taken only after those of the groups before it.
+/// Chooses rows and columns of a regular square submatrix of full rank, after columns are scaled to
+/// equal size. Rows of a group are chosen only after those of earlier groups. Returns the indices
+/// of rows and columns, paired by pivots.
 pub fn pivots(matrix: &DMatrix<f64>, groups: &[&[usize]]) -> (Vec<usize>, Vec<usize>) {
     let mut left = matrix.clone();
     for mut column in left.column_iter_mut() {
@@ -223,7 +234,7 @@ pub fn pivots(matrix: &DMatrix<f64>, groups: &[&[usize]]) -> (Vec<usize>, Vec<us
             let mut best = (DEPENDENT, None);
             for column in (0..left.ncols()).filter(|column| !columns.contains(column)) {
                 for row in group.iter().filter(|row| !rows.contains(row)) {
-                    // The first of entries that are equal except for rounding is taken.
+                    // Of entries that are equal up to rounding, the first is chosen.
                     if left[(*row, column)].abs() > best.0 * (1.0 + 1e-6) {
                         best = (left[(*row, column)].abs(), Some((*row, column)));
                     }

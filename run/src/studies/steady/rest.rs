@@ -1,7 +1,7 @@
-//! Rest by the balance of forces along every motion that the constraints permit.
+//! Search for rest by the balance of forces along every motion that the constraints permit.
 //!
-//! Chosen speeds do not move a mechanism in their dead points, so that their balance holds there by itself, and
-//! Newton's method is drawn to these points. The balance with multipliers has no dead points
+//! In a dead point, the chosen generalized speeds do not move the mechanism. Their balance then
+//! holds trivially, and attracts Newton's method. The balance with multipliers has no dead points
 //! ([`tripos_derive::flow::RestBalance`]).
 
 use super::Question;
@@ -12,24 +12,29 @@ use std::cell::OnceCell;
 use tripos_derive::flow::RestBalance;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Balance of forces at rest, derived when it is first needed.
+/// Search for rest by the balance of forces, prepared when it is first needed.
 #[derive(Default)]
 pub(super) struct Rests {
-    /// Search for states at which the forces balance; `None` if Lagrange's equations cannot be derived.
+    /// Prepared search; empty before the first use, and `None` if Lagrange's equations cannot be
+    /// derived.
     forces: OnceCell<Option<Forces>>,
 }
 
-/// Search for states at which the forces balance: its unknowns are coordinates and multipliers.
+/// Search for states at which the forces balance. Its unknowns are coordinates and multipliers.
 struct Forces {
+    /// Equations of the balance; its states are coordinates followed by multipliers.
     question: Question,
+    /// Number of multipliers among the unknowns.
     multipliers: usize,
 }
 
 impl Rests {
-    /// Rest or steady motion in place of the result `steady` of a search in the chosen speeds from the start `x`. A
-    /// regular result is returned as it is. If the chosen speeds are singular at the result, or the search failed, rest
-    /// is sought by the balance of forces, first from the result, then from the start. A singular state at which the
-    /// forces do not balance is returned with these forces.
+    /// Replaces the result `steady` of a search in the chosen speeds, if it is singular or failed. `x`
+    /// is the start of this search. Rest is then searched for by the balance of forces, first from the
+    /// result and then from the start.
+    ///
+    /// A regular result is returned unchanged. If no rest is found, the result is returned with the
+    /// unbalanced forces.
     pub(super) fn in_place_of(
         &self,
         model: &Mechanism,
@@ -59,6 +64,7 @@ impl Rests {
 }
 
 impl Forces {
+    /// Prepares the balance of forces of a model; `None` if it cannot be derived.
     fn new(model: &Mechanism, question: &Question) -> Option<Self> {
         let RestBalance { residuals: flow, multipliers, speeds } = RestBalance::new(model).ok()?;
         let program = flow.program(&[], &speeds).ok()?;
@@ -83,8 +89,8 @@ impl Forces {
         Some(Self { question, multipliers })
     }
 
-    /// State of the forces' balance at a state of the mechanism: its coordinates, and the multipliers that balance them
-    /// best.
+    /// Finds the multipliers that balance the forces best at a state of the mechanism. Returns
+    /// coordinates and multipliers.
     fn balanced(&self, x: &[DoubleDouble]) -> Steady {
         let n = self.question.coordinates;
         let none = std::iter::repeat_n(DoubleDouble::int(0), self.multipliers);
@@ -92,13 +98,14 @@ impl Forces {
         self.question.settle(&x, &Unknowns { states: (n..n + self.multipliers).collect(), moves: false })
     }
 
-    /// Forces that multipliers do not balance at a state of the mechanism, by the indices of the coordinates.
+    /// Forces that multipliers cannot balance at a state of the mechanism, each with the index of its
+    /// coordinate.
     fn left(&self, steady: &Steady) -> Vec<(usize, f64)> {
         let left = self.balanced(&steady.x).unbalanced;
         left.into_iter().filter(|(at, _)| *at < self.question.coordinates).collect()
     }
 
-    /// Rest that is found from a state by changing the unknown coordinates; `None` if none is found.
+    /// Finds rest from a state by changing the unknown coordinates; `None` if no rest is found.
     fn rest(&self, model: &Mechanism, question: &Question, x: &[DoubleDouble], unknowns: &Unknowns) -> Option<Steady> {
         let n = self.question.coordinates;
         let places = unknowns.states.iter().copied().filter(|at| *at < n);
@@ -109,7 +116,7 @@ impl Forces {
         }
         let (values, _) = self.question.program.evaluate(&self.question.wide, &self.question.parameters, &found.x, &[]);
         let state: Vec<DoubleDouble> = found.x[..n].iter().chain(&values.outputs).copied().collect();
-        // A regular rest is solved for once more in the chosen speeds.
+        // A regular rest is solved for again in the chosen speeds.
         let again = question.settle(&state, &Unknowns { states: unknowns.states.clone(), moves: false });
         let rest = question.rest_at(state, &found);
         let is_regular = question.poles.refuse(&question.parameters, &again).is_ok();

@@ -1,18 +1,18 @@
 //! Schur form A = Q T Qᴴ of a real matrix in 32 digits, with its eigenvalues in any order.
 //!
-//! The form is computed by the shifted QR iteration on a Hessenberg matrix (J. G. F. Francis, Comput. J. 4, 1961; J. H.
-//! Wilkinson, *The Algebraic Eigenvalue Problem*, 1965). Only rotations change A, so that T belongs to a matrix that
-//! differs from A by some 1e-31 of its size.
+//! The form is computed by the shifted QR iteration on a Hessenberg matrix (J. G. F. Francis,
+//! Comput. J. 4, 1961; J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, 1965). A is changed
+//! only by rotations. So T belongs to a matrix that differs from A by about 1e-31 of its size.
 
 use super::complex::Complex;
 use super::dense::Wide;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Fraction of its neighbours on the diagonal below which an entry below the diagonal counts as 0.
+/// Fraction of its diagonal neighbours below which an entry below the diagonal counts as 0.
 const NOTHING: f64 = 1e-32;
-/// Largest number of steps of the QR iteration for one eigenvalue.
+/// Largest number of steps of the QR iteration for each eigenvalue.
 const MOST_STEPS: usize = 200;
-/// Number of steps of the QR iteration after which one unusual shift is taken.
+/// Number of steps of the QR iteration after which an exceptional shift is used once.
 const UNUSUAL: usize = 12;
 
 /// Schur form A = Q T Qᴴ of a matrix, with a unitary Q and an upper triangular T.
@@ -24,10 +24,11 @@ pub struct Schur {
     pub q: Vec<Vec<Complex>>,
 }
 
-/// Unitary matrix G of two rows and columns that takes (a, b) to (r, 0).
+/// Unitary 2 × 2 matrix G, a complex plane rotation, that maps (a, b) to (r, 0).
 struct Rotation([[Complex; 2]; 2]);
 
 impl Rotation {
+    /// Makes the rotation that maps (a, b) to (r, 0); the identity if both are 0.
     fn new(a: Complex, b: Complex) -> Self {
         let size = (a.squared_norm() + b.squared_norm()).sqrt();
         let one = Complex::from_f64(1.0);
@@ -38,7 +39,7 @@ impl Rotation {
         Self([[a.conj().scaled(inverse), b.conj().scaled(inverse)], [(-b).scaled(inverse), a.scaled(inverse)]])
     }
 
-    /// Computes G M on rows k and k + 1, from the column `from` on.
+    /// Replaces rows k and k + 1 of a matrix M by those of G M, from the column `from` on.
     fn rows(&self, m: &mut [Vec<Complex>], k: usize, from: usize) {
         let (above, below) = m.split_at_mut(k + 1);
         for (x, y) in above[k][from..].iter_mut().zip(&mut below[0][from..]) {
@@ -46,7 +47,7 @@ impl Rotation {
         }
     }
 
-    /// Computes M Gᴴ on columns k and k + 1, for the first `rows` rows.
+    /// Replaces columns k and k + 1 of a matrix M by those of M Gᴴ, in the first `rows` rows.
     fn columns(&self, m: &mut [Vec<Complex>], k: usize, rows: usize) {
         let [[a, b], [c, d]] = self.0.map(|row| row.map(Complex::conj));
         for row in &mut m[..rows] {
@@ -56,7 +57,8 @@ impl Rotation {
 }
 
 impl Schur {
-    /// Computes the Schur form of a square matrix; `None` if the iteration does not end, or an entry is not finite.
+    /// Computes the Schur form of a square matrix; `None` if the iteration does not converge, or an
+    /// entry is not finite.
     #[must_use]
     pub fn new(a: &Wide) -> Option<Self> {
         let n = a.rows.len();
@@ -86,7 +88,7 @@ impl Schur {
         Some(form)
     }
 
-    /// Makes T a Hessenberg matrix: rotations remove the entries below its first subdiagonal.
+    /// Reduces T to a Hessenberg matrix: rotations remove the entries below its first subdiagonal.
     fn reduce(&mut self) {
         let n = self.t.len();
         for column in 0..n.saturating_sub(2) {
@@ -100,7 +102,8 @@ impl Schur {
         }
     }
 
-    /// Applies a rotation G on rows and columns k and k + 1: computes G T Gᴴ and Q Gᴴ.
+    /// Applies a rotation G to rows and columns k and k + 1: T becomes G T Gᴴ, and Q becomes Q Gᴴ. Only
+    /// columns of T from `from` on, and its first `rows` rows, are changed.
     fn turn(&mut self, rotation: &Rotation, k: usize, from: usize, rows: usize) {
         rotation.rows(&mut self.t, k, from);
         rotation.columns(&mut self.t, k, rows);
@@ -108,7 +111,8 @@ impl Schur {
         rotation.columns(&mut self.q, k, n);
     }
 
-    /// Index at which the part of T that ends with `last` begins: the entry before it below the diagonal is 0.
+    /// Finds the first index of the diagonal block of T that ends at `last`. The subdiagonal entry
+    /// before this block is negligible and is set to 0. `size` is the norm of the matrix.
     fn split(&mut self, last: usize, size: f64) -> usize {
         let t = &mut self.t;
         for k in (1..=last).rev() {
@@ -122,7 +126,8 @@ impl Schur {
         0
     }
 
-    /// Shift of a step of the QR iteration: the eigenvalue of the last two rows that is nearest to their last entry.
+    /// Shift for a step of the QR iteration: the eigenvalue of the last 2 × 2 block that is nearest to
+    /// its last entry.
     fn shift(&self, last: usize) -> Complex {
         let t = &self.t;
         let (a, b, c, d) = (t[last - 1][last - 1], t[last - 1][last], t[last][last - 1], t[last][last]);
@@ -134,12 +139,14 @@ impl Schur {
         if larger.norm() > 0.0 { d - b * c / larger } else { d }
     }
 
-    /// Shift that is no eigenvalue of the last two rows, for an iteration that goes round in a circle.
+    /// Exceptional shift, no eigenvalue of the last 2 × 2 block, for an iteration that does not
+    /// converge.
     fn unusual_shift(&self, last: usize) -> Complex {
         self.t[last][last] + Complex::from_f64(self.t[last][last - 1].norm())
     }
 
-    /// Makes a step of the QR iteration on the rows from `first` to `last`.
+    /// Makes a step of the QR iteration on the rows and columns from `first` to `last`, with the given
+    /// shift.
     fn step(&mut self, first: usize, last: usize, shift: Complex) {
         let n = self.t.len();
         let mut rotations = Vec::with_capacity(last - first);
@@ -161,8 +168,8 @@ impl Schur {
         }
     }
 
-    /// Schur form of a matrix from the forms of its diagonal blocks. `blocks` are the indices of the rows of each
-    /// block; entries to the left of a block are 0.
+    /// Makes the Schur form of a matrix from the forms of its diagonal blocks. `blocks` are the indices
+    /// of the rows of each block. Entries to the left of a block must be 0.
     #[must_use]
     pub fn together(a: &Wide, blocks: &[Vec<usize>], forms: &[Self]) -> Self {
         let n = a.rows.len();
@@ -200,7 +207,7 @@ impl Schur {
         self.t.iter().enumerate().map(|(at, row)| row[at]).collect()
     }
 
-    /// Reorders the form so that the eigenvalues with the given indices come first.
+    /// Reorders the Schur form so that the eigenvalues with the given indices come first.
     #[must_use]
     pub fn with_first(&self, places: &[usize]) -> Self {
         let mut form = self.clone();

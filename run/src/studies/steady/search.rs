@@ -1,4 +1,5 @@
-//! Search for rest positions and steady motions near a guess, and from other starts.
+//! Search for rest positions and steady motions near a guess, and from further starts around the
+//! guess.
 
 use super::Question;
 use super::about::About;
@@ -10,7 +11,8 @@ use std::f64::consts::PI;
 use tripos_derive::scene::Asked;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// The first primes: starts are spread by digits in these bases (J. H. Halton, Numer. Math. 2, 1960).
+/// First 24 primes: the bases of the digits by which starts are spread (J. H. Halton, Numer. Math.
+/// 2, 1960).
 const PRIMES: [u64; 24] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89];
 
 /// Advice for the user if no steady motion is found.
@@ -20,14 +22,14 @@ pub(super) const ELSEWHERE: &str =
 /// Steady motion that a search found, with its linear system if there is one.
 #[derive(Clone, Debug)]
 pub struct FoundMotion {
-    /// State and velocities of the steady motion.
+    /// State and velocities of the steady motion, with residuals.
     pub steady: Steady,
     /// Linear system near the steady motion, or the reason why there is none.
     pub about: Result<About, Error>,
 }
 
-/// Unknowns of a search: the states that the state file guesses. If it guesses none, these are all coordinates if
-/// nothing moves at the guess, otherwise all states.
+/// Selects the unknowns of a search: the states that the state file guesses. If it guesses none,
+/// they are all states if something moves at the guess, otherwise all coordinates.
 #[must_use]
 pub fn unknowns(question: &Question, asked: &Asked) -> Unknowns {
     let n = question.coordinates;
@@ -40,8 +42,9 @@ pub fn unknowns(question: &Question, asked: &Asked) -> Unknowns {
     Unknowns { states, moves }
 }
 
-/// Searches from a guess, in groups that are tried until something is found. First comes the request of the state file.
-/// If this only closes loops, or is empty, the steady motion near the guess and rest near it follow.
+/// Lists searches as pairs of guess and unknowns, in groups that are tried in turn until a group
+/// finds something. The first group is the request of the state file. If it is empty or only closes
+/// loops, a second group searches for the steady motion and for rest near the guess.
 fn sought(question: &Question, asked: &Asked) -> Vec<Vec<(Vec<DoubleDouble>, Unknowns)>> {
     let n = question.coordinates;
     let mut groups = Vec::new();
@@ -61,13 +64,13 @@ fn sought(question: &Question, asked: &Asked) -> Vec<Vec<(Vec<DoubleDouble>, Unk
     groups
 }
 
-/// Finds rest positions and, if the guess moves, steady motions: first the one that Newton's method finds from the
-/// guess, then others that it finds from `starts` starts around the guess. Where the chosen speeds are singular, rest
-/// is sought by the forces along every motion that the constraints permit.
+/// Finds rest positions and, if something moves at the guess, steady motions. Newton's method
+/// begins at the guess and then at `starts` further starts around it. If the chosen speeds are
+/// singular, rest is found by the balance of forces along every permitted motion.
 ///
 /// # Errors
-/// [`Error`] if the model cannot be derived, or if no steady motion is found. It states the residuals of the first
-/// search.
+/// [`Error`] if the model cannot be derived, or if no steady motion is found. The message states
+/// the residuals of the first search.
 pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<FoundMotion>, Error> {
     let mut question = Question::new(model, asked, &[])?;
     let spread = Spread::new(model, asked);
@@ -112,7 +115,8 @@ pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<F
     Ok(found)
 }
 
-/// True if one steady motion is another, moved along symmetries: the states that these do not shift are equal.
+/// True if a new steady motion is a known one moved along symmetries: the states that these do not
+/// shift are equal.
 fn is_shifted(model: &Mechanism, known: &FoundMotion, new: &Result<About, Error>) -> bool {
     let (Ok(a), Ok(b)) = (&known.about, new) else { return false };
     a.system.kept == b.system.kept
@@ -124,13 +128,15 @@ fn is_shifted(model: &Mechanism, known: &FoundMotion, new: &Result<About, Error>
             .all(|at| is_near(model, *at, a.steady.x[*at].hi(), b.steady.x[*at].hi()))
 }
 
-/// Range of the starts of a search.
+/// Range in which the starts of a search are spread around the guess.
 struct Spread {
-    /// Largest shift of each state from the guess: a half turn for angles, otherwise twice the largest length or speed.
+    /// Largest shift of each state: a half turn for angles, otherwise twice the largest length or
+    /// speed.
     reach: Vec<f64>,
 }
 
 impl Spread {
+    /// Determines the range from the lengths among the parameters and the speeds of the guess.
     fn new(model: &Mechanism, asked: &Asked) -> Self {
         let is_length = |at: usize| model.parameters[at].unit.is_length();
         let lengths = (0..model.parameters.len()).filter(|at| is_length(*at)).map(|at| asked.parameters[at].hi().abs());
@@ -142,7 +148,8 @@ impl Spread {
         Self { reach: of_place.chain(speeds.iter().map(|_| 2.0 * most)).collect() }
     }
 
-    /// Start with the number `start`: the guess with its sought states moved within their reach.
+    /// Start with the number `start`, from 1: the guess with its sought states shifted within their
+    /// range.
     fn start(&self, guess: &[DoubleDouble], sought: &[usize], start: u64) -> Vec<DoubleDouble> {
         let mut x = guess.to_vec();
         for (place, at) in sought.iter().enumerate() {
@@ -153,7 +160,7 @@ impl Spread {
     }
 }
 
-/// Number from 0 to 1 whose digits in a base are the digits of `number` in reverse.
+/// Number between 0 and 1 whose digits in the given base are those of `number` in reverse order.
 fn radical_inverse(mut number: u64, base: u64) -> f64 {
     let (mut value, mut digit) = (0.0, 1.0);
     while number > 0 {

@@ -1,4 +1,4 @@
-//! Stability of a steady motion by its eigenvalues.
+//! Stability of a steady motion, judged by the eigenvalues of its linear system.
 
 use super::Question;
 use super::mode::Mode;
@@ -6,31 +6,33 @@ use super::newton::Steady;
 use super::quotient::Quotient;
 use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 
-/// Stability of a steady motion by its linear system.
+/// Stability of a steady motion, judged by its linear system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stability {
     /// Small differences from the motion grow exponentially.
     Unstable,
-    /// No difference grows exponentially, but at least one grows like this power of t, by Jordan blocks of eigenvalues
-    /// on the imaginary axis.
+    /// No difference grows exponentially, but some grow like this power of t. Jordan blocks of
+    /// eigenvalues on the imaginary axis cause this.
     Grows(usize),
     /// All small differences from the motion decay.
     Attracting,
-    /// All small differences decay except those that lead to other motions of the family, which was found.
+    /// All small differences decay, except those that lead to neighbouring steady motions, which were
+    /// found.
     AttractingInFamily,
-    /// The motion is rest at a strict minimum of the energy, and does not leave its neighbourhood (Lagrange,
-    /// Dirichlet).
+    /// The state is at rest at a strict minimum of the energy, and motions near it stay near it
+    /// (Lagrange, Dirichlet).
     Energy,
-    /// No difference grows to first order, but at least one does not decay: terms of higher order decide.
+    /// No difference grows to first order, but some do not decay. Terms of higher order decide.
     FirstOrder,
-    /// An eigenvalue is so near the imaginary axis, or to another one there, that its digits do not decide.
+    /// Rounding leaves undecided if an eigenvalue is on the imaginary axis, or coincides there with
+    /// another.
     Undecided,
-    /// The state is not steady: eigenvalues do not tell how motions near it continue.
+    /// The state is not steady, so that eigenvalues do not tell how motions near it continue.
     NotSteady,
 }
 
 impl Stability {
-    /// Name of the stability in JSON.
+    /// Name of the stability for JSON.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -45,13 +47,13 @@ impl Stability {
         }
     }
 
-    /// Power of t by which differences grow; `None` if they do not grow like a power.
+    /// Power of t by which differences grow; `None` if they do not grow like a power of t.
     #[must_use]
     pub const fn power(self) -> Option<usize> {
         if let Self::Grows(power) = self { Some(power) } else { None }
     }
 
-    /// Describes the stability in a sentence.
+    /// Describes the stability in a sentence for the user.
     #[must_use]
     pub fn words(self) -> String {
         let text = match self {
@@ -82,8 +84,8 @@ impl Stability {
 }
 
 impl Question {
-    /// Decides the stability of a motion by its eigenvalues. `family` is the number of parameters of its family, as far
-    /// as it was found.
+    /// Judges the stability of a steady motion by its eigenvalues. `family` is the number of parameters
+    /// of the family of neighbouring steady motions that was found.
     pub(super) fn stability(&mut self, steady: &Steady, system: &Quotient, modes: &[Mode], family: usize) -> Stability {
         if !steady.is_steady() {
             return Stability::NotSteady;
@@ -105,8 +107,8 @@ impl Question {
         }
     }
 
-    /// True if a mechanism without friction, drive and gyroscopic forces rests at a strict minimum of its potential. In
-    /// that case, and only then, all of its eigenvalues are imaginary and none is 0.
+    /// True if a mechanism without friction, drive and gyroscopic forces is at rest at a strict minimum
+    /// of its potential energy. This holds exactly if all eigenvalues are imaginary and none is 0.
     fn is_least(&mut self, steady: &Steady, system: &Quotient, modes: &[Mode]) -> bool {
         let [_, _, power] = self.flow.energies;
         let power = self.flow.behind(&[power]);

@@ -1,4 +1,4 @@
-//! Blocks of points of a sweep, each run by one thread.
+//! Blocks of points of a sweep: each block is run by one thread.
 
 use super::lanes::{self, Request};
 use super::row::{Ended, Row};
@@ -21,46 +21,51 @@ use tripos_derive::scene::{Family, Grid, Integrator, Scene, Solve};
 use tripos_sim::{Event, Options, SimError, Solution, Warning};
 use tripos_traits::InLanes;
 
-/// Data of a sweep that all its points share.
+/// Data of a sweep that all its points and threads share.
 pub struct Sweep<'a> {
-    /// Mechanism that all points share.
+    /// Mechanism of the varied scene, which all points share.
     pub model: &'a Mechanism,
-    /// Scene as its file gives it, with the options of the command line.
+    /// Scene as its file gives it, changed by the overrides.
     pub scene: &'a Scene,
-    /// Grid of the values that vary.
+    /// Grid of the quantities that vary, with their values.
     pub grid: &'a Grid,
-    /// Equations of motion of all runs.
+    /// Origin of the equations of motion of all runs.
     pub by: &'a EquationsOrigin,
-    /// Overrides of each point's scene.
+    /// Overrides that replace integration settings of each point's scene.
     pub how: &'a Overrides,
-    /// First integrals that each run is checked against; `None` if they are not known.
+    /// First integrals whose changes each run reports; `None` if they were not proved, or the scene has
+    /// impacts.
     pub watch: Option<Watch>,
-    /// Way in which accelerations are found.
+    /// Method that finds the accelerations: eliminated beforehand, or solved for numerically at each
+    /// state.
     pub solve: Solve,
     /// Warnings that hold for the run of every point.
     pub warnings: Vec<String>,
-    /// Check that all moving bodies have mass at a point's parameters.
+    /// Check that all moving bodies have mass at the parameters of a point.
     inertia: InertiaCheck<'a>,
     /// Names of the quantities that the table shows at the end of each run.
     pub names: Vec<String>,
-    /// Compiled equations that run; all threads share them.
+    /// Equations of motion ready to run, which all threads share.
     pub code: Code,
-    /// Equations in the rates of all coordinates, for places where the speeds of a constrained mechanism fail; `None`
-    /// if there are no such places.
+    /// Equations in the rates of all coordinates, for poses in which the speeds of a constrained
+    /// mechanism fail. `None` if there are no such poses.
     rates: Option<Code>,
+    /// Events and domain conditions that each run watches.
     balance: Balance,
+    /// Functions that compute the shown quantities.
     shown: ShownQuantities,
-    /// True if a second run of each point determines the number of correct digits.
+    /// True if a second run of each point determines the number of its correct digits.
     pub tells_digits: bool,
-    /// Flag that is set when no more rows are wanted.
+    /// Flag that is set when no more rows are wanted; the threads then stop.
     pub stop: AtomicBool,
 }
 
 impl<'a> Sweep<'a> {
-    /// Creates the sweep of a scene that `how` has changed, over a grid that was read for the scene.
+    /// Creates the sweep of a scene over a grid that was read for this scene. `how` must already have
+    /// changed the scene.
     ///
     /// # Errors
-    /// [`Error`] if no point can be run by these equations with this method.
+    /// [`Error`] if no point can be run by these equations with the scene's integrator.
     pub fn new(
         model: &'a Mechanism,
         scene: &'a Scene,
@@ -106,14 +111,14 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// True if the total energy is constant in every run: no force without a potential works, no constraint is driven,
-    /// and the scene has no impacts.
+    /// True if T + V is constant in every run. No force without a potential does work, no constraint is
+    /// driven, and the scene has no impacts.
     fn conserves_energy(&self) -> bool {
         !self.code.system().has_power() && !self.model.is_driven() && self.scene.impacts.is_empty()
     }
 
-    /// Names of the quantities that are constant in each motion: the proved first integrals, or only energy for a large
-    /// model.
+    /// Names of the quantities that are constant in each motion: the proved first integrals. For a
+    /// large model, they are not proved, and only the energy is named. Empty if nothing is constant.
     pub fn conserved(&self) -> Vec<&str> {
         match &self.watch {
             Some(watch) => watch.integrals.iter().map(|integral| integral.title.as_str()).collect(),
@@ -122,22 +127,25 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// Creates the data that one thread needs of its own.
+    /// Creates the data that each thread needs for itself.
     ///
     /// # Errors
     /// [`Error`] if the text of the scene cannot be read again.
     pub fn worker(&'a self) -> Result<Worker<'a>, Error> {
         let family = Family::new(self.scene, self.model, self.grid)?;
-        // Assessing digits needs whole runs, so they are not made in lanes.
+        // Correct digits need whole runs with samples, which lanes do not give.
         let lanes =
             if self.tells_digits { None } else { lanes::equations(self.model, self.scene, self.solve, &self.code) };
         Ok(Worker { sweep: self, family, lanes })
     }
 }
 
-/// Makes one step of a run. Refuses a method that cannot run any point; returns warnings that hold for every run.
+/// Makes one step of a run from the scene's start. Returns the warnings that hold for every point.
+///
+/// # Errors
+/// `Error` if the integrator cannot run any point.
 fn try_one_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
-    // The start of the scene file may be unsuitable for a run while the points are suitable.
+    // The start of the scene file may be unsuitable for a run although the points are suitable.
     let Ok(y0) = problem.start() else { return Ok(Vec::new()) };
     let options = Options { step_limit: 1, ..options_of_ends(problem.scene) };
     match problem.integrate(&y0, &options, &mut []) {
@@ -152,19 +160,22 @@ fn try_one_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
     }
 }
 
-/// Worker of one thread, which runs its share of the points.
+/// Worker of one thread, which runs its share of the points of a sweep.
 pub struct Worker<'a> {
+    /// Data that all threads share.
     sweep: &'a Sweep<'a>,
+    /// Scenes of all points, from the scene and the grid.
     family: Family<'a>,
-    /// Equations that compute several runs in lanes; `None` if the runs cannot share lanes.
+    /// Equations that compute several runs at once in vector registers (lanes); `None` if the runs
+    /// cannot use lanes.
     lanes: Option<InLanes<'static>>,
 }
 
 impl Worker<'_> {
-    /// Runs the points of a block. Returns a row for each point, in order, or fewer rows if the sweep was stopped.
-    /// `done` is called after each point.
+    /// Runs the points of a block. Returns a row for each point, in order, or fewer rows if the sweep
+    /// is stopped. `done` is called after each point.
     ///
-    /// Runs of a block may share work, as lanes do, but no results.
+    /// Runs of a block may be computed together in lanes, but share no results.
     pub fn run_block(&mut self, points: Range<u64>, done: &(impl Fn() + ?Sized)) -> Vec<Row> {
         let read = |point: u64| {
             let (values, scene) = self.family.point(point);
@@ -192,7 +203,8 @@ impl Worker<'_> {
         rows
     }
 
-    /// Computes the solutions of the scenes that can run in lanes; `None` for other scenes.
+    /// Computes the solutions of the scenes that can run together in lanes; `None` for each other
+    /// scene.
     fn side_by_side<'s>(&self, scenes: impl ExactSizeIterator<Item = Option<&'s Scene>>) -> Vec<Option<Solution>> {
         let mut solutions: Vec<Option<Solution>> = (0..scenes.len()).map(|_| None).collect();
         let Some(equations) = self.lanes else { return solutions };
@@ -205,13 +217,20 @@ impl Worker<'_> {
         solutions
     }
 
-    /// Makes the problem of a point's scene.
+    /// Makes the problem of a point: its scene with the equations of the sweep.
+    ///
+    /// # Errors
+    /// `Error` if a moving body has no mass at the point's parameters.
     fn problem<'s>(&'s self, scene: &'s Scene) -> Result<Problem<'s>, Error> {
         let Sweep { inertia, model, by, solve, .. } = self.sweep;
         Problem::among(inertia, model, scene, by, &self.sweep.code, Some(*solve))
     }
 
-    /// Runs the scene of a point, unless its solution is given, and returns the results for its row.
+    /// Runs the scene of a point and returns the results for its row. If `solution` is given, the run
+    /// is already made.
+    ///
+    /// # Errors
+    /// `Error` if the run cannot start.
     fn run(&self, scene: &Scene, solution: Option<Solution>) -> Result<Ended, Error> {
         let problem = self.problem(scene)?;
         if let Some(solution) = solution {
@@ -231,12 +250,16 @@ impl Worker<'_> {
         }
     }
 
-    /// Integration options of a point's run. Samples are kept only if correct digits are determined.
+    /// Integration options of a point's run. Samples are kept only if correct digits are to be
+    /// determined.
     fn options(&self, scene: &Scene) -> Options {
         if self.sweep.tells_digits { options(scene) } else { options_of_ends(scene) }
     }
 
-    /// Runs a problem from its start by `solve`.
+    /// Runs a problem from its start by the function `solve`, and returns the results for its row.
+    ///
+    /// # Errors
+    /// `Error` if the run cannot start, or the errors of `solve`.
     fn run_by(
         &self,
         problem: &Problem<'_>,
@@ -253,7 +276,8 @@ impl Worker<'_> {
         self.ended(problem, &solution, digits.and_then(|digits| digits.end()))
     }
 
-    /// Results of a point's run at its end.
+    /// Collects the results of a point's run at its end: shown quantities, changes of first integrals,
+    /// counts and failures. `digits` is the number of correct digits, if known.
     fn ended(&self, problem: &Problem<'_>, solution: &Solution, digits: Option<f64>) -> Result<Ended, Error> {
         let changes = match &self.sweep.watch {
             Some(watch) => watch.changes(problem, solution),
@@ -287,7 +311,7 @@ impl Worker<'_> {
     }
 }
 
-/// Reason why a point has no run, in one line.
+/// Reason why a point has no run, as text for the row. Several errors are joined by semicolons.
 fn reason(failure: &Error) -> String {
     match failure {
         Error::Input(diagnostics) => {

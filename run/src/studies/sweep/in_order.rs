@@ -1,8 +1,9 @@
-//! Work on many threads whose results are taken in order.
+//! Work on many threads whose results are handed over in order.
 //!
-//! Invariant: results are taken one by one in the order of their blocks. No block begins that is more than a fixed
-//! number ahead of the first block not yet taken, so the number of waiting results is bounded. The cutting into blocks
-//! depends on the clock, but no result depends on it.
+//! Invariant: results are handed over one by one in the order of their blocks. No block begins that
+//! is more than a fixed number ahead of the next block to hand over. So the number of waiting
+//! results is bounded. The division into blocks depends on the clock, but no result depends on this
+//! division.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -11,18 +12,20 @@ use std::sync::mpsc::{Sender, channel};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Greatest number of points in a block.
+/// Greatest number of points in a block of a sweep.
 const LONGEST: u64 = 1024;
-/// Number of points in a block before the first results arrive, while their duration is unknown.
+/// Number of points in a block of a sweep before the first results arrive, while the duration of a
+/// point is unknown.
 const FIRST: u64 = 1;
-/// Longest intended duration of a block. It is short so that rows appear soon, and few are lost if a sweep is
-/// interrupted.
+/// Longest intended duration of a block of points. It is short, so that rows appear soon, and an
+/// interrupted sweep loses few of them.
 const LASTING: Duration = Duration::from_secs(1);
-/// Largest number of blocks for each thread that are under way or waiting.
+/// Largest number of blocks per thread that are being computed or wait to be handed over.
 const AHEAD: usize = 4;
 
-/// Calls `work` on blocks of a range, with one worker per thread, and hands the results to `take` in order. An error of
-/// `take` sets `stop`, which `work` should watch, and ends all work.
+/// Calls `work` on blocks of the range `all`, with one worker per thread. Hands the results to
+/// `take` in the order of the blocks. An error of `take` sets `stop`, which `work` should watch,
+/// and ends all work.
 ///
 /// # Errors
 /// The error of `take`.
@@ -46,7 +49,8 @@ pub fn in_order<W: Send, T: Send, E>(
             let (tickets, send) = (&tickets, send.clone());
             scope.spawn(move || {
                 loop {
-                    // The lock is held while waiting: workers that wait for the lock have nothing to do either.
+                    // The lock is held while waiting: other workers that wait for the lock have no block to compute
+                    // either.
                     let ticket = tickets.lock().unwrap_or_else(PoisonError::into_inner).recv();
                     let Ok((number, block)) = ticket else { return };
                     let points = block.end - block.start;
@@ -96,7 +100,8 @@ pub fn in_order<W: Send, T: Send, E>(
     })
 }
 
-/// Guard that reports a panic of its worker. Without it, the other threads would wait for ever.
+/// Guard that reports a panic of its worker to the receiver. Otherwise the other threads would wait
+/// without end.
 struct Lost<'s, T>(&'s Sender<Option<T>>);
 
 impl<T> Drop for Lost<'_, T> {
@@ -107,10 +112,13 @@ impl<T> Drop for Lost<'_, T> {
     }
 }
 
-/// Remaining points of a range, which are cut into blocks.
+/// Remaining points of a range, which are cut into blocks of a suitable duration.
 struct Cutter {
+    /// Points that are not yet in a block.
     rest: Range<u64>,
+    /// Number of worker threads.
     threads: u64,
+    /// Instant at which the whole computation began.
     begun: Instant,
     /// Number of points whose results have arrived.
     done: u64,

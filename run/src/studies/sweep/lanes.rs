@@ -1,7 +1,8 @@
-//! Runs of a sweep side by side in vector registers.
+//! Runs of a sweep that are computed at the same time in the lanes of vector registers.
 //!
-//! Invariant: the choice of lanes for a point depends only on the point and the scene, and its result does not depend
-//! on other points of its block. So a sweep cut into shards gives the same rows.
+//! Invariant: the use of lanes for a point depends only on the point and the scene. The result of a
+//! point does not depend on the other points of its block. So a sweep divided into shards gives the
+//! same rows.
 
 use crate::code::Code;
 use crate::options::options_of_ends;
@@ -13,31 +14,35 @@ use tripos_sim::batch::{self, Outcome, Plan, Trajectory, Watched};
 use tripos_sim::{Eliminated, Method, Options, Output, Solution};
 use tripos_traits::{CompiledSystem, InLanes};
 
-/// Finds the equations of a sweep in lanes; `None` if its runs cannot share lanes. They must be compiled and
-/// eliminated. The method must be DOP853 or Taylor's, with steps chosen by the error, and only the equations may move a
-/// state.
+/// Finds the equations that compute several runs of a sweep at once in lanes (of vector registers).
+/// `None` if the runs cannot use lanes. The equations must be compiled, with eliminated
+/// accelerations. The integrator must be DOP853 or Taylor's method with error control, without
+/// contacts, corrected constraints or corners.
 pub fn equations(model: &Model, scene: &Scene, solve: Solve, code: &Code) -> Option<InLanes<'static>> {
     let Code::Compiled(CompiledSystem { lanes: Some(lanes), .. }) = code else { return None };
     let how = &scene.integration;
     let has_method =
         how.method == Method::Dop853.into() || how.method == Method::Taylor.into() && lanes.series.is_some();
-    // Lanes cannot project onto constraints, end steps at corners or bounce.
+    // Lanes cannot correct states onto constraints, end steps at corners, or compute impacts.
     let is_moved = code.system().constraint_count() > 0 || !scene.impacts.is_empty();
     let cornered = !model.corners(&scene.parameters).is_empty();
     let plain = solve == Solve::Eliminated && how.step.is_none() && !is_moved && !cornered;
     (has_method && plain).then_some(*lanes)
 }
 
-/// Start and plan of one point's run in a batch.
+/// Run of one point of a sweep in lanes: its problem, start and integration plan.
 pub struct Request<'s> {
+    /// Scene of the point with its equations.
     problem: Problem<'s>,
+    /// Integration plan: integrator, span, tolerances and limits.
     plan: Plan,
+    /// Integrated state (q, v) at the start.
     start: Vec<f64>,
 }
 
 impl<'s> Request<'s> {
-    /// Makes the request for a problem that can start; `None` for another problem, whose scalar run says why it cannot
-    /// start.
+    /// Makes the request for a problem. `None` if the problem cannot start; its ordinary run then
+    /// reports the reason.
     pub fn new(problem: Problem<'s>) -> Option<Self> {
         let scene: &Scene = problem.scene;
         let Options { method, order, rtol, atol, max_step, step_limit, .. } = options_of_ends(scene);
@@ -47,11 +52,12 @@ impl<'s> Request<'s> {
         finite.then_some(Self { problem, plan, start })
     }
 
+    /// Parameters and start of the run, as the batch integrator reads them.
     fn trajectory(&self) -> Trajectory<'_> {
         Trajectory { parameters: &self.problem.scene.parameters, start: &self.start }
     }
 
-    /// Events of the run, and its equations with their divisors.
+    /// Events that the run watches, and its equations with their divisors.
     fn watched<'a>(&'a self, balance: &'a Balance) -> Watched<'a> {
         let equations = Eliminated::new(self.problem.system(), &self.problem.scene.parameters);
         let equations = Box::new(equations.expect("only eliminated equations are had in lanes"));
@@ -59,7 +65,8 @@ impl<'s> Request<'s> {
     }
 }
 
-/// Runs requests in lanes; those with equal plans run together. `None` for an invalid plan, whose scalar run says why.
+/// Runs requests in lanes; requests with equal plans run together. Returns a solution for each
+/// request, in order. `None` for an invalid plan, whose ordinary run then reports the reason.
 pub fn run(equations: InLanes<'_>, balance: &Balance, requests: &[Request<'_>]) -> Vec<Option<Solution>> {
     let mut solutions: Vec<Option<Solution>> = requests.iter().map(|_| None).collect();
     let mut left: Vec<usize> = (0..requests.len()).collect();
@@ -77,7 +84,7 @@ pub fn run(equations: InLanes<'_>, balance: &Balance, requests: &[Request<'_>]) 
     solutions
 }
 
-/// Converts the outcome of a run in lanes, with its start, to the form of [`Output::Ends`].
+/// Converts the outcome of a run in lanes to a solution with two samples, its start and its end.
 fn solution(request: &Request<'_>, outcome: Outcome) -> Solution {
     let Outcome { t_end, y_end, stop, steps, rejected, evaluations, events } = outcome;
     debug_assert_eq!(request.plan.options().output, Output::Ends);

@@ -1,4 +1,5 @@
-//! Work on blocks whose results are taken in order, on the calling thread. For programs without other threads.
+//! Work on blocks of a range on the calling thread, with results handed over in order; for programs
+//! without threads.
 
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
@@ -6,8 +7,8 @@ use std::sync::atomic::AtomicBool;
 /// Number of points in a block of a sweep without threads.
 const BLOCK: u64 = 64;
 
-/// Calls `work` on blocks of a range with the first of the workers, and hands the results to `take` in order, until
-/// `take` fails.
+/// Calls `work` on blocks of the range `all` with the first of the workers, and hands the results
+/// to `take` in order. An error of `take` ends the work. Without workers, nothing is computed.
 ///
 /// # Errors
 /// The error of `take`.

@@ -1,49 +1,51 @@
-//! Rows of a sweep's table.
+//! Rows of the table that a sweep writes: a row for each point.
 
-/// Result of one point of a sweep.
+/// Result of one point of a sweep, as a row of its table.
 pub struct Row {
     /// Index of the point in the whole sweep, from 0.
     pub point: u64,
-    /// Values of the swept quantities at the point.
+    /// Values of the varied quantities at the point, in the order of the grid.
     pub values: Vec<f64>,
-    /// End of the point's run, or the reason why it has none.
+    /// Results at the end of the point's run, or the reason why it could not start.
     pub outcome: Result<Ended, String>,
 }
 
-/// End of a run, with its costs and checks.
+/// Results of a run at its end, with counts and checks.
 pub struct Ended {
     /// Instant at which the run ended, s.
     pub t_end: f64,
-    /// Code of the [`tripos_sim::Stop`] that ended the run.
+    /// Code of the reason why the run ended, as [`tripos_sim::Stop`] names it.
     pub stop: String,
-    /// Reason why the run could not go on, or why its end has no value; `None` if the end is valid.
+    /// Reason why the run could not continue, or why its end has no value; `None` if the end is valid.
     pub failure: Option<String>,
-    /// Coordinates and generalized speeds at the end of the run, then the other outputs of the scene.
+    /// Values at the end of the run: coordinates and generalized speeds, followed by the other outputs
+    /// of the scene.
     pub shown: Vec<f64>,
     /// Number of accepted steps of the run.
     pub steps: u64,
     /// Number of rejected steps of the run.
     pub rejected: u64,
-    /// Number of evaluations of the equations in the run.
+    /// Number of evaluations of the right-hand side in the run.
     pub evaluations: u64,
-    /// Largest change of each first integral from its start along the run.
+    /// Largest change of each first integral over the run, in its unit; in the order of the sweep's
+    /// conserved quantities.
     pub changes: Vec<f64>,
-    /// Number of digits that are correct in every value at the end; `None` if not requested, or if the run was not
-    /// assessed to its end.
+    /// Number of correct decimal digits in every value at the end. `None` if it was not requested, or a
+    /// second run did not confirm the end.
     pub digits: Option<f64>,
 }
 
-/// Entry of the column `stop` for a point whose run could not start.
+/// Entry in the column `stop` of the table for a point whose run could not start.
 pub const NO_START: &str = "no-start";
 
 impl Row {
-    /// Code of the way in which the run of the point ended.
+    /// Code of the reason why the point's run ended, or `no-start` if it could not start.
     #[must_use]
     pub fn stop(&self) -> &str {
         self.outcome.as_ref().map_or(NO_START, |ended| &ended.stop)
     }
 
-    /// Reason why the point has no valid result; `None` if it has one.
+    /// Reason why the point has no valid result; `None` if its result is valid.
     #[must_use]
     pub fn failure(&self) -> Option<&str> {
         match &self.outcome {

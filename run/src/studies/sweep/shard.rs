@@ -1,14 +1,14 @@
-//! Parts of a sweep that are run separately, on one machine or many.
+//! Parts of a sweep (shards) that are run separately, on one machine or on many.
 
 use crate::error::Error;
 use std::ops::Range;
 
-/// Part that a sweep is cut into: a contiguous range of points.
+/// Part of a sweep that is run separately: a contiguous range of its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
-    /// Number of the part, from 1.
+    /// Number of this part, counted from 1.
     pub part: u64,
-    /// Total number of parts of the sweep.
+    /// Total number of parts into which the sweep is divided.
     pub of: u64,
 }
 
@@ -32,7 +32,8 @@ impl Shard {
         Ok(Self { part, of })
     }
 
-    /// Range of the shard's points out of `count`. The shards follow each other, and differ by at most one point.
+    /// Range of the shard's points, out of `count` points of the sweep. Consecutive shards have
+    /// consecutive ranges, whose lengths differ by at most one point.
     #[must_use]
     pub fn points(self, count: u64) -> Range<u64> {
         let start = |part: u64| {

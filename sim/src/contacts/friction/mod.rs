@@ -1,16 +1,21 @@
-//! Coulomb's law for contacts that push and never pull: the modes in which they stick, slip and open together.
+//! Coulomb's law of friction for contacts that push and never pull: the modes (sticking, slipping,
+//! opening) in which they move together.
 //!
-//! A contact with friction has a row along its gap and one along its slip. While it slips, at a velocity of the sign s,
-//! its force along the slip is −μ s λ_n. The force along the gap then stands in both rows of the linear system for all
-//! forces, and that system is not symmetric. While the contact sticks, both rows are held, and |λ_t| ≤ μ λ_n. The modes
-//! of several contacts are found by trying all modes of all of them; pivoting would end in the first solution that it
-//! meets. With friction there may be no solution, or several that move differently (P. Painlevé, "Sur les lois du
-//! frottement de glissement", *Comptes Rendus* 121 (1895), 112–115; P. Lötstedt, "Coulomb friction in two-dimensional
-//! rigid body systems", *Zeitschrift für Angewandte Mathematik und Mechanik* 61 (1981), 605–615; F. Génot & B.
-//! Brogliato, "New results on Painlevé paradoxes", *European Journal of Mechanics A/Solids* 18 (1999), 653–677):
-//! [`Undecided`] reports that.
+//! A contact with friction has a row along its gap and a row along its slip. While it slips, at a
+//! velocity of the sign s, its force along the slip is −μ s λ_n. The force along the gap then stands in
+//! both rows of the linear system for all forces, and that system is not symmetric. While the contact
+//! sticks, both rows have no motion, and |λ_t| ≤ μ λ_n.
 //!
-//! Absent on purpose: any knowledge of time, of steps and of models; any choice between motions that differ.
+//! The modes of several contacts are found by a trial of all combinations. Pivoting would end in the
+//! first solution that it meets. With friction there may be no solution, or several that move
+//! differently (P. Painlevé, "Sur les lois du frottement de glissement", *Comptes Rendus* 121 (1895),
+//! 112–115; P. Lötstedt, "Coulomb friction in two-dimensional rigid body systems", *Zeitschrift für
+//! Angewandte Mathematik und Mechanik* 61 (1981), 605–615; F. Génot & B. Brogliato, "New results on
+//! Painlevé paradoxes", *European Journal of Mechanics A/Solids* 18 (1999), 653–677): [`Undecided`]
+//! reports these cases.
+//!
+//! Absent on purpose: any knowledge of time, of steps and of models; any choice between motions that
+//! differ.
 
 mod trial;
 
@@ -18,30 +23,32 @@ use nalgebra::DVector;
 use std::fmt;
 pub(crate) use trial::{Touch, Trial};
 
-/// Difference below which two motions count as one, as a fraction of the motion without contact forces.
+/// Difference below which two motions of the contact rows count as the same, as a fraction of the
+/// motion without contact forces.
 const ALIKE: f64 = 1e-6;
 
-/// Behaviour of a closed contact.
+/// Mode of a closed contact: it opens, pushes without friction, sticks or slips.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
-    /// The contact opens, or could open: it has no force.
+    /// The contact opens, or could open: its contact force is zero.
     Opens,
-    /// The contact pushes and has no friction; it holds all of its rows.
+    /// The contact has no friction and pushes; it has no motion along any of its rows.
     Pushes,
-    /// The contact pushes, and friction keeps it from slipping.
+    /// The contact pushes, and friction prevents slip.
     Sticks,
-    /// The contact pushes, and slips at a velocity of this sign, 1 or −1.
+    /// The contact pushes and slips. The number is the sign of the slip velocity, 1 or −1.
     Slips(f64),
 }
 
 impl Mode {
-    /// True if the contact stays closed.
+    /// True if the contact stays closed in this mode: it pushes, sticks or slips.
     #[must_use]
     pub fn is_held(self) -> bool {
         self != Self::Opens
     }
 
-    /// Number of rows along which the contact may move: 0 if it is held, 1 if its slip is free, 2 if it opens.
+    /// Number of rows along which the contact may move: 0 if it pushes or sticks, 1 if it slips, 2 if it
+    /// opens.
     fn freedom(self) -> usize {
         match self {
             Self::Pushes | Self::Sticks => 0,
@@ -63,30 +70,32 @@ impl fmt::Display for Mode {
     }
 }
 
-/// Modes that contacts can have together, with their forces, or impulses, along all rows.
+/// Modes that closed contacts can have together, with their forces or, in an impact, their impulses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactSolution {
-    /// Mode of each contact.
+    /// Mode of each closed contact, in the order of the contacts.
     pub modes: Vec<Mode>,
-    /// True for each contact that has a force along its gap in addition to the given force.
+    /// True for each contact that has a force along its gap in addition to the force that was given.
     pub pushes: Vec<bool>,
-    /// Forces along all rows, in N where the gap is in m, or impulses in N s.
+    /// Forces along all rows of contacts, in N where the gap is in m; in an impact impulses, in N s.
     pub forces: DVector<f64>,
 }
 
-/// Reason why the laws do not decide the modes of contacts.
+/// Reason why the laws of contact and friction do not decide the modes of contacts.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Undecided {
-    /// No modes agree with the laws of contacts and friction.
+    /// No combination of modes agrees with the laws of contact and friction.
     Nothing,
-    /// Several sets of modes agree with the laws and move differently; these are two of them.
+    /// Several combinations of modes agree with the laws, and their motions differ. Two of them are given,
+    /// with a mode for each contact.
     Several([Vec<Mode>; 2]),
 }
 
-/// Takes the modes that were found, with the motion of the rows, as one motion; sorts them by freedom, smallest first.
+/// Checks that all solutions that were found have the same motion of the rows. Returns them by freedom,
+/// smallest first. `size` is the size of the motion without contact forces.
 ///
 /// # Errors
-/// [`Undecided`] if no modes were found, or if they move differently.
+/// [`Undecided`] if there are no solutions, or if they move differently.
 pub(crate) fn one_motion(
     found: Vec<(ContactSolution, DVector<f64>)>,
     size: f64,

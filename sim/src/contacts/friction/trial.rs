@@ -1,55 +1,65 @@
-//! Trial of one set of contact modes after the other: its forces, and whether these agree with the modes.
+//! Trial of combinations of contact modes: computes the forces in given modes, and checks that they
+//! agree with the modes.
 
 use super::{ContactSolution, Mode};
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
-/// Fraction of the largest singular value below which a singular value counts as rounding.
+/// Singular value that counts as rounding, as a fraction of the largest singular value.
 const DEPENDENT: f64 = 1e-11;
-/// Smallest weight of a force along a slip, as a fraction of the largest.
+/// Smallest weight of a friction force when dependent forces are shared out, as a fraction of the
+/// largest weight.
 const LIGHT: f64 = 1e-6;
-/// Factor on the weights of forces along slips if friction could not bear its share of the forces. Friction then takes
-/// no more than needed.
+/// Factor on the weights of friction forces if friction could not bear its share of dependent forces.
+/// Friction then takes no more than needed.
 const FAINT: f64 = 1e-3;
-/// Number of refinements of a solution by singular values.
+/// Number of iterative refinements of a solution by singular values.
 const REFINEMENTS: usize = 2;
 
-/// A closed contact of a trial, in the units of its rows.
+/// Closed contact in a trial of modes, in the scaled units of its rows.
 pub(crate) struct Touch<'t> {
-    /// Row of the contact's gap, then rows of its slips: a single slip if there is a coefficient of friction.
+    /// Index of the row of the contact's gap, then those of its slips. A contact with a coefficient of
+    /// friction has a single slip.
     pub rows: &'t [usize],
-    /// Coefficient of friction of the contact; `None` without friction.
+    /// Coefficient of friction of the contact, in scaled units; `None` without friction.
     pub friction: Option<f64>,
-    /// Sign of the velocity at which the contact slips; `None` if it does not slip.
+    /// Sign of the velocity at which the contact slips, 1 or −1; `None` if it does not slip.
     pub slips: Option<f64>,
-    /// Given force along the contact's gap, in addition to the wanted force.
+    /// Given force along the contact's gap, in addition to the force that the trial finds.
     pub given: f64,
 }
 
-/// Contacts that are closed together. Their rows move by G λ + c: accelerations under forces λ, or velocities after
-/// impulses λ; c is the motion without them.
+/// Contacts that are closed together, for a trial of their modes.
+///
+/// Their rows move by G λ + c. Under forces λ these are accelerations, after impulses λ velocities; c
+/// is the motion without them.
 pub(crate) struct Trial<'t> {
-    /// Matrix G of the motion of rows by forces, in units in which all rows are alike.
+    /// Matrix G of the motion of all rows by forces or impulses, scaled so that its diagonal is 1.
     pub g: &'t DMatrix<f64>,
+    /// Contacts that are closed at the same instant.
     pub touches: Vec<Touch<'t>>,
 }
 
-/// Row of a wanted force. If friction adds a force with it, also the row of that force and its ratio to the wanted one.
+/// Unknown force: the index of its row. If friction adds a proportional force, also the row of that
+/// force and the ratio to the unknown force.
 type Sought = (usize, Option<(usize, f64)>);
 
-/// Mode of a contact, and whether the contact pushes in addition to the given force.
+/// Mode of a contact in a trial, and whether an unknown force acts along its gap.
 #[derive(Clone, Copy)]
 struct Choice {
+    /// Mode that is tried for the contact.
     mode: Mode,
+    /// True if the contact has a force along its gap in addition to the given force.
     pushes: bool,
 }
 
 impl Touch<'_> {
-    /// True if the contact has friction above zero.
+    /// True if the contact has a coefficient of friction above zero.
     fn is_rough(&self) -> bool {
         self.friction.is_some_and(|mu| mu > 0.0)
     }
 
-    /// Lists all choices of mode and push that the contact has.
+    /// Lists all modes that the contact could have, each with and without a force along the gap where both
+    /// are possible.
     fn choices(&self) -> Vec<Choice> {
         let pushes = |mode| Choice { mode, pushes: true };
         if self.friction.is_none() {
@@ -68,8 +78,9 @@ impl Touch<'_> {
 }
 
 impl Trial<'_> {
-    /// Finds all sets of modes that agree with the laws of contact, within `nothing`, with their forces and the motion
-    /// of the rows. If no contact has friction, only the first set is found, since all sets move alike.
+    /// Finds all combinations of modes that agree with the laws of contact, each with its forces and the
+    /// motion of the rows. Numbers up to `nothing` count as zero. If no contact has friction, only the
+    /// first combination is returned, since all move alike.
     pub(crate) fn found(&self, c: &DVector<f64>, nothing: f64) -> Vec<(ContactSolution, DVector<f64>)> {
         let choices: Vec<Vec<Choice>> = self.touches.iter().map(Touch::choices).collect();
         let is_smooth = self.touches.iter().all(|touch| touch.friction.is_none());
@@ -97,12 +108,13 @@ impl Trial<'_> {
         list
     }
 
-    /// Forces of contacts in given modes; `None` if they are not finite.
+    /// Forces along all rows for contacts in given modes; `None` if they are not finite.
     pub(crate) fn held(&self, c: &DVector<f64>, modes: &[Mode]) -> Option<DVector<f64>> {
         self.forces(c, &chosen(modes))
     }
 
-    /// True if given modes agree with the laws of contact and friction, within `nothing`.
+    /// True if the given modes agree with the laws of contact and friction. Numbers up to `nothing` count
+    /// as zero.
     pub(crate) fn holds(&self, c: &DVector<f64>, modes: &[Mode], nothing: f64) -> bool {
         let chosen = chosen(modes);
         let forces = self.forces(c, &chosen);
@@ -112,12 +124,13 @@ impl Trial<'_> {
         })
     }
 
-    /// Determinant of the linear system for the forces of contacts in given modes.
+    /// Determinant of the linear system for the unknown forces of contacts in given modes.
     pub(crate) fn determinant(&self, modes: &[Mode]) -> f64 {
         self.matrix(&self.unknown(&chosen(modes))).determinant()
     }
 
-    /// True if the forces, and the motion of the rows under them, agree with the choices, within `nothing`.
+    /// True if `forces` and the motion `after` of the rows under them agree with the chosen modes. Numbers
+    /// up to `nothing` count as zero.
     fn agrees(&self, chosen: &[Choice], forces: &DVector<f64>, after: &DVector<f64>, nothing: f64) -> bool {
         self.touches.iter().zip(chosen).all(|(touch, choice)| {
             let stays = |row: usize| after[row].abs() <= nothing;
@@ -136,7 +149,8 @@ impl Trial<'_> {
         })
     }
 
-    /// Forces of the choices, by which G λ + c is 0 along the held rows; `None` if they are not finite.
+    /// Forces along all rows for the chosen modes, such that G λ + c is 0 along the rows that must not
+    /// move. `None` if they are not finite.
     fn forces(&self, c: &DVector<f64>, chosen: &[Choice]) -> Option<DVector<f64>> {
         let unknown = self.unknown(chosen);
         let mut forces = self.of_given(chosen);
@@ -157,7 +171,7 @@ impl Trial<'_> {
         {
             values = shared(&part, &sides, &weights)?;
             if !self.bear(chosen, &unknown, &values) {
-                // A force along a gap alone may hold a motion that a force along a slip can hold too.
+                // A force along a gap alone may prevent a motion that a force along a slip can prevent, too.
                 let mut faint = weights;
                 let along = faint.iter_mut().zip(&unknown).filter(|(_, (row, _))| !self.is_gap(*row));
                 along.for_each(|(weight, _)| *weight *= FAINT);
@@ -173,7 +187,7 @@ impl Trial<'_> {
         Some(forces)
     }
 
-    /// Lists the wanted forces of the choices: those that the linear system determines.
+    /// Lists the unknown forces of the chosen modes, which the linear system determines.
     fn unknown(&self, chosen: &[Choice]) -> Vec<Sought> {
         let mut list = Vec::new();
         for (touch, choice) in self.touches.iter().zip(chosen) {
@@ -190,7 +204,7 @@ impl Trial<'_> {
         list
     }
 
-    /// Forces along slips by friction from the given forces along gaps.
+    /// Friction forces along slips that the given forces along gaps cause, an entry for each row.
     fn of_given(&self, chosen: &[Choice]) -> DVector<f64> {
         let mut forces = DVector::zeros(self.g.nrows());
         for (touch, choice) in self.touches.iter().zip(chosen) {
@@ -201,7 +215,7 @@ impl Trial<'_> {
         forces
     }
 
-    /// Matrix of the linear system, with a row and a column for each wanted force.
+    /// Matrix of the linear system for the unknown forces, with a row and a column for each of them.
     fn matrix(&self, unknown: &[Sought]) -> DMatrix<f64> {
         DMatrix::from_fn(unknown.len(), unknown.len(), |i, j| {
             let (row, (column, follows)) = (unknown[i].0, unknown[j]);
@@ -210,12 +224,13 @@ impl Trial<'_> {
         })
     }
 
-    /// True if a row is that of a contact's gap.
+    /// True if the row with this index is that of a contact's gap.
     fn is_gap(&self, row: usize) -> bool {
         self.touches.iter().any(|touch| touch.rows[0] == row)
     }
 
-    /// True if friction can bear all forces along slips of contacts that stick.
+    /// True if friction can bear the forces `values` along the slips of all contacts that stick: |λ_t| ≤ μ
+    /// λ_n.
     fn bear(&self, chosen: &[Choice], unknown: &[Sought], values: &DVector<f64>) -> bool {
         let force = |row: usize| unknown.iter().position(|(other, _)| *other == row).map_or(0.0, |at| values[at]);
         let bears = |touch: &Touch<'_>| touch.friction.unwrap_or(0.0) * (force(touch.rows[0]) + touch.given);
@@ -223,8 +238,11 @@ impl Trial<'_> {
         sticking.map(|(touch, _)| touch).all(|touch| force(touch.rows[1]).abs() <= bears(touch))
     }
 
-    /// Weights of wanted forces that depend on one another. Forces along slips have weights by the force that friction
-    /// can bear, so that no contact slips while others could bear more. `None` if friction bears no force.
+    /// Weights with which dependent unknown forces share the load, an entry for each unknown. `None` if
+    /// friction bears no force.
+    ///
+    /// A force along a slip is weighted by the force that friction can bear. No contact then slips while
+    /// others could bear more.
     fn weights(&self, chosen: &[Choice], unknown: &[Sought], values: &DVector<f64>) -> Option<DVector<f64>> {
         let force = |row: usize| unknown.iter().position(|(other, _)| *other == row).map_or(0.0, |at| values[at]);
         let mut weights = DVector::from_element(unknown.len(), 1.0);
@@ -240,17 +258,20 @@ impl Trial<'_> {
 }
 
 impl Touch<'_> {
-    /// Force of friction along the slip for a unit of force along the gap; `way` is the sign of the slip velocity.
+    /// Friction force along the slip for a unit of force along the gap. `way` is the sign of the slip
+    /// velocity.
     fn slipping(&self, way: f64) -> f64 {
         -self.friction.unwrap_or(0.0) * way
     }
 }
 
+/// Choices for given modes: each contact that stays closed has an unknown force along its gap.
 fn chosen(modes: &[Mode]) -> Vec<Choice> {
     modes.iter().map(|mode| Choice { mode: *mode, pushes: mode.is_held() }).collect()
 }
 
-/// Solution x of A x = b with the smallest sum of squares of x over weights; `None` if there is no solution.
+/// Solution x of A x = b with the smallest sum of (xᵢ / wᵢ)² for the weights w. `None` if there is no
+/// solution.
 fn shared(a: &DMatrix<f64>, b: &DVector<f64>, weights: &DVector<f64>) -> Option<DVector<f64>> {
     let scaled = DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| a[(i, j)] * weights[j]);
     let svd = scaled.clone().svd(true, true);
@@ -258,8 +279,11 @@ fn shared(a: &DMatrix<f64>, b: &DVector<f64>, weights: &DVector<f64>) -> Option<
     Some(refined(&svd, &scaled, b, rounding)?.component_mul(weights))
 }
 
-/// Least solution of A x = b by the singular values of A above `rounding`, refined by its residuals: those values and
-/// their vectors may be known to ten digits alone, where entries of A have very different sizes.
+/// Least-squares solution x of A x = b of the smallest length, by the singular values of A above
+/// `rounding`. `None` if the solver fails.
+///
+/// The solution is refined by its residuals. If entries of A have very different sizes, singular values
+/// and vectors may be known to ten digits only.
 fn refined(svd: &SVD<f64, Dyn, Dyn>, a: &DMatrix<f64>, b: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
     let mut x = svd.solve(b, rounding).ok()?;
     for _ in 0..REFINEMENTS {

@@ -1,4 +1,5 @@
-//! Complex numbers over a scalar: two of the three real stages of an implicit step are one complex stage.
+//! Complex numbers over a real scalar. Two of the three real stages of a Radau step are solved as a
+//! single complex stage.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -9,7 +10,9 @@ use crate::linear::lu::Entry;
 /// Complex number re + i im.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Complex<S> {
+    /// Real part of the complex number.
     pub(super) re: S,
+    /// Imaginary part of the complex number.
     pub(super) im: S,
 }
 

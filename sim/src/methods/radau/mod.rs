@@ -1,14 +1,18 @@
-//! Radau IIA with three stages: order 5, implicit, A- and L-stable, for stiff equations.
+//! Radau IIA with three stages, the method `radau5`: order 5, implicit, A- and L-stable, for stiff
+//! equations.
 //!
-//! The polynomial u of degree 3 with u(t) = y satisfies the equations at the three zeros of Radau's polynomial, of
-//! which the last is the end of the step; u is also the dense output, of order 3. Fast decaying parts of the solution
-//! vanish in a step of any length, so that the motion alone limits the steps. The method, its error and its step
-//! control are those of E. Hairer's code RADAU5: E. Hairer & G. Wanner, *Solving Ordinary Differential Equations II.
-//! Stiff and Differential-Algebraic Problems*, 2nd edition (1996), §IV.8.
+//! The polynomial u of degree 3 with u(t) = y satisfies the equations at the three zeros of Radau's
+//! polynomial, of which the last is the end of the step; u is also the dense output, of order 3. Fast
+//! decaying parts of the solution vanish in a step of any length, so that the motion alone limits the
+//! steps.
 //!
-//! Invariant: `z` has the differences between the stages of the last tried step and its start, all components of the
-//! first stage first; `inside` has their polynomial. Newton's method, and the memory that it keeps from step to step,
-//! is in [`newton`].
+//! The method, its error and its step control are those of E. Hairer's code RADAU5: E. Hairer & G.
+//! Wanner, *Solving Ordinary Differential Equations II. Stiff and Differential-Algebraic Problems*, 2nd
+//! edition (1996), §IV.8.
+//!
+//! Invariant: `z` has the differences between the stages of the last tried step and its start, all
+//! components of the first stage first; `inside` has their polynomial. Newton's method, and the data
+//! that it keeps from step to step, is in [`newton`].
 
 mod complex;
 mod newton;
@@ -25,45 +29,60 @@ use scheme::{Scheme, dot};
 
 /// Number of iterations of Newton's method after which an adaptive step is given up, as in RADAU5.
 const ITERATIONS: u32 = 7;
-/// Largest number of iterations for a step of a fixed length, which cannot be shortened and is solved to rounding.
+/// Largest number of iterations of Newton's method for a step of fixed length. Such a step cannot be
+/// shortened and is solved to rounding.
 const FIXED_ITERATIONS: u32 = 30;
 
-/// State of Radau's method between and inside steps.
+/// Radau's method in a run: the current step with its stages, error and dense output.
 pub(crate) struct Radau5<S> {
+    /// Coefficients of Radau IIA with three stages.
     scheme: Scheme<S>,
+    /// Newton's method, which solves the equations of the three stages.
     newton: Newton<S>,
-    /// Largest error estimate that is accepted, over the tolerance: see the function [`leeway`].
+    /// Factor by which the accepted error estimate may exceed the tolerance: see the function [`leeway`].
     leeway: f64,
-    /// Tolerance that decides most steps: the relative one, or the smallest absolute one if it is zero.
+    /// Tolerance that decides most steps: the relative one, or the smallest absolute one if that is zero.
     tolerance: f64,
+    /// Time at the start of the step, s.
     t: f64,
+    /// Time at the end of the step, s.
     t_new: f64,
+    /// State at the start of the step.
     y: Vec<S>,
+    /// State at the end of the step.
     y_new: Vec<S>,
+    /// Differences Z between the three stages and `y`, 3n entries: all components of the first stage first.
     z: Vec<S>,
-    /// Transformed differences W = (T⁻¹ ⊗ I) Z; `f` has f at the stages.
+    /// Transformed stage differences W = (T⁻¹ ⊗ I) Z, 3n entries, in which the equations of a step
+    /// separate.
     w: Vec<S>,
+    /// Derivatives f at the three stages, 3n entries.
     f: Vec<S>,
-    /// Coefficients of θ, θ² and θ³ in u − y; `before` has those of the step before, and `h_before` its length, s.
+    /// Coefficients of θ, θ² and θ³ in the dense output u − y of the step, 3n entries, with the fraction θ
+    /// of the step.
     inside: Vec<S>,
+    /// Coefficients of the dense output of the previous step, 3n entries.
     before: Vec<S>,
+    /// Signed length of the previous step, s; `None` in the first step.
     h_before: Option<S>,
-    /// Derivative f at the start of the step; `slope_new` is f at its end, known only after a step that passed its
-    /// error test.
+    /// Derivative f at the start of the step.
     slope: Vec<S>,
+    /// Derivative f at the end of the step, known only after a step that passed its error test.
     slope_new: Vec<S>,
-    /// Error estimate of the last tried step.
+    /// Error estimate of the last tried step, for each component of the state.
     error: Vec<S>,
+    /// State at which a stage is evaluated.
     point: Vec<S>,
-    /// Largest size of each component so far.
+    /// Largest absolute value of each component of the state so far.
     magnitudes: Vec<f64>,
     /// True if the last step was accepted; false at the start and after a failed step.
     goes_well: bool,
+    /// Number of calls of the right-hand side so far.
     evaluations: u64,
 }
 
 impl<S: Real> Radau5<S> {
-    /// Creates the method for `n` equations with the tolerances of these options.
+    /// Creates the method for a state of `n` components, with the tolerances of these options.
     pub(crate) fn new(n: usize, options: &Options) -> Self {
         let zeros = |n: usize| vec![S::int(0); n];
         let tolerance = if options.rtol > 0.0 { options.rtol } else { options.atol.smallest() };
@@ -93,7 +112,8 @@ impl<S: Real> Radau5<S> {
         }
     }
 
-    /// Sets the first values of Z: the polynomial of the step before, continued; 0 if there is no step before.
+    /// Sets the first values of Z for Newton's method, for a step of `h` s, by continuing the polynomial of
+    /// the previous step. They are 0 if there is no previous step.
     fn predict(&mut self, h: S) {
         let n = self.y.len();
         let Some(before) = self.h_before else { return self.z.fill(S::int(0)) };
@@ -106,7 +126,8 @@ impl<S: Real> Radau5<S> {
         }
     }
 
-    /// Solves the equations of the step, from the predicted values of Z.
+    /// Solves the equations of the step from the predicted values of Z, to the accuracy `aim`. Error if
+    /// Newton's method does not converge or f has no value.
     fn solve<R: RightHandSide<S>>(&mut self, rhs: &mut R, trial: Trial, h: S, aim: &Aim) -> Result<(), Trouble> {
         let n = self.y.len();
         self.newton.prepare(rhs, self.t, &self.y, &self.scheme, h)?;
@@ -128,10 +149,11 @@ impl<S: Real> Radau5<S> {
         })
     }
 
-    /// Sets the weights of the components, and returns the accuracy to which the equations of a step are solved.
+    /// Sets the weights of the components in Newton's method, and returns the accuracy to which the
+    /// equations of the step are solved.
     ///
-    /// With an error test, weights are allowed errors, and a small fraction of them must be reached. Without a test,
-    /// weights are sizes of the components, and rounding must be reached.
+    /// With an error test, weights are allowed errors, and a small fraction of them must be reached.
+    /// Without a test, weights are sizes of the components, and rounding must be reached.
     fn aim(&mut self, h: S, test: Option<&ErrorTest>) -> Aim {
         let n = self.y.len();
         for i in 0..n {
@@ -161,9 +183,12 @@ impl<S: Real> Radau5<S> {
         Aim { enough: part.max(rounding), rounding: rounding.min(1.0), iterations: ITERATIONS }
     }
 
-    /// Computes the error of the step in the norm of the error test: (γ/h − J)⁻¹ (f₀ + Σ eᵢ Zᵢ / h). It is of order h⁴
-    /// and bounded for equations of any stiffness. If it is too large at a start or after a failure, f₀ is taken at the
-    /// point moved by the estimate, so that components that decay at once do not count.
+    /// Estimates the error of the step of `h` s, in the norm of the error test: (γ/h − J)⁻¹ (f₀ + Σ eᵢ
+    /// Zᵢ / h), with the derivative f₀ at the start. It is of order h⁴ and bounded for equations of any
+    /// stiffness.
+    ///
+    /// If it is too large at a start or after a failure, f₀ is taken at the state moved by the estimate.
+    /// Components that decay at once then do not count.
     fn error<R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S, test: &ErrorTest) -> f64 {
         let n = self.y.len();
         let defects = |z: &[S], i: usize, weights: &[S; 3]| dot(weights, &[z[i], z[n + i], z[2 * n + i]]) / h;
@@ -190,9 +215,11 @@ impl<S: Real> Radau5<S> {
     }
 }
 
-/// Largest error estimate of a step that is accepted, over the tolerance. The estimate is of order h⁴, and the error at
-/// the end of a run, of order h⁵, shall be about the tolerance: so ½ rtol^(4/5) replaces rtol. RADAU5 uses 0.1
-/// rtol^(2/3), with which errors outgrow the tolerance tenfold every six digits.
+/// Factor by which the error estimate of an accepted step may exceed the tolerance.
+///
+/// The estimate is of order h⁴, and the error at the end of a run, of order h⁵, shall be about the
+/// tolerance: so ½ rtol^(4/5) replaces rtol. RADAU5 uses 0.1 rtol^(2/3), with which errors outgrow the
+/// tolerance tenfold every six digits.
 fn leeway(tolerance: f64) -> f64 {
     0.5 * tolerance.powf(-0.2)
 }
@@ -241,8 +268,8 @@ impl<S: Real> Stepper for Radau5<S> {
         self.restart_at(rhs, t, y)
     }
 
-    /// Goes on from a moved state. The Jacobian is kept, since its age decides when it is replaced, and so is the
-    /// polynomial, which only predicts.
+    /// Continues from a state that the driver has moved. The Jacobian is kept, since its age decides when
+    /// it is replaced. The polynomial of the last step is kept, too, since it only predicts.
     fn restart<R: RightHandSide<S>>(&mut self, rhs: &mut R, y: &[S]) -> Result<(), Trouble> {
         self.restart_at(rhs, self.t, y)
     }
@@ -286,8 +313,8 @@ impl<S: Real> Stepper for Radau5<S> {
         Ok(error)
     }
 
-    /// Margin of RADAU5: the more iterations a step took, the smaller a fraction of the allowed size the next step
-    /// takes.
+    /// Factor of RADAU5 on the size of the next step: the more iterations a step took, the smaller the
+    /// factor.
     fn margin(&self) -> f64 {
         let (most, taken) = (f64::from(2 * ITERATIONS), f64::from(self.newton.taken));
         ((1.0 + most) / (taken + most)).min(1.0)
@@ -323,6 +350,8 @@ impl<S: Real> Stepper for Radau5<S> {
 }
 
 impl<S: Real> Radau5<S> {
+    /// Sets the method to the state `y` at time `t`, s, and evaluates the derivative there. Error if it has
+    /// no finite value.
     fn restart_at<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
         self.t = t;
         self.y.copy_from_slice(y);

@@ -1,8 +1,10 @@
-//! Newton's method for the stages of a Radau step, with one Jacobian for all three stages and for several steps.
+//! Newton's method for the stages of a Radau step, with the same Jacobian for all three stages and for
+//! several steps.
 //!
-//! Invariant: `factored` has the step size of the factors that the matrices hold; a new Jacobian invalidates them. The
-//! unknowns of the iteration are the transformed differences W = (T⁻¹ ⊗ I) Z, for which the 3n equations separate: (γ/h
-//! − J) ΔW₁ and ((α + iβ)/h − J) (ΔW₂ + i ΔW₃). Hairer & Wanner II, §IV.8.
+//! Invariant: `factored` has the step size for which the matrices are factored; a new Jacobian
+//! invalidates the factors. The unknowns of the iteration are the transformed differences W = (T⁻¹ ⊗ I)
+//! Z, for which the 3n equations separate: (γ/h − J) ΔW₁ and ((α + iβ)/h − J) (ΔW₂ + i ΔW₃). Hairer &
+//! Wanner II, §IV.8.
 
 use tripos_traits::Real;
 
@@ -13,54 +15,64 @@ use crate::linear::lu::Lu;
 use crate::rhs::RightHandSide;
 use crate::stepper::{Trouble, check_finite};
 
-/// Largest relative difference between a step size and that of the factors for which they are used: equal steps differ
-/// by the rounding of t.
+/// Largest relative difference of two step sizes that use the same factors. Equal steps differ by the
+/// rounding of t.
 const SAME_SIZE: f64 = 1e-9;
-/// Factor by which changes must shrink in an iteration so that the Jacobian is kept for the next step.
+/// Factor by which changes must shrink in each Newton iteration so that the Jacobian is kept for the
+/// next step.
 const FAST: f64 = 1e-3;
-/// Factor by which changes must shrink in an iteration at least, or else the iteration is given up.
+/// Factor by which changes must shrink in each Newton iteration; otherwise the iteration is given up.
 const SLOW: f64 = 0.99;
 
-/// Age of the Jacobian: the point at which it was evaluated.
+/// Age of the Jacobian: the point of the solution at which it was evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Age {
     /// No Jacobian is known.
     None,
     /// The Jacobian was evaluated at an earlier point.
     Old,
-    /// The Jacobian was evaluated at the current point.
+    /// The Jacobian was evaluated at the start of the current step.
     Here,
 }
 
-/// Accuracy to which the equations of a step are solved.
+/// Accuracy to which Newton's method solves the equations of a step.
 pub(super) struct Aim {
     /// Largest remaining error, over the weights, with which the equations count as solved.
     pub(super) enough: f64,
-    /// Size below which a change that no longer shrinks is rounding, over the weights.
+    /// Size, over the weights, below which a change that no longer shrinks counts as rounding.
     pub(super) rounding: f64,
-    /// Number of iterations after which a step is given up.
+    /// Number of Newton iterations after which a step is given up.
     pub(super) iterations: u32,
 }
 
-/// Matrices of Newton's method for a step, and the speed of its convergence.
+/// Newton's method for a Radau step: the matrices, and the speed of convergence.
 pub(super) struct Newton<S> {
+    /// Number of components of the state.
     n: usize,
+    /// Jacobian ∂f/∂y, n² entries row by row.
     jacobian: Vec<S>,
+    /// Age of the Jacobian: unknown, of an earlier point, or of the current point.
     age: Age,
+    /// Signed step size, s, for which the matrices are factored; `None` if they are not.
     factored: Option<S>,
+    /// LU factors of the real matrix γ/h − J of Newton's method, of order n, with the Jacobian J.
     pub(super) real: Lu<S>,
+    /// LU factors of the complex matrix (α + iβ)/h − J of Newton's method, of order n, with the Jacobian J.
     complex: Lu<Complex<S>>,
-    /// Right-hand side of the real system; `pair` is that of the complex system.
+    /// Right-hand side of the real system; after the solution, the change of W₁.
     first: Vec<S>,
+    /// Right-hand side of the complex system; after the solution, the change of W₂ + i W₃.
     pair: Vec<Complex<S>>,
-    /// Divisor of the error of each component.
+    /// Weight of each component, by which its errors and changes are divided.
     pub(super) weights: Vec<f64>,
-    /// Ratio θ/(1 − θ) of the remaining error to the last change, with θ the factor by which changes shrink.
+    /// Ratio θ/(1 − θ) of the remaining error to the last change, with θ the factor by which changes
+    /// shrink.
     left: f64,
-    /// Factor θ by which changes shrank last; 0 if one iteration was enough.
+    /// Factor θ by which changes shrank in the last iteration; 0 if a single iteration was enough.
     rate: f64,
-    /// Number of iterations that the step took.
+    /// Number of Newton iterations that the last step took.
     pub(super) taken: u32,
+    /// Number of evaluations of the Jacobian so far.
     pub(super) jacobians: u64,
 }
 
@@ -68,16 +80,18 @@ pub(super) struct Newton<S> {
 pub(super) struct StageVectors<'a, S> {
     /// Differences Z between the stages and the state at the start of the step.
     pub(super) z: &'a mut [S],
-    /// Transformed differences W = (T⁻¹ ⊗ I) Z.
+    /// Transformed stage differences W = (T⁻¹ ⊗ I) Z, in which the equations of a Radau step separate.
     pub(super) w: &'a mut [S],
-    /// Derivatives f at the stages.
+    /// Derivatives f at the three stages of the step.
     pub(super) f: &'a mut [S],
 }
 
-/// Function that writes f at the stages y + Z.
+/// Function `(Z, f)` that writes the derivatives f at the three stages y + Z, 3n entries. Error if f
+/// has no finite value.
 type Stages<'a, S> = &'a mut dyn FnMut(&[S], &mut [S]) -> Result<(), Trouble>;
 
 impl<S: Real> Newton<S> {
+    /// Creates Newton's method for a state of `n` components, without a Jacobian.
     pub(super) fn new(n: usize) -> Self {
         let zero = S::int(0);
         Self {
@@ -97,23 +111,25 @@ impl<S: Real> Newton<S> {
         }
     }
 
-    /// True if another Jacobian might help, since the current one is from an earlier point.
+    /// True if the Jacobian was evaluated at an earlier point, so that a new Jacobian might help.
     pub(super) fn is_old(&self) -> bool {
         self.age == Age::Old
     }
 
-    /// Asks for another Jacobian.
+    /// Marks the Jacobian as unknown, so that the next step evaluates it.
     pub(super) fn forget(&mut self) {
         self.age = Age::None;
         self.left = 1.0;
     }
 
-    /// Leaves the current point; the Jacobian is kept if Newton's method converged fast with it.
+    /// Marks the end of an accepted step. The Jacobian is kept for the next step if Newton's method
+    /// converged fast with it.
     pub(super) fn leave(&mut self) {
         self.age = if self.rate <= FAST { Age::Old } else { Age::None };
     }
 
-    /// Evaluates the Jacobian, if needed, and factors the matrices for a step `h` from (t, y).
+    /// Evaluates the Jacobian, if needed, and factors the matrices for a step of `h` s from (t, y). Error
+    /// if the Jacobian has no finite value or a matrix is singular.
     pub(super) fn prepare<R>(&mut self, rhs: &mut R, t: f64, y: &[S], scheme: &Scheme<S>, h: S) -> Result<(), Trouble>
     where
         R: RightHandSide<S>,
@@ -143,6 +159,7 @@ impl<S: Real> Newton<S> {
         Ok(())
     }
 
+    /// Evaluates the Jacobian at (t, y). Error if it has no finite value.
     fn evaluate<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
         self.jacobians += 1;
         self.factored = None;
@@ -161,7 +178,8 @@ impl<S: Real> Newton<S> {
         Ok(())
     }
 
-    /// Solves Z = h (A ⊗ I) f(y + Z) for Z, from given first values; `stages` writes f at the stages.
+    /// Solves Z = h (A ⊗ I) f(y + Z) for Z by Newton's method, from given first values, to the accuracy
+    /// `aim`. `stages` writes f at the stages. Error if the method does not converge or f has no value.
     pub(super) fn solve(
         &mut self,
         scheme: &Scheme<S>,
@@ -175,7 +193,8 @@ impl<S: Real> Newton<S> {
         if S::SLOPES == 0 {
             return Ok(());
         }
-        // Slopes have converged only as far as the values before the last iteration: slopes take one more.
+        // Derivatives that the numbers carry have converged only as far as the values before the last
+        // iteration: they need another iteration.
         let known = w.to_vec();
         stages(z, f)?;
         self.correct(scheme, h, w, f);
@@ -186,6 +205,8 @@ impl<S: Real> Newton<S> {
         Ok(())
     }
 
+    /// Iterates Newton's method for Z until the accuracy `aim` is reached. Error if it does not converge or
+    /// f has no value.
     fn converge(
         &mut self,
         scheme: &Scheme<S>,
@@ -196,7 +217,7 @@ impl<S: Real> Newton<S> {
     ) -> Result<(), Trouble> {
         let StageVectors { z, w, f } = vectors;
         transform(&scheme.t_inverse, self.n, z, w);
-        // The rate of convergence in earlier steps may let a first change be enough.
+        // With the rate of convergence of earlier steps, the first change may already be small enough.
         self.left = self.left.max(f64::EPSILON).powf(0.8);
         self.rate = 0.0;
         let (mut last, mut ratio) = (f64::INFINITY, 0.0_f64);
@@ -234,7 +255,8 @@ impl<S: Real> Newton<S> {
         if last <= aim.rounding { Ok(()) } else { Err(Trouble::NotConverged { iterations: aim.iterations }) }
     }
 
-    /// Changes W by one iteration, and returns the size of the change: the root of the mean square over the weights.
+    /// Changes W by a Newton iteration, and returns the size of the change: the root of its mean square
+    /// over the weights.
     ///
     /// (h⁻¹ Λ ⊗ I − I ⊗ J) ΔW = (T⁻¹ ⊗ I) F − (h⁻¹ Λ ⊗ I) W
     fn correct(&mut self, scheme: &Scheme<S>, h: S, w: &mut [S], f: &[S]) -> f64 {
@@ -263,7 +285,7 @@ impl<S: Real> Newton<S> {
     }
 }
 
-/// Writes (M ⊗ I) `from` to `to`.
+/// Writes (M ⊗ I) `from` to `to`, for a 3 × 3 matrix M and vectors of 3n entries.
 fn transform<S: Real>(matrix: &super::scheme::Matrix<S>, n: usize, from: &[S], to: &mut [S]) {
     for i in 0..n {
         let at = [from[i], from[n + i], from[2 * n + i]];

@@ -1,36 +1,40 @@
-//! Coefficients of Radau IIA with three stages, in any scalar: all follow from the published formulae.
+//! Coefficients of Radau IIA with three stages, in any scalar, computed from the published formulae.
 //!
-//! B = A⁻¹ has one real eigenvalue γ and the pair α ± iβ; T⁻¹ B T = \[γ; (α, −β; β, α)\] separates the 3n equations of
-//! a step into n real and n complex ones. E. Hairer & G. Wanner, *Solving Ordinary Differential Equations II*, 2nd
-//! edition (1996), §IV.5 (the method), §IV.8 (the transformation and the error).
+//! B = A⁻¹ has the real eigenvalue γ and the pair α ± iβ; T⁻¹ B T = \[γ; (α, −β; β, α)\] separates the
+//! 3n equations of a step into n real and n complex equations. E. Hairer & G. Wanner, *Solving Ordinary
+//! Differential Equations II*, 2nd edition (1996), §IV.5 (the method), §IV.8 (the transformation and
+//! the error).
 
 use tripos_traits::Real;
 
 use super::complex::Complex;
 use crate::linear::lu::Entry;
 
-/// A matrix of order 3, row by row.
+/// Matrix of order 3, row by row.
 pub(super) type Matrix<E> = [[E; 3]; 3];
 
 /// Nodes, eigenvalues and transformations of Radau IIA with three stages.
 pub(super) struct Scheme<S> {
-    /// Nodes, the zeros of Radau's polynomial: (4 − √6)/10, (4 + √6)/10, 1.
+    /// Nodes of the stages as fractions of the step, the zeros of Radau's polynomial: (4 − √6)/10, (4 +
+    /// √6)/10, 1.
     pub(super) c: [S; 3],
-    /// Real eigenvalue γ of A⁻¹.
+    /// Real eigenvalue γ of the inverse A⁻¹ of the method's matrix.
     pub(super) real: S,
-    /// Complex eigenvalue α + iβ of A⁻¹ with a positive imaginary part.
+    /// Complex eigenvalue α + iβ of the inverse A⁻¹ of the method's matrix, with β > 0.
     pub(super) pair: Complex<S>,
-    /// Transformation T, whose columns are eigenvectors; the last entry of each is 1.
+    /// Transformation T, whose columns are the eigenvectors of A⁻¹; the last entry of each is 1.
     pub(super) t: Matrix<S>,
     /// Inverse of the transformation T.
     pub(super) t_inverse: Matrix<S>,
-    /// Matrix that takes values at the nodes to the coefficients of θ, θ² and θ³ of the polynomial that is 0 at 0.
+    /// Matrix that gives the coefficients of θ, θ² and θ³ of a polynomial that is 0 at θ = 0, from its
+    /// values at the nodes.
     pub(super) powers: Matrix<S>,
-    /// Weights of the stages in the error estimate.
+    /// Weights of the three stage differences in the error estimate of a Radau step.
     pub(super) error: [S; 3],
 }
 
 impl<S: Real> Scheme<S> {
+    /// Computes all coefficients of Radau IIA in the scalar `S`.
     pub(super) fn new() -> Self {
         let root = S::int(6).sqrt();
         let one = S::int(1);
@@ -59,7 +63,7 @@ impl<S: Real> Scheme<S> {
     }
 }
 
-/// Matrix A of Radau IIA with three stages.
+/// Matrix A of Radau IIA with three stages: aᵢⱼ is the weight of stage j at node i.
 pub(super) fn stages<S: Real>() -> Matrix<S> {
     let root = S::int(6).sqrt();
     let entry = |whole: i64, roots: i64, over: i64| (S::int(whole) + S::int(roots) * root) / S::int(over);
@@ -70,7 +74,8 @@ pub(super) fn stages<S: Real>() -> Matrix<S> {
     ]
 }
 
-/// Root of z³ + a₂ z² + a₁ z + a₀ next to `z`, an `f64` that is a root to rounding: each step doubles the digits.
+/// Root of z³ + a₂ z² + a₁ z + a₀ near `z`, an `f64` that is a root to rounding. Each of three Newton
+/// steps doubles the digits.
 fn root_of<S: Real>([a0, a1, a2]: [S; 3], mut z: S) -> S {
     for _ in 0..3 {
         let value = ((z + a2) * z + a1) * z + a0;
@@ -80,7 +85,8 @@ fn root_of<S: Real>([a0, a1, a2]: [S; 3], mut z: S) -> S {
     z
 }
 
-/// Eigenvector with the last entry 1: it is orthogonal to the first two rows of B − λ.
+/// Eigenvector of B for this eigenvalue, scaled to the last entry 1. It is orthogonal to the first two
+/// rows of B − λ.
 fn eigenvector<E: Entry>(b: &Matrix<E>, eigenvalue: E) -> [E; 3] {
     let (mut first, mut second) = (b[0], b[1]);
     first[0] = first[0] - eigenvalue;
@@ -89,6 +95,7 @@ fn eigenvector<E: Entry>(b: &Matrix<E>, eigenvalue: E) -> [E; 3] {
     v.map(|entry| entry / v[2])
 }
 
+/// Cross product of two vectors of three entries.
 fn cross<E: Entry>(a: &[E; 3], b: &[E; 3]) -> [E; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
@@ -101,7 +108,7 @@ fn inverse<S: Real>(m: &Matrix<S>) -> Matrix<S> {
     rows.map(|row| row.map(|x| x / determinant))
 }
 
-/// Computes the sum of products Σ aᵢ bᵢ.
+/// Dot product Σ aᵢ bᵢ of two vectors of three entries.
 pub(super) fn dot<S: Real>(a: &[S; 3], b: &[S; 3]) -> S {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -1,21 +1,23 @@
-//! Elementary functions of `DoubleDouble`: argument reduction, a table, a short Taylor series.
+//! Elementary functions of `DoubleDouble`: argument reduction, a table, and a short Taylor series.
 //!
-//! Series terms below 2⁻⁵³ of the result are summed in f64: their rounding is below that of the result.
-//! Inverse functions start from the f64 result and correct it by one step of Newton's method, whose
-//! error is the square of 2⁻⁵³.
+//! Series terms below 2⁻⁵³ of the result are summed in f64: their rounding error is below that of
+//! the result. Inverse functions start from the f64 result and correct it by a step of Newton's
+//! method, whose error is the square of 2⁻⁵³.
 
 use super::DoubleDouble;
 use super::error_free::two_product;
 use super::tables::{EXP_M1, HALF_PI, INVERSE_FACTORIAL, LN_2, SIN_COS};
 use crate::Scalar;
 
-/// Largest angle, rad, whose nearest quarter turn is surely found from its leading part.
+/// Largest angle, rad, for which the nearest quarter turn is certain from the leading part of the
+/// angle.
 const LARGEST_ANGLE: f64 = 1_099_511_627_776.0; // 2⁴⁰
-/// Largest x for which eˣ does not overflow.
+/// Largest x for which eˣ does not overflow f64.
 const LARGEST_EXPONENT: f64 = 709.79;
-/// Smallest x for which eˣ is not 0.
+/// Smallest x for which eˣ does not underflow to 0 in f64.
 const SMALLEST_EXPONENT: f64 = -745.2;
 
+/// Square root √x with 32 digits; "not a number" for x < 0.
 pub(super) fn sqrt(x: DoubleDouble) -> DoubleDouble {
     let estimate = libm::sqrt(x.hi);
     // x is 0, infinite or negative, or not a number.
@@ -32,6 +34,7 @@ pub(super) fn sqrt(x: DoubleDouble) -> DoubleDouble {
     DoubleDouble::normalized(estimate, rest.hi / (2.0 * estimate))
 }
 
+/// Sine and cosine of an angle in rad; "not a number" unless x is finite.
 pub(super) fn sin_cos(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     if !x.is_finite() {
         return (DoubleDouble::NAN, DoubleDouble::NAN);
@@ -49,7 +52,7 @@ pub(super) fn sin_cos(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     }
 }
 
-/// Reduces an angle to r with x = k π/2 + r and |r| ≤ π/4: returns (k mod 4, r).
+/// Reduces an angle to r with x = k π/2 + r and |r| ≤ π/4, rad. Returns (k mod 4, r).
 #[inline]
 #[allow(clippy::cast_possible_truncation, reason = "whole numbers up to 2⁴⁰")]
 fn quarter_turns(x: DoubleDouble) -> (i64, DoubleDouble) {
@@ -65,7 +68,8 @@ fn quarter_turns(x: DoubleDouble) -> (i64, DoubleDouble) {
     ((k as i64) & 3, rest.plus(-k * HALF_PI[3]))
 }
 
-/// Computes (sin x, cos x) for |x| ≤ π/4, and a little more.
+/// Computes (sin x, cos x) for |x| ≤ π/4 and slightly more, from a table of multiples of π/32 and
+/// short series.
 #[inline]
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 ≤ j ≤ 8")]
 fn sin_cos_within_eighth(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
@@ -82,7 +86,8 @@ fn sin_cos_within_eighth(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     (if x.hi < 0.0 { -sin } else { sin }, cos)
 }
 
-/// Computes (sin t, cos t − 1) for |t| ≤ π/64 = 0.049, where a remainder of 2⁻¹¹⁴ is left by 8 terms of the series.
+/// Computes (sin t, cos t − 1) for |t| ≤ π/64 = 0.049, by 8 terms of each series, with a remainder
+/// of 2⁻¹¹⁴.
 #[inline]
 fn sin_and_cos_less_1(t: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let t_2 = t.squared();
@@ -91,7 +96,8 @@ fn sin_and_cos_less_1(t: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     (t - sin, -cos)
 }
 
-/// Sum 1/n! − t²/(n+2)! + … up to the largest n listed, by Horner's scheme; the terms of `low` are summed in f64.
+/// Alternating series 1/n! − t²/(n+2)! + … up to the largest n listed, by Horner's scheme. The
+/// terms of `low` are summed in f64, those of `high` in full precision.
 #[inline]
 fn alternating_series<const A: usize, const B: usize>(
     t_2: DoubleDouble,
@@ -102,14 +108,16 @@ fn alternating_series<const A: usize, const B: usize>(
     high.iter().fold(tail.into(), |sum, &n| DoubleDouble::from_parts(INVERSE_FACTORIAL[n]) - sum * t_2)
 }
 
-/// Sine and cosine of a large angle to 16 digits. `libm` reduces an f64 of any size; the low part is a second angle.
+/// Sine and cosine of a large angle to 16 digits. `libm` reduces an f64 of any size, so hi and lo
+/// are treated as two angles.
 fn sin_cos_of_large(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let (sin_hi, cos_hi) = libm::sincos(x.hi);
     let (sin_lo, cos_lo) = libm::sincos(x.lo);
     ((sin_hi * cos_lo + cos_hi * sin_lo).into(), (cos_hi * cos_lo - sin_hi * sin_lo).into())
 }
 
-/// Angle of the point (x, y) from the axis of x, in (−π, π], rad; x and y are not both 0 and of comparable scale.
+/// Angle of the point (x, y) from the x axis, in (−π, π], rad. x and y must not both be 0, and must
+/// have comparable size.
 fn angle(y: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
     let estimate = libm::atan2(y.hi, x.hi);
     let (sin, cos) = sin_cos(estimate.into());
@@ -119,6 +127,7 @@ fn angle(y: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
     DoubleDouble::from(estimate).plus(across.hi / along)
 }
 
+/// Inverse tangent of x, rad, in [−π/2, π/2].
 pub(super) fn atan(x: DoubleDouble) -> DoubleDouble {
     if x.hi.is_infinite() {
         return DoubleDouble::from_parts([HALF_PI[0], HALF_PI[1]]) * x.sign();
@@ -126,24 +135,27 @@ pub(super) fn atan(x: DoubleDouble) -> DoubleDouble {
     if x.hi == 0.0 { x } else { angle(x, DoubleDouble::ONE) }
 }
 
+/// Inverse sine of x, rad, in [−π/2, π/2]; "not a number" for |x| > 1.
 pub(super) fn asin(x: DoubleDouble) -> DoubleDouble {
     if x.hi == 0.0 { x } else { angle(x, other_leg(x)) }
 }
 
+/// Inverse cosine of x, rad, in [0, π]; "not a number" for |x| > 1.
 pub(super) fn acos(x: DoubleDouble) -> DoubleDouble {
     if x == DoubleDouble::ONE { DoubleDouble::ZERO } else { angle(other_leg(x), x) }
 }
 
-/// Computes √(1 − x²) without cancellation near |x| = 1; not a number for |x| > 1.
+/// Computes √(1 − x²) without cancellation near |x| = 1; "not a number" for |x| > 1.
 fn other_leg(x: DoubleDouble) -> DoubleDouble {
     ((DoubleDouble::ONE - x) * (DoubleDouble::ONE + x)).sqrt()
 }
 
+/// Exponential eˣ with 32 digits; infinite if it overflows f64.
 pub(super) fn exp(x: DoubleDouble) -> DoubleDouble {
     exp_scaled(x, 0)
 }
 
-/// Computes eˣ 2ⁿ, which may be in range where eˣ is not.
+/// Computes eˣ 2ⁿ, which may be in the range of f64 although eˣ is not.
 #[allow(clippy::cast_possible_truncation, reason = "|k| ≤ 1075")]
 fn exp_scaled(x: DoubleDouble, n: i32) -> DoubleDouble {
     if x.hi.is_nan() {
@@ -161,18 +173,19 @@ fn exp_scaled(x: DoubleDouble, n: i32) -> DoubleDouble {
     exp_less_1_reduced(rest).plus(1.0).shifted(k as i32 + n)
 }
 
-/// Product of k and (ln 2 − its first part); the product of k and the first part is exact in f64.
+/// Product of k and (ln 2 − `LN_2[0]`). Together with k · `LN_2[0]`, which is exact in f64, it
+/// gives k ln 2.
 #[inline]
 fn times_rest_of_ln_2(k: f64) -> DoubleDouble {
     DoubleDouble::product(k, LN_2[1]).plus(k * LN_2[2])
 }
 
-/// Computes eˣ − 1 with a small error relative to the result, also next to x = 0.
+/// Computes eˣ − 1 with a small relative error, also near x = 0.
 fn exp_less_1(x: DoubleDouble) -> DoubleDouble {
     if x.hi.abs() < 0.34 { exp_less_1_reduced(x) } else { exp(x).plus(-1.0) }
 }
 
-/// Computes eˣ − 1 for |x| ≤ ½ ln 2.
+/// Computes eˣ − 1 for |x| ≤ ½ ln 2, from a table of multiples of 1/32 and a short series.
 #[inline]
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "|j| ≤ 11")]
 fn exp_less_1_reduced(x: DoubleDouble) -> DoubleDouble {
@@ -187,6 +200,7 @@ fn exp_less_1_reduced(x: DoubleDouble) -> DoubleDouble {
     of_j + (of_t + of_j * of_t)
 }
 
+/// Natural logarithm; "not a number" for negative x, −∞ for 0.
 pub(super) fn ln(x: DoubleDouble) -> DoubleDouble {
     if x.hi <= 0.0 || !x.is_finite() {
         return libm::log(x.hi).into();
@@ -199,7 +213,7 @@ pub(super) fn ln(x: DoubleDouble) -> DoubleDouble {
     DoubleDouble::from(k * LN_2[0]) + (times_rest_of_ln_2(k) + of_f)
 }
 
-/// Computes ln f for f within a factor √2 of 1, with a small error relative to the result.
+/// Computes ln f for f between 1/√2 and √2, with a small relative error.
 fn ln_near_1(f: DoubleDouble) -> DoubleDouble {
     let estimate = libm::log(f.hi);
     // d = f e^(−estimate) − 1 = y + m + y m  with  y = f − 1,  m = e^(−estimate) − 1; then ln f = estimate + ln(1 + d).
@@ -209,6 +223,7 @@ fn ln_near_1(f: DoubleDouble) -> DoubleDouble {
     DoubleDouble::from(estimate) + d.plus(-0.5 * d.hi * d.hi)
 }
 
+/// Hyperbolic sine of x, with 32 digits also near 0.
 pub(super) fn sinh(x: DoubleDouble) -> DoubleDouble {
     let positive = x.abs();
     let sinh = if positive.hi > 40.0 {
@@ -221,6 +236,7 @@ pub(super) fn sinh(x: DoubleDouble) -> DoubleDouble {
     if x.hi < 0.0 { -sinh } else { sinh }
 }
 
+/// Hyperbolic cosine of x, with 32 digits.
 pub(super) fn cosh(x: DoubleDouble) -> DoubleDouble {
     let positive = x.abs();
     if positive.hi > 40.0 {
@@ -230,6 +246,7 @@ pub(super) fn cosh(x: DoubleDouble) -> DoubleDouble {
     (e + DoubleDouble::ONE / e).scaled(0.5)
 }
 
+/// Hyperbolic tangent of x, with 32 digits also near 0.
 pub(super) fn tanh(x: DoubleDouble) -> DoubleDouble {
     let positive = x.abs();
     let tanh = if positive.hi > 40.0 {

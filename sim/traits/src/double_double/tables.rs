@@ -1,7 +1,7 @@
-//! Constants of [`DoubleDouble`](super::DoubleDouble) functions, each a sum of several f64.
+//! Constants for the functions of [`DoubleDouble`](super::DoubleDouble), each a sum of several f64.
 //!
-//! Computed by mpmath at 400 bits: `hi = float(x)`, `lo = float(x - hi)`, and so on; the first part of ln 2 is
-//! cut to 42 bits. The tests of `elementary` check every entry against another library.
+//! Computed by mpmath at 400 bits: `hi = float(x)`, `lo = float(x - hi)`, and so on. The first part
+//! of ln 2 is cut to 42 bits. The tests of `elementary` check every entry against a second library.
 
 #![allow(clippy::excessive_precision, clippy::unreadable_literal, reason = "as printed by what computed them")]
 #![allow(clippy::approx_constant, reason = "these are the constants")]
@@ -9,8 +9,8 @@
 /// Number π/2 to 213 bits, as a sum of four f64.
 pub(super) const HALF_PI: [f64; 4] =
     [1.5707963267948966, 6.123233995736766e-17, -1.4973849048591698e-33, 5.562271104316826e-50];
-/// Number ln 2 to 148 bits, as a sum of three f64; the first has 42 bits, so that its products with exponents are
-/// exact.
+/// Number ln 2 to 148 bits, as a sum of three f64. The first has 42 bits, so that its products with
+/// exponents are exact.
 pub(super) const LN_2: [f64; 3] = [0.6931471805598903, 5.497923018708371e-14, 1.94704509238075e-31];
 /// Values (sin, cos) of jπ/32 for j = 0…8, each as a sum of two f64.
 #[rustfmt::skip]

@@ -1,18 +1,19 @@
-//! Decimal notation of `DoubleDouble`, read and written.
+//! Parsing and printing of `DoubleDouble` in decimal notation.
 
 use super::DoubleDouble;
 use core::fmt::{self, Display, Formatter, Write};
 
 /// Exponent of 10⁴⁵, the largest power of ten that two f64 hold exactly.
 const LARGEST_EXACT_POWER: i32 = 45;
-/// Number of decimal digits that are read: as many as a u128 holds.
+/// Number of decimal digits that are read; a u128 can hold 38 digits.
 const DIGITS_READ: u32 = 38;
-/// Size at which exponents of ten are cut off: beyond the exponents of f64, with room for the digits.
+/// Largest absolute exponent of ten that is used. It is beyond the exponents of f64, with room for
+/// the digits.
 const EXPONENT_LIMIT: i32 = 800;
 
-/// Reads a number in any notation that f64 takes; not a number if `text` has another form.
+/// Parses a number in any notation that f64 accepts; "not a number" if `text` has another form.
 pub(super) fn parsed(text: &str) -> DoubleDouble {
-    // As for f64 it is decided if the text is a number at all, and if it is within range.
+    // The f64 parser decides if the text is a number, and if it is within range.
     let nearest: f64 = text.parse().unwrap_or(f64::NAN);
     if nearest == 0.0 || !nearest.is_finite() {
         return nearest.into();
@@ -25,7 +26,8 @@ pub(super) fn parsed(text: &str) -> DoubleDouble {
     if nearest < 0.0 { -size } else { size }
 }
 
-/// First 38 digits of a mantissa such as "-12.345" as a whole number, and the power of ten to divide it by.
+/// Reads the first 38 digits of a mantissa such as "-12.345" as a whole number without sign. Also
+/// returns the power of ten by which to divide it.
 fn leading_digits(mantissa: &str) -> (i128, i32) {
     let (mut digits, mut taken, mut places, mut after_point) = (0_i128, 0, 0_i32, false);
     for character in mantissa.chars() {
@@ -44,7 +46,7 @@ fn leading_digits(mantissa: &str) -> (i128, i32) {
     (digits, places)
 }
 
-/// Computes x 10ⁿ, with one rounding for each 45 powers of ten.
+/// Computes x 10ⁿ, with a rounding for each 45 powers of ten.
 fn times_power_of_ten(x: DoubleDouble, n: i32) -> DoubleDouble {
     let n = n.clamp(-EXPONENT_LIMIT, EXPONENT_LIMIT);
     let mut left = n.abs();
@@ -67,7 +69,8 @@ fn power_of_ten(n: i32) -> DoubleDouble {
     power
 }
 
-/// Scientific notation with 32 digits. A precision sets the number of digits after the point, at most 32.
+/// Prints scientific notation with 32 digits. A format precision sets the number of digits after
+/// the point, at most 32.
 impl Display for DoubleDouble {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         if self.hi == 0.0 || !self.is_finite() {
@@ -90,7 +93,7 @@ impl Display for DoubleDouble {
     }
 }
 
-/// Rounds |x| ≈ d₀.d₁d₂… 10ᵉ to `count` ≤ 33 digits and returns (d, e). The digits after them are 0.
+/// Rounds |x| ≈ d₀.d₁d₂… 10ᵉ to `count` ≤ 33 digits, and returns (d, e). All later digits are 0.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "exponents of f64, digits 0 to 9")]
 fn rounded_digits(x: DoubleDouble, count: usize) -> ([u8; 34], i32) {
     let size = if x.hi < 0.0 { -x } else { x };
@@ -111,17 +114,18 @@ fn rounded_digits(x: DoubleDouble, count: usize) -> ([u8; 34], i32) {
     (digits, exponent + i32::from(carried))
 }
 
-/// Whole part ⌊x⌋ of 0 ≤ x < 10, kept in 0…9 even if x was rounded out of that range.
+/// Whole part ⌊x⌋ for 0 ≤ x < 10, limited to 0…9 even if rounding moved x out of this range.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0…9")]
 #[allow(clippy::float_cmp, reason = "asks whether hi is a whole number")]
 fn whole_part(x: DoubleDouble) -> u8 {
     let floor = libm::floor(x.hi);
-    // hi may be a whole number that lo stays below.
+    // If hi is a whole number, a negative lo puts x below it.
     let below = floor == x.hi && x.lo < 0.0;
     (if below { floor - 1.0 } else { floor }).clamp(0.0, 9.0) as u8
 }
 
-/// Rounds the digits by the one at `count`, and sets that one to 0; true if a carry left the first digit.
+/// Rounds the digits before index `count` by the digit at `count`, which becomes 0. True if a carry
+/// out of the first digit made the number 10.
 fn round_last(digits: &mut [u8; 34], count: usize) -> bool {
     let up = digits[count] >= 5;
     digits[count] = 0;

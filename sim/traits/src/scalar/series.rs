@@ -1,30 +1,33 @@
-//! Sums of products of Taylor coefficients: the part of Taylor's recurrences whose cost grows with the order.
+//! Sums of products of Taylor coefficients: the part of Taylor's recurrences whose cost grows with
+//! the order.
 //!
-//! Every operation that is not linear is a convolution Σ left_j right_{k−j}: of the factors of a product, of divisor
-//! and quotient, of j·a_j and cos a for sin a. Its terms with 0 < j < k have coefficients of lower orders only. So
-//! those of all operations are summed at once, for two orders together, which halves the reads from memory. The sums of
-//! one order stand side by side: there is no short loop and no sum across a vector register.
+//! Every operation that is not linear is a convolution Σ left_j right_{k−j}: of the factors of a
+//! product, of divisor and quotient, or of j·a_j and cos a for sin a. Its terms with 0 < j < k have
+//! coefficients of lower orders only. So those of all operations are summed at once, for two orders
+//! together, which halves the reads from memory. The sums of an order are side by side, so there is
+//! no short loop and no sum across a vector register.
 
 use crate::Scalar;
 
-/// Left and right factors of all convolutions at one order. `W` is their number, rounded up to a multiple of [`LANES`];
-/// the padding may be anything finite.
+/// Left and right factors of all convolutions at a single order. `W` is the number of convolutions,
+/// rounded up to a multiple of [`LANES`]; the padding may be any finite numbers.
 pub type Factors<S, const W: usize> = [[S; W]; 2];
 
-/// Sums of all convolutions at two successive orders.
+/// Sums of all convolutions at two successive orders, the lower order first.
 pub type Pair<S, const W: usize> = [[S; W]; 2];
 
-/// Unit of the number of convolutions, which is padded to a multiple of it.
+/// Number to whose multiples the number of convolutions is rounded up.
 pub const LANES: usize = 8;
 
-/// Alignment of a row of factors, in bytes: a line of the cache, so that no vector register is filled from two lines.
+/// Alignment of a row of factors, in bytes: a cache line, so that no vector register is filled from
+/// two lines.
 const LINE: usize = 64;
 
-/// Entries that [`rows`] may skip to find the beginning of a line.
+/// Largest number of entries that [`rows`] skips to reach the beginning of a cache line.
 pub const SLACK: usize = LINE / 4;
 
-/// Views the working space as rows of factors. They begin at a line of the cache if `work` begins at a multiple of the
-/// size of its entries.
+/// Views a workspace as rows of factors. Rows begin at cache lines if `work` begins at a multiple
+/// of the size of its entries.
 #[must_use]
 pub fn rows<S, const W: usize>(work: &mut [S]) -> &mut [Factors<S, W>] {
     let skip = work.as_ptr().align_offset(LINE);
@@ -32,7 +35,7 @@ pub fn rows<S, const W: usize>(work: &mut [S]) -> &mut [Factors<S, W>] {
     work[skip..].as_chunks_mut().0.as_chunks_mut().0
 }
 
-/// Makes a row that begins with these values; the rest is zero.
+/// Row of length `W` that begins with the given values; the remaining entries are zero.
 #[inline(always)]
 #[must_use]
 #[expect(clippy::inline_always, reason = "a row is built where it is stored")]
@@ -42,9 +45,11 @@ pub fn padded<S: Scalar, const N: usize, const W: usize>(values: [S; N]) -> [S; 
     row
 }
 
-/// Sums of products for each convolution at the orders k and k + 1, where k is the length of the history and
-/// `history[j]` holds the factors of order j: Σ left_j right_{k−j} over 0 < j < k, and Σ left_j right_{k+1−j} over 1 <
-/// j < k. The factors of order 0 are not read.
+/// Sums of products for each convolution at the orders k and k + 1, where k is the length of
+/// `history`. Entry `history[j]` holds the factors of order j.
+///
+/// The sums are Σ left_j right_{k−j} over 0 < j < k, and Σ left_j right_{k+1−j} over 1 < j < k. The
+/// factors of order 0 are not read.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "as above")]
 #[must_use]
@@ -52,8 +57,8 @@ pub fn pair_sums<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pair<S
     S::pair_sums(history)
 }
 
-/// Computes [`pair_sums`] in blocks of `BLOCK` sums: as many as fit in registers twice, with as many factors. It is
-/// compiled for the vector instructions of its caller.
+/// Computes [`pair_sums`] in blocks of `BLOCK` sums. A block should fill half of the registers with
+/// sums. The code is compiled for the vector instructions of its caller.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "a function that is called is compiled for what every processor has")]
 pub(crate) fn sums<S: Scalar, const W: usize, const BLOCK: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
@@ -79,8 +84,9 @@ pub(crate) fn sums<S: Scalar, const W: usize, const BLOCK: usize>(history: &[Fac
     sums
 }
 
-/// Computes [`pair_sums`] in blocks of `BLOCK` sums, for numbers that fill a vector register each. The factors for
-/// order k + 1 are read twice, since a register that is kept would be put together from its parts.
+/// Computes [`pair_sums`] in blocks of `BLOCK` sums, for numbers that fill a vector register each.
+/// The factors for order k + 1 are read twice, because a register that is kept would have to be
+/// assembled from its parts.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "as above")]
 pub(crate) fn read_twice<S: Scalar, const W: usize, const BLOCK: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
@@ -89,7 +95,7 @@ pub(crate) fn read_twice<S: Scalar, const W: usize, const BLOCK: usize>(history:
     for at in (0..W).step_by(BLOCK) {
         let (mut now, mut next) = ([S::from_f64(0.0); BLOCK], [S::from_f64(0.0); BLOCK]);
         for i in 0..BLOCK.min(W - at) {
-            // The term with j = 1 of order k, whose partner in order k + 1 is not known yet.
+            // The term with j = 1 of order k, whose counterpart in order k + 1 is not known yet.
             let [left, _] = first.first().unwrap_or(last);
             now[i] = left[at + i] * last[1][at + i];
         }
@@ -107,7 +113,7 @@ pub(crate) fn read_twice<S: Scalar, const W: usize, const BLOCK: usize>(history:
     sums
 }
 
-/// Adds up `N` of the [`pair_sums`], from sum number `at` on.
+/// Computes `N` of the [`pair_sums`], from sum number `at` on, and writes them to `sums`.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "as above")]
 fn block<S: Scalar, const W: usize, const N: usize>(history: &[Factors<S, W>], at: usize, sums: &mut Pair<S, W>) {
@@ -129,8 +135,9 @@ fn block<S: Scalar, const W: usize, const N: usize>(history: &[Factors<S, W>], a
     sums[1][at..at + N].copy_from_slice(&next);
 }
 
-/// Computes [`pair_sums`] with the widest vector registers that the processor has. The numbers are those of any
-/// processor: wider registers hold more of them, and no product is fused that was not.
+/// Computes [`pair_sums`] with the widest vector registers that the processor has. The results do
+/// not depend on the processor: wider registers only hold more numbers, and no further product is
+/// fused.
 #[inline]
 pub(crate) fn widest<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
@@ -148,14 +155,16 @@ pub(crate) fn widest<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pa
     sums::<S, W, LANES>(history)
 }
 
-/// Computes [`pair_sums`] with AVX-512: 32 registers of 8 doubles.
+/// Computes [`pair_sums`] with AVX-512 instructions: 32 registers of 8 f64. The processor must have
+/// them.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx512f")]
 fn with_avx512<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
     sums::<S, W, { 4 * LANES }>(history)
 }
 
-/// Computes [`pair_sums`] with AVX2: 16 registers of 4 doubles.
+/// Computes [`pair_sums`] with AVX2 instructions: 16 registers of 4 f64. The processor must have
+/// them.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx2")]
 fn with_avx2<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {

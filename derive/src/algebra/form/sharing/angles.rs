@@ -1,8 +1,10 @@
-//! Sines and cosines of sums of angles, from those of the parts where the parts' sines and cosines are computed anyway.
+//! Composition of angles: sines and cosines of sums of angles, from those of the parts where these
+//! are computed anyway.
 //!
-//! A sine and a cosine cost as much as thirty operations, an addition theorem six. Absent on purpose: any claim about
-//! small angles. The sine of a difference that is nearly zero is then exact to the last digit of 1, not of itself. The
-//! same holds in every program that multiplies such products out.
+//! A sine and a cosine cost as much as thirty operations, an addition theorem six. Absent on
+//! purpose: any claim about small angles. The sine of a difference that is nearly zero is then
+//! accurate to the last digit of 1, not of itself. The same holds in every program that multiplies
+//! such products out.
 
 use crate::algebra::term::elementary::angle_atoms;
 use crate::algebra::term::steps::Definition;
@@ -10,27 +12,35 @@ use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr, Function, Node};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Largest number of addition theorems that are multiplied out together. Nested theorems give coefficients of as many
-/// bits as there are theorems, and the result is then never shorter.
+/// Largest number of addition theorems that are multiplied out together. Nested theorems give
+/// coefficients with as many bits as there are theorems, and then the result is never shorter.
 const MOST_OPENED: usize = 48;
 
-/// Composition of an angle from two others, which gives its sine and cosine: angle = first + second, or first − second.
+/// Composition of an angle from two others, which gives its sine and cosine: angle = first ±
+/// second, in radians.
 struct Addition {
+    /// Angle that is the sum or difference of the two others, rad.
     angle: Expr,
+    /// First angle of the sum or difference, rad.
     first: Expr,
+    /// Second angle of the sum or difference, rad.
     second: Expr,
+    /// True for first − second; false for first + second.
     minus: bool,
 }
 
-/// Replacement for the sines and cosines of composed angles.
+/// Form in which the sine or cosine of a composed angle is written.
 pub(super) enum Composed {
-    /// The sine or cosine gets a symbol of its own, which a new step defines.
+    /// The sine or cosine is replaced by a new symbol, which a new step defines by the addition
+    /// theorem.
     Named,
-    /// Right-hand side of the addition theorem, to be multiplied out.
+    /// The sine or cosine is replaced by the right-hand side of the addition theorem, to be
+    /// multiplied out.
     Open,
 }
 
-/// Rewrites steps and values so that fewer sines and cosines are computed; `None` if no angle can be composed.
+/// Rewrites steps and values so that fewer sines and cosines are computed. `None` if no angle can
+/// be composed, or too many for the form `Open`.
 pub(super) fn compose(
     arena: &mut Arena,
     how: &Composed,
@@ -68,8 +78,10 @@ pub(super) fn compose(
     Some((new_steps, values.iter().map(|e| value(*e)).collect()))
 }
 
-/// Angles that are sums or differences of two others, those with fewest parts first. If the remaining angles need more
-/// sines and cosines than all their parts would, the sines and cosines of the parts are computed instead.
+/// Angles among the terms `parts` that are sums or differences of two others, in order of their
+/// number of parts.
+/// If the remaining angles need more sines and cosines than all their parts would, the sines and
+/// cosines of the parts are computed instead.
 fn additions(arena: &mut Arena, parts: &[Expr]) -> Vec<Addition> {
     let mut angles: Vec<Expr> = Vec::new();
     for part in parts {
@@ -79,7 +91,8 @@ fn additions(arena: &mut Arena, parts: &[Expr]) -> Vec<Addition> {
             angles.push(*angle);
         }
     }
-    // A divisor such as the sine of a difference must be accurate next to zero too: it is computed directly.
+    // A divisor such as the sine of a difference must be accurate near zero too, so it is computed
+    // directly.
     let divides = |angle: &Expr| {
         parts.iter().any(|part| match arena.node(*part) {
             Node::Product(factors) => factors.iter().any(|(base, n)| {
@@ -104,12 +117,13 @@ fn additions(arena: &mut Arena, parts: &[Expr]) -> Vec<Addition> {
     if plain.len() + alone <= atoms.len() + alone_of_atoms { few } else { all }
 }
 
+/// True if the angle is a single symbol, not a sum.
 fn is_atom(arena: &Arena, angle: Expr) -> bool {
     matches!(arena.node(angle), Node::Symbol(_))
 }
 
-/// Angles that are sums or differences of two known angles, and the number of angles that are neither known nor
-/// composed.
+/// Angles that are sums or differences of two known angles, and the number of angles that are
+/// neither known nor composed. `there` lists the angles that are known at first.
 fn composed_of(arena: &mut Arena, angles: &[Expr], there: &[Expr]) -> (Vec<Addition>, usize) {
     let mut list: Vec<Expr> = there.to_vec();
     let mut known: FxHashSet<Expr> = there.iter().copied().collect();
@@ -136,14 +150,15 @@ fn composed_of(arena: &mut Arena, angles: &[Expr], there: &[Expr]) -> (Vec<Addit
     (additions, alone)
 }
 
-/// Rewritten terms, by the terms that they replace.
+/// State of rewriting terms with composed angles.
 struct Rewriting {
+    /// Replacement of each term, by the term that it replaces.
     of: FxHashMap<Expr, Expr>,
 }
 
 impl Rewriting {
-    /// Sine and cosine of a composed angle: sin (a ± b) = sin a cos b ± cos a sin b, cos (a ± b) = cos a cos b ∓ sin a
-    /// sin b.
+    /// Sine and cosine of a composed angle a ± b by the addition theorems.
+    /// sin (a ± b) = sin a cos b ± cos a sin b, and cos (a ± b) = cos a cos b ∓ sin a sin b.
     fn theorem(&self, arena: &mut Arena, addition: &Addition) -> [Expr; 2] {
         let value = |arena: &mut Arena, f: Function, angle: Expr| {
             let e = arena.apply(f, angle);
@@ -155,7 +170,7 @@ impl Rewriting {
         if addition.minus { [arena.sub(sc, cs), arena.add(cc, ss)] } else { [arena.add(sc, cs), arena.sub(cc, ss)] }
     }
 
-    /// Rebuilds a term from its rewritten operands, which must be rewritten before it.
+    /// Rebuilds a term from its operands, which must be rewritten before it.
     fn rewrite(&mut self, arena: &mut Arena, e: Expr) {
         if self.of.contains_key(&e) || !arena.operands(e).any(|o| self.of.contains_key(&o)) {
             return;

@@ -1,4 +1,5 @@
-//! Common divisors of all sums of a network, taken out one at a time, the one that saves most operations first.
+//! Common divisors of all sums of a network, taken out in sequence, the divisor that saves most
+//! operations first.
 
 use super::network::{Atom, Factors, Network, Term, Value, is_unit};
 use crate::algebra::Rational;
@@ -6,23 +7,27 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Number of terms of a sum above which its pairs of terms are not examined: pairs grow with the square.
+/// Number of terms of a sum above which its pairs of terms are not examined, since their number
+/// grows with the square.
 const LONGEST: usize = 300;
-/// Largest number of places of two-term sums that are examined. Later sums share products only.
+/// Largest number of pairs of terms that are examined. Sums that come later share products only.
 const MOST_PLACES: usize = 100_000;
 
-/// Largest number of factors that are weighed in pairs, each pair with all factors of its term. Later terms share no
-/// products. A product of n factors would take n⁴ of them: n³ at once, and again for each pair that is taken out.
+/// Largest amount of work for pairs of factors: each pair is compared with all factors of its term.
+/// Terms that come later share no products.
+/// A product of n factors would take n⁴ steps: n³ at once, and again for each pair that is taken
+/// out.
 const MOST_WEIGHED: usize = 20_000_000;
 
-/// A divisor that several terms may have in common.
+/// Divisor that several terms of a network may have in common.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 enum Divisor {
-    /// A sum of two terms with coprime integer coefficients, the first positive, and without a common factor.
+    /// A divisor that is a sum of two terms without a common factor, with coprime integer
+    /// coefficients, the first of them positive.
     Sum(Box<[Term; 2]>),
-    /// A product of two atoms, which may be equal.
+    /// A divisor that is a product of two atoms, which may be equal.
     Product(Atom, Atom),
-    /// An atom times a positive number other than 1.
+    /// A divisor that is an atom times a positive number other than 1.
     Scaled(Rational, Atom),
 }
 
@@ -33,47 +38,58 @@ impl std::hash::Hash for Term {
     }
 }
 
-/// Place at which a divisor may be taken out.
+/// Position in the network from which a divisor may be taken out.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Place {
+    /// Sum of the network that contains the terms, as the number of its atom.
     sum: Atom,
-    /// Positions of two terms in the sum; equal if only one term is meant.
+    /// Position, in the sum, of the first term that the divisor divides.
     i: usize,
+    /// Position, in the sum, of the second term that the divisor divides; equal to `i` if the
+    /// divisor divides a single term.
     j: usize,
 }
 
+/// Divisor that may be taken out, with its positions and its savings.
 #[derive(Default)]
 struct Candidate {
+    /// Positions at which the divisor was found. Some may no longer exist.
     places: Vec<Place>,
-    /// Upper bound of the operations saved: the sum over all places, also those that are gone.
+    /// Upper bound of the operations saved: the sum over all positions, including those that no
+    /// longer exist.
     most: usize,
     /// Number of operations that compute the divisor itself.
     cost: usize,
-    /// Atom that holds the divisor; `None` until it is taken out.
+    /// Atom whose value is the divisor; `None` until the divisor is taken out.
     defined: Option<Atom>,
-    /// Savings with which the candidate stands in the queue, 0 if it is not there. Queue entries with other savings are
-    /// outdated.
+    /// Savings with which the divisor is in the queue, 0 if it is not there. Queue entries with
+    /// other savings are outdated.
     queued: usize,
 }
 
-/// Common divisors of a network, kept up to date while they are taken out.
+/// Table of the common divisors of a network, kept up to date while they are taken out.
 pub(super) struct Extraction {
+    /// Network from which divisors are taken out.
     network: Network,
+    /// Number of each common divisor found so far.
     index: FxHashMap<Divisor, usize>,
+    /// Common divisors found so far, by number.
     divisors: Vec<Divisor>,
+    /// Positions and savings of each common divisor, by the divisor's number.
     candidates: Vec<Candidate>,
-    /// Number of places of two-term sums examined so far.
+    /// Number of pairs of terms that the search for divisors has examined so far.
     pairs: usize,
-    /// Number of factors weighed in pairs so far.
+    /// Amount of work for pairs of factors so far.
     weighed: usize,
-    /// Number of the divisor that each defining sum computes.
+    /// Number of the divisor that a sum of the network computes, by the sum's atom.
     definition_of: FxHashMap<Atom, usize>,
-    /// Candidates as (upper bound of the operations saved, number), the largest and then the oldest first. A bound is
-    /// computed again when its entry comes up.
+    /// Queue of divisors as (upper bound of the operations saved, number): the largest first, then
+    /// the oldest. A bound is computed again when its entry comes up.
     queue: BinaryHeap<(usize, Reverse<usize>)>,
 }
 
 impl Extraction {
+    /// Finds all common divisors of a network, before any is taken out.
     pub fn new(network: Network) -> Self {
         let mut new = Self {
             network,
@@ -112,8 +128,8 @@ impl Extraction {
         self.network
     }
 
-    /// Adds to the table the divisors that a new term has in common with each of the terms `others` of its sum. The
-    /// divisor `own` is left out: the sum itself defines it.
+    /// Enters the divisors that a new term has in common with each of the terms `others` of its
+    /// sum. The divisor `own` is left out, because the sum itself defines it.
     fn register(&mut self, sum: Atom, at: usize, others: &[usize], own: Option<usize>) {
         let term = self.term(sum, at).clone();
         self.register_products(&term, Place { sum, i: at, j: at }, own);
@@ -126,7 +142,8 @@ impl Extraction {
         }
     }
 
-    /// Enters the products of two factors that occur in a term at a place.
+    /// Enters the products of two factors in a term, and of a factor and the coefficient, at a
+    /// position of the network.
     fn register_products(&mut self, term: &Term, place: Place, own: Option<usize>) {
         let count = term.factors.len();
         self.weighed = self.weighed.saturating_add(count.saturating_pow(3) / 2);
@@ -146,6 +163,8 @@ impl Extraction {
         }
     }
 
+    /// Enters a divisor at a position of the network, and puts it into the queue. The divisor `own`
+    /// is left out.
     fn enter(&mut self, divisor: Divisor, place: Place, own: Option<usize>) {
         let id = match self.index.get(&divisor) {
             Some(id) => *id,
@@ -173,7 +192,8 @@ impl Extraction {
         self.enqueue(id, most);
     }
 
-    /// Puts a divisor into the queue with an upper bound of its savings, if that exceeds its present entry.
+    /// Puts a divisor into the queue with an upper bound of its savings, if that exceeds its
+    /// present entry.
     fn enqueue(&mut self, id: usize, most: usize) {
         if most > self.candidates[id].queued {
             self.candidates[id].queued = most;
@@ -181,6 +201,7 @@ impl Extraction {
         }
     }
 
+    /// Term at a position of a sum; it must exist.
     fn term(&self, sum: Atom, at: usize) -> &Term {
         match &self.network.atoms[sum as usize].value {
             Value::Sum(terms) => terms[at].as_ref().expect("a term that is there"),
@@ -188,6 +209,7 @@ impl Extraction {
         }
     }
 
+    /// True if the terms at a position still exist.
     fn is_there(&self, place: Place) -> bool {
         let Place { sum, i, j } = place;
         match &self.network.atoms[sum as usize].value {
@@ -196,7 +218,7 @@ impl Extraction {
         }
     }
 
-    /// Places of a divisor that still exist and do not overlap.
+    /// Positions of a divisor that still exist and do not overlap.
     fn places(&self, id: usize) -> Vec<Place> {
         let mut list: Vec<Place> = Vec::new();
         let mut taken: FxHashSet<(Atom, usize)> = FxHashSet::default();
@@ -210,7 +232,8 @@ impl Extraction {
         list
     }
 
-    /// Place where the divisor is a whole sum, which can then serve as its definition; `None` if there is none.
+    /// Position where the divisor is a whole sum, which can then serve as its definition; `None` if
+    /// there is no such sum.
     fn whole(&self, id: usize, places: &[Place]) -> Option<Place> {
         places.iter().copied().find(|place| {
             let terms = self.network.terms(place.sum).count();
@@ -220,7 +243,7 @@ impl Extraction {
         })
     }
 
-    /// Cofactor that remains at a place when the divisor is taken out.
+    /// Cofactor that remains at a position when the divisor is taken out there.
     fn without(&self, id: usize, place: Place) -> Term {
         let Place { sum, i, j } = place;
         let first = self.term(sum, i);
@@ -242,7 +265,7 @@ impl Extraction {
         }
     }
 
-    /// Number of times that a divisor divides the terms at a place.
+    /// Number of times that a divisor divides the terms at a position.
     fn times(&self, id: usize, place: Place) -> u32 {
         match &self.divisors[id] {
             Divisor::Product(a, b) => fits(&self.term(place.sum, place.i).factors, *a, *b),
@@ -250,8 +273,8 @@ impl Extraction {
         }
     }
 
-    /// Number of operations saved at one place when the divisor is taken out there, without the cost of the divisor
-    /// itself.
+    /// Number of operations saved at a position when the divisor is taken out there, without the
+    /// cost of the divisor itself.
     fn gain(&self, id: usize, place: Place) -> usize {
         let Place { sum, i, j } = place;
         let mut before = self.term(sum, i).multiplications();
@@ -264,14 +287,15 @@ impl Extraction {
         before.saturating_sub(after)
     }
 
-    /// Number of operations saved by taking a divisor out wherever it fits, less the cost of the divisor itself.
+    /// Number of operations saved by taking a divisor out at all its positions, less the cost of
+    /// the divisor itself.
     fn saving(&self, id: usize) -> usize {
         let total: usize = self.places(id).iter().map(|place| self.gain(id, *place)).sum();
         let candidate = &self.candidates[id];
         total.saturating_sub(if candidate.defined.is_some() { 0 } else { candidate.cost })
     }
 
-    /// Takes a divisor out wherever it fits.
+    /// Takes a divisor out at all its positions, and enters the divisors of the new terms.
     fn take_out(&mut self, id: usize) {
         let places = self.places(id);
         let (atom, kept) = self.holder(id, &places);
@@ -295,8 +319,8 @@ impl Extraction {
         self.candidates[id].places.clear();
     }
 
-    /// Atom that holds a divisor, created if needed. The place is that of an existing sum that became the definition,
-    /// if one did.
+    /// Atom whose value is the divisor; it is created if needed. If an existing sum became the
+    /// definition, its position is returned too, else `None`.
     fn holder(&mut self, id: usize, places: &[Place]) -> (Atom, Option<Place>) {
         if let Some(atom) = self.candidates[id].defined {
             return (atom, None);
@@ -327,16 +351,18 @@ impl Extraction {
     }
 }
 
+/// Absolute value of a rational number.
 fn magnitude(k: &Rational) -> Rational {
     if k.is_negative() { k.neg() } else { k.clone() }
 }
 
-/// Number of times that a·b divides a product.
+/// Number of times that the product a·b divides a product of atoms.
 fn fits(factors: &Factors, a: Atom, b: Atom) -> u32 {
     let exponent = |atom: Atom| factors.iter().find(|(e, _)| *e == atom).map_or(0, |(_, n)| *n);
     if a == b { exponent(a) / 2 } else { exponent(a).min(exponent(b)) }
 }
 
+/// Divides a product of atoms (leaves, inverses and sums of the network) by atom^times.
 fn take(factors: &mut Factors, atom: Atom, times: u32) {
     for (e, n) in factors.iter_mut() {
         if *e == atom {
@@ -346,6 +372,7 @@ fn take(factors: &mut Factors, atom: Atom, times: u32) {
     factors.retain(|(_, n)| *n > 0);
 }
 
+/// Multiplies a product of atoms (leaves, inverses and sums of the network) by atom^times.
 fn insert(factors: &mut Factors, atom: Atom, times: u32) {
     match factors.binary_search_by_key(&atom, |(e, _)| *e) {
         Ok(at) => factors[at].1 += times,
@@ -353,7 +380,8 @@ fn insert(factors: &mut Factors, atom: Atom, times: u32) {
     }
 }
 
-/// Splits the sum of two terms into divisor · cofactor.
+/// Splits the sum of two terms into divisor · cofactor; the divisor is a sum of two terms without a
+/// common factor.
 fn split(a: &Term, b: &Term) -> (Divisor, Term) {
     let mut common = Factors::new();
     for (atom, n) in &a.factors {

@@ -1,34 +1,38 @@
-//! Network of steps and values as sums of monomials over numbered atoms.
+//! Network of steps and values, written as sums of monomials over numbered atoms.
 //!
-//! These sums are separate from those of `polynomial`. Here terms keep their places while divisors are taken out of
-//! many sums at once, and atoms are sums themselves. Sorted terms would come out in another order, at other counts.
+//! These sums are separate from those of `polynomial`. Here terms keep their positions while
+//! divisors are taken out of many sums at once, and atoms may be sums themselves. Sorted terms
+//! would give another order and another number of operations.
 
 use crate::algebra::term::steps::Definition;
 use crate::algebra::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashMap;
 
-/// Number of an atom: its position in [`Network::atoms`].
+/// Number of an atom (a leaf, an inverse or a sum of the network): its position in the list
+/// [`Network::atoms`].
 pub(super) type Atom = u32;
 
-/// Product Π atom^exponent, sorted by atom, with positive exponents.
+/// Product Π atom^exponent as pairs (atom, exponent), sorted by atom, with positive exponents.
 pub(super) type Factors = Vec<(Atom, u32)>;
 
-/// Term of a sum, k · Π atom^exponent.
+/// Term k · Π atom^exponent of a sum.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Term {
+    /// Rational coefficient k of the term k · Π atom^exponent.
     pub k: Rational,
+    /// Atoms of the term k · Π atom^exponent, with their exponents.
     pub factors: Factors,
 }
 
 impl Term {
-    /// Number of multiplications in the term, between its factors and by k.
+    /// Number of multiplications that the term needs, between its factors and by k.
     pub fn multiplications(&self) -> usize {
         let degree: u32 = self.factors.iter().map(|(_, n)| *n).sum();
         (degree as usize + usize::from(!is_unit(&self.k))).saturating_sub(1)
     }
 }
 
-/// True if a number is 1 or −1.
+/// True if the number is 1 or −1.
 pub(super) fn is_unit(k: &Rational) -> bool {
     *k == Rational::ONE || *k == Rational::MINUS_ONE
 }
@@ -36,38 +40,42 @@ pub(super) fn is_unit(k: &Rational) -> bool {
 /// Value of an atom: a leaf, the inverse of another atom, or a sum.
 #[derive(Clone, Debug)]
 pub(super) enum Value {
-    /// A symbol, π, or a function value.
+    /// A symbol, π, or a function value, which the network does not look into.
     Leaf(Expr),
     /// The inverse 1/a of another atom a.
     Inverse(Atom),
-    /// A sum of terms; a term that was taken out leaves its place empty.
+    /// A sum of terms. The position of a term that was taken out holds `None`.
     Sum(Vec<Option<Term>>),
 }
 
-/// An atom and the symbol that stands for it, if it must have one.
+/// Atom of a network: its value, with its symbol if it must have one.
 #[derive(Clone, Debug)]
 pub(super) struct Member {
+    /// Value of the atom: a leaf, an inverse or a sum.
     pub value: Value,
+    /// Symbol of a step; `None` if the atom need not be a step.
     pub symbol: Option<Expr>,
 }
 
-/// Steps and outputs to compute, as sums over numbered atoms.
+/// Steps and outputs of a function, as sums over numbered atoms.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Network {
+    /// All atoms of the network, by number.
     pub atoms: Vec<Member>,
-    /// Atoms of the steps, in the given order.
+    /// Atoms whose values are the steps of the computation, in the given order.
     pub steps: Vec<Atom>,
-    /// Atoms of the outputs, in the given order.
+    /// Atoms whose values are the outputs, in the given order.
     pub values: Vec<Atom>,
-    /// Steps whose symbols occur inside each leaf, such as inside a square root.
+    /// Steps whose symbols occur inside each leaf, for instance inside a square root.
     pub inside: FxHashMap<Atom, Vec<Atom>>,
-    /// Atoms by the term that they stand for.
+    /// Atom of each term that was read, and of each step's symbol.
     known: FxHashMap<Expr, Atom>,
+    /// Inverse of each atom that has one, as an atom.
     inverses: FxHashMap<Atom, Atom>,
 }
 
 impl Network {
-    /// Builds the network of steps and values.
+    /// Builds the network of the given steps and values.
     pub fn new(arena: &Arena, steps: &[Definition], values: &[Expr]) -> Self {
         let mut network = Self::default();
         for step in steps {
@@ -86,13 +94,13 @@ impl Network {
         network
     }
 
-    /// Adds an atom with this value and returns its number.
+    /// Adds an atom with the given value and returns its number.
     pub fn push(&mut self, value: Value) -> Atom {
         self.atoms.push(Member { value, symbol: None });
         Atom::try_from(self.atoms.len() - 1).expect("fewer atoms than terms fit in memory")
     }
 
-    /// Remaining terms of a sum with their places.
+    /// Remaining terms of a sum, each with its position; none if the atom is not a sum.
     pub fn terms(&self, sum: Atom) -> impl Iterator<Item = (usize, &Term)> {
         let list: &[Option<Term>] = match &self.atoms[sum as usize].value {
             Value::Sum(terms) => terms,
@@ -101,7 +109,7 @@ impl Network {
         list.iter().enumerate().filter_map(|(at, term)| Some((at, term.as_ref()?)))
     }
 
-    /// A new sum atom that holds the terms of `e`.
+    /// Adds an atom for the sum of the terms of `e`, and atoms for the sums inside its products.
     fn sum(&mut self, arena: &Arena, e: Expr) -> Atom {
         // Operands have smaller handles, so inner sums are read before the terms that contain them.
         for part in arena.reachable(&[e]) {
@@ -119,6 +127,7 @@ impl Network {
         self.push(Value::Sum(terms))
     }
 
+    /// Splits a term of the arena into the terms of a sum.
     fn read(&mut self, arena: &Arena, e: Expr) -> Vec<Option<Term>> {
         match arena.node(e) {
             Node::Number(k) if k.is_zero() => Vec::new(),
@@ -132,6 +141,8 @@ impl Network {
         }
     }
 
+    /// Reads a product of the arena as factors with positive exponents; divisors become inverse
+    /// atoms.
     fn monomial(&mut self, arena: &Arena, e: Expr) -> Factors {
         let whole = [(e, 1)];
         let factors: &[(Expr, i32)] = match arena.node(e) {
@@ -150,6 +161,7 @@ impl Network {
         list
     }
 
+    /// Atom of a term; a leaf is added if the term is new.
     fn atom(&mut self, arena: &Arena, e: Expr) -> Atom {
         if let Some(known) = self.known.get(&e) {
             return *known;
@@ -163,6 +175,7 @@ impl Network {
         at
     }
 
+    /// Atom of the inverse of an atom; added if it is new.
     fn inverse(&mut self, of: Atom) -> Atom {
         if let Some(known) = self.inverses.get(&of) {
             return *known;

@@ -1,27 +1,29 @@
-//! Conversion of a network back to terms of the arena, each step after the steps that it uses.
+//! Rebuilding of the arena's terms from a network of sums, each step after the steps that it uses.
 
 use super::network::{Atom, Network, Term, Value, is_unit};
 use crate::algebra::term::steps::Definition;
 use crate::algebra::{Arena, Expr, PowerError, Rational};
 use rustc_hash::FxHashSet;
 
-/// Steps and values after sharing.
+/// Steps and values of a function after common parts were shared.
 #[derive(Clone, Debug)]
 pub struct Shared {
-    /// Given steps and new steps, each after the steps that it uses.
+    /// Steps that were given and steps for shared parts, each after the steps that it uses.
     pub steps: Vec<Definition>,
-    /// Given values, rewritten in the symbols of the steps, in the given order.
+    /// Values that were given, in their order, rewritten in the symbols of the steps.
     pub values: Vec<Expr>,
 }
 
-/// True if a symbol was introduced by [`super::share`].
+/// True if the symbol stands for a shared part that [`super::share`] introduced: its name begins
+/// with `#`.
 #[must_use]
 pub fn is_shared_symbol(arena: &Arena, symbol: Expr) -> bool {
     arena.symbol_name(symbol).is_some_and(|name| name.starts_with('#'))
 }
 
-/// Converts a network to steps and values. A sum or inverse that is used more than once, or that cannot stand inside
-/// another term, gets a symbol of its own. `None` if a term has an exponent that the arena cannot hold.
+/// Rebuilds steps and values from a network. A sum or inverse that is used more than once, or that
+/// cannot be inside another term, gets a symbol of its own. `None` if an exponent is too large for
+/// the arena.
 pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Option<Shared> {
     let mut builder = Builder {
         arena,
@@ -32,7 +34,7 @@ pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Option<Shared> {
         too_large: false,
         steps: Vec::new(),
     };
-    // A step that sharing introduced is computed only if another term uses it.
+    // A step for a shared part is computed only if another term uses it.
     for step in &network.steps {
         let symbol = network.atoms[*step as usize].symbol;
         if symbol.is_none_or(|symbol| !is_shared_symbol(builder.arena, symbol)) {
@@ -43,7 +45,8 @@ pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Option<Shared> {
     (!builder.too_large).then_some(Shared { steps: builder.steps, values })
 }
 
-/// Number of uses of each atom, in other atoms and as an output. A power counts as many times as its exponent.
+/// Number of uses of each atom (a leaf, inverse or sum of the network), in other atoms and as an
+/// output. A power counts as often as its exponent.
 fn uses(network: &Network) -> Vec<usize> {
     let mut uses = vec![0; network.atoms.len()];
     let mut seen = FxHashSet::default();
@@ -63,6 +66,7 @@ fn uses(network: &Network) -> Vec<usize> {
     uses
 }
 
+/// Atoms that the value of an atom is computed from, each with its number of uses there.
 fn operands(network: &Network, atom: Atom) -> Vec<(Atom, usize)> {
     match &network.atoms[atom as usize].value {
         Value::Leaf(_) => network.inside.get(&atom).into_iter().flatten().map(|step| (*step, 1)).collect(),
@@ -73,31 +77,37 @@ fn operands(network: &Network, atom: Atom) -> Vec<(Atom, usize)> {
     }
 }
 
+/// State of rebuilding terms from a network.
 struct Builder<'a> {
+    /// Arena in which the terms are built.
     arena: &'a mut Arena,
+    /// Network from which the terms are rebuilt.
     network: &'a Network,
+    /// Number of uses of each atom of the network, by number.
     uses: Vec<usize>,
-    /// Term that replaces each atom in others; `None` until it is built.
+    /// Term that stands for each atom (a leaf, inverse or sum of the network) in other terms;
+    /// `None` until it is built.
     built: Vec<Option<Expr>>,
-    /// Number of new symbols so far.
+    /// Number of new symbols for shared parts so far.
     named: usize,
-    /// True if an exponent was larger than the arena allows.
+    /// True if an exponent was too large for the arena.
     too_large: bool,
+    /// Steps built so far, each after the steps that it uses.
     steps: Vec<Definition>,
 }
 
-/// Place of a term in the sum that is rebuilt.
+/// Position of a term in the sum that is rebuilt.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Place {
-    /// The sum has this term only.
+    /// The term is the only term of its sum.
     Alone,
-    /// The sum has further terms.
+    /// The term is one of several terms of its sum.
     AmongTerms,
 }
 
 impl Builder<'_> {
-    /// Returns the term that stands for an atom, and defines all steps that it uses first. It is not recursive, since
-    /// chains of steps are long.
+    /// Builds an atom after all atoms that it uses, and returns the term that stands for it. The
+    /// method is not recursive, since chains of steps are long.
     fn define(&mut self, atom: Atom) -> Expr {
         let mut stack = vec![(atom, false)];
         while let Some((atom, ready)) = stack.pop() {
@@ -116,6 +126,8 @@ impl Builder<'_> {
         self.built[atom as usize].unwrap_or(Expr::ZERO)
     }
 
+    /// Builds the value of an atom from its operands, which must be built already. Adds a step if
+    /// the atom needs a symbol.
     fn build(&mut self, atom: Atom) {
         let member = &self.network.atoms[atom as usize];
         let value = match &member.value {
@@ -140,10 +152,12 @@ impl Builder<'_> {
         self.built[atom as usize] = Some(stands);
     }
 
+    /// True if the term is a symbol or a number, which needs no symbol of its own.
     fn is_plain(&self, e: Expr) -> bool {
         self.arena.symbol_name(e).is_some() || self.arena.as_number(e).is_some()
     }
 
+    /// Creates a new symbol for a shared value, and adds the step that defines it.
     fn fresh(&mut self, value: Expr) -> Expr {
         self.named += 1;
         let symbol = self.arena.symbol(&format!("#{}", self.named));
@@ -151,6 +165,7 @@ impl Builder<'_> {
         symbol
     }
 
+    /// Builds the sum of an atom's terms.
     fn sum(&mut self, atom: Atom) -> Expr {
         let network = self.network;
         let place = if network.terms(atom).count() > 1 { Place::AmongTerms } else { Place::Alone };
@@ -162,8 +177,8 @@ impl Builder<'_> {
         self.arena.linear_combination(&terms)
     }
 
-    /// Product of the factors of a term. A single factor that is a sum, and would merge into the surrounding sum, gets
-    /// a symbol.
+    /// Product of the factors of a term. A single factor that is a sum gets a symbol where it would
+    /// otherwise merge into the surrounding sum.
     fn product(&mut self, term: &Term, place: Place) -> Expr {
         if let [(only, 1)] = term.factors.as_slice()
             && (place == Place::AmongTerms || !is_unit(&term.k))
@@ -186,6 +201,7 @@ impl Builder<'_> {
         self.or_too_large(product)
     }
 
+    /// Returns the power, or 0 with a note in `too_large` if it could not be built.
     fn or_too_large(&mut self, power: Result<Expr, PowerError>) -> Expr {
         self.too_large |= power.is_err();
         power.unwrap_or(Expr::ZERO)

@@ -1,4 +1,4 @@
-//! Test that steps and values after sharing are the same functions as before.
+//! Test that shared steps and values are the same functions of the inputs as before sharing.
 
 use super::Shared;
 use crate::algebra::term::calculus::Substitution;
@@ -6,12 +6,12 @@ use crate::algebra::term::steps::{Definition, put_in};
 use crate::algebra::value::points::Drawn;
 use crate::algebra::{Arena, Expr};
 
-/// True if every value, and every step that keeps its symbol, is the same function of the inputs before and after
-/// sharing.
+/// True if every value, and every step that keeps its symbol, is the same function of the inputs
+/// before and after sharing.
 ///
-/// The terms before and after are evaluated at a random point modulo a random prime. A difference is overlooked with a
-/// probability below the degree of the terms divided by 2^60. The result is also false if no point was found at which
-/// all terms have a value.
+/// The terms before and after are evaluated at a random point modulo a random prime. A difference
+/// is overlooked with a probability below the degree of the terms divided by 2^60. False also if no
+/// point was found at which all terms have a value.
 #[must_use]
 pub fn is_same(arena: &mut Arena, steps: &[Definition], values: &[Expr], shared: &Shared) -> bool {
     let symbols: Vec<Expr> = shared.steps.iter().map(|step| step.symbol).collect();

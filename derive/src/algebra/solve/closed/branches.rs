@@ -1,4 +1,5 @@
-//! Search for solutions: it splits products, solves rows for unknowns, and puts the solutions into the other rows.
+//! Search for branches of solutions: it splits products, solves equations for unknowns, and inserts
+//! the solutions into the other equations. Equations are called rows here.
 
 use super::factors::Factors;
 use super::relation::{Isolated, Kind, Need, Relation};
@@ -7,44 +8,58 @@ use super::{MOST_BRANCHES, MOST_STEPS, Solutions};
 use crate::algebra::form::ring::Poly;
 use crate::algebra::{Expr, Function, Node, Rational};
 
-/// Partly solved system of a search.
+/// Partly solved system of equations in a search.
 #[derive(Clone, Default)]
 pub(super) struct Case {
+    /// Equations of the case that remain to be solved: terms that must vanish.
     rows: Vec<Expr>,
+    /// Relations found so far in the case, which give unknowns.
     pub(super) relations: Vec<Relation>,
+    /// Conditions under which the solutions of the case are real.
     pub(super) needs: Vec<Need>,
+    /// Terms by which the solutions of the case divide.
     pub(super) divided: Vec<Expr>,
-    /// Factors that are not 0 in this case, since they were split off or divided by.
+    /// Factors that are not 0 in this case, because they were split off or divided by.
     excluded: Vec<Expr>,
 }
 
-/// Row of a case, without factors that cannot be 0.
+/// Equation of a case: a term that must vanish, without factors that cannot be 0.
 pub(super) struct Row {
+    /// Whole term of the equation, which must vanish.
     pub(super) whole: Expr,
-    /// Factors of the row that contain unknowns; empty if the row could not be factored.
+    /// Factors of the term that contain unknowns; empty if the term could not be factored.
     factors: Vec<Expr>,
 }
 
-/// A row of the system and the way it is solved for an unknown.
+/// Choice of an equation and of the way in which it is solved for an unknown.
 struct Choice {
+    /// Index of the chosen equation among the equations of the case.
     row: usize,
+    /// Solutions of the chosen equation for the unknown.
     isolated: Isolated,
-    /// Factors of the divisor that contain unknowns and may be 0.
+    /// Factors of the solutions' divisor that contain unknowns and may be 0.
     open: Vec<Expr>,
 }
 
-/// Order of preference among ways to solve a row; the least is best. In turn: false if the caller prefers the unknown;
-/// true if the divisor may be 0; degree of the roots; position of the unknown; size of the row.
+/// Rank of a way to solve an equation; the least is best. The first entry is false if the caller
+/// prefers the unknown, the second is true if the divisor may be 0. Then follow the degree of the
+/// roots, the position of the unknown, and the size of the equation.
 type Rank = (bool, bool, u8, usize, usize);
 
+/// Search for all solutions of a system of equations.
 pub struct Search<'w, 'a> {
+    /// Workspace: arena, algebraic tools and unknowns.
     pub(super) work: &'w mut Work<'a>,
+    /// Equations of the system: numerators, which must vanish.
     pub(super) rows: Vec<Expr>,
+    /// Divisors of the equations that contain unknowns, and are not 0.
     divisors: Vec<Expr>,
+    /// Branches of solutions that the search has found so far.
     pub(super) found: Solutions,
 }
 
 impl<'w, 'a> Search<'w, 'a> {
+    /// Prepares the search: takes the numerators of the equations, and the factors of all divisors.
     pub fn new(work: &'w mut Work<'a>, equations: &[Expr], divisors: &[Expr]) -> Self {
         let (mut rows, mut below, mut found) = (Vec::new(), divisors.to_vec(), Solutions::default());
         for equation in equations {
@@ -63,7 +78,7 @@ impl<'w, 'a> Search<'w, 'a> {
         search
     }
 
-    /// Runs the search and returns all branches that it finds.
+    /// Runs the search and returns all branches of solutions that it finds.
     pub fn run(mut self) -> Solutions {
         self.reduce();
         self.found.equations = self.rows.clone().into_iter().map(|row| self.shown(row)).collect();
@@ -88,7 +103,7 @@ impl<'w, 'a> Search<'w, 'a> {
         self.found
     }
 
-    /// Subtracts multiples of rows from other rows if that leaves fewer terms.
+    /// Subtracts multiples of equations from other equations where fewer terms remain.
     fn reduce(&mut self) {
         let mut forms: Vec<Option<Poly>> =
             self.rows.clone().into_iter().map(|row| self.work.fraction(row).map(|f| f.0)).collect();
@@ -114,7 +129,8 @@ impl<'w, 'a> Search<'w, 'a> {
         self.rows.retain(|row| *row != Expr::ZERO);
     }
 
-    /// Difference a − k b with fewer terms than a, for a number k; `None` if there is none.
+    /// Difference a − k b with fewer terms than a, for a number k; `None` if no k gives fewer
+    /// terms.
     fn less(&mut self, a: &Poly, b: &Poly) -> Option<Poly> {
         for (powers, k) in &b.terms {
             let Some((_, c)) = a.terms.iter().find(|(other, _)| other == powers) else { continue };
@@ -127,7 +143,7 @@ impl<'w, 'a> Search<'w, 'a> {
         None
     }
 
-    /// Row as a product of factors, each in short form, for the reader.
+    /// Writes an equation as a product of factors in short form, for the reader.
     pub(super) fn shown(&mut self, row: Expr) -> Expr {
         let Some(factors) = self.work.factors(row) else { return row };
         let mut list = Vec::new();
@@ -139,7 +155,8 @@ impl<'w, 'a> Search<'w, 'a> {
         self.work.arena.try_product(&list).unwrap_or(row)
     }
 
-    /// Factors of the given terms that contain an unknown, each factor once.
+    /// Factors of the given terms that contain an unknown, each once. A term that cannot be
+    /// factored counts as a factor.
     fn open_factors(&mut self, terms: &[Expr]) -> Vec<Expr> {
         let mut list = Vec::new();
         for term in terms {
@@ -154,7 +171,9 @@ impl<'w, 'a> Search<'w, 'a> {
         list
     }
 
-    /// Cases that follow from one step of a case; empty if it has no solution or was added to the solutions found.
+    /// Performs one step of a case, a partly solved system: solves an equation, splits a product,
+    /// or removes a square root. Returns the cases that follow. Empty if the case has no solution,
+    /// or cannot be solved further and was checked.
     fn step(&mut self, mut case: Case) -> Vec<Case> {
         let Some(rows) = self.rows_of(&mut case) else { return Vec::new() };
         let choice = self.choice(&case, &rows);
@@ -186,8 +205,8 @@ impl<'w, 'a> Search<'w, 'a> {
         }
     }
 
-    /// Rows of a case in factors, without rows that vanish and without factors that cannot be 0. `None` if a row cannot
-    /// vanish or an excluded factor is 0.
+    /// Splits the equations of a case into factors. Equations that hold, and factors that cannot be
+    /// 0, are left out. `None` if an equation cannot hold or an excluded factor is 0.
     fn rows_of(&mut self, case: &mut Case) -> Option<Vec<Row>> {
         let mut excluded = Vec::new();
         for e in &case.excluded {
@@ -231,8 +250,9 @@ impl<'w, 'a> Search<'w, 'a> {
         Some(rows)
     }
 
-    /// Rows of a case with a square root removed from one of them; `None` if no row has such a root. Solutions that
-    /// this adds are found when they are put into the given equations.
+    /// Removes a square root from one of the equations; `None` if no equation has a square root
+    /// with unknowns. Extra solutions of the new equation are rejected later, when they are
+    /// inserted into the given equations.
     fn without_root(&mut self, rows: &[Row]) -> Option<Vec<Expr>> {
         let (at, norm) = rows.iter().enumerate().find_map(|(at, row)| {
             let [factor] = row.factors.as_slice() else { return None };
@@ -241,7 +261,8 @@ impl<'w, 'a> Search<'w, 'a> {
         Some(rows.iter().enumerate().map(|(k, row)| if k == at { norm } else { row.whole }).collect())
     }
 
-    /// Factor of a product that most rows contain; among equals the shortest. `None` if no row is a product.
+    /// Factor of a product that most equations contain; among equals the shortest. `None` if no
+    /// equation is a product.
     fn most_shared(&mut self, rows: &[Row]) -> Option<Expr> {
         let products = rows.iter().filter(|row| row.factors.len() > 1);
         let factors: Vec<Expr> = products.flat_map(|row| row.factors.iter().copied()).collect();
@@ -250,7 +271,8 @@ impl<'w, 'a> Search<'w, 'a> {
         factors.into_iter().min_by_key(|e| (std::cmp::Reverse(count(e)), size(e), *e))
     }
 
-    /// Best way to solve a row that is no product for an unknown; `None` if there is none.
+    /// Best way to solve an equation with a single factor for an unknown; `None` if no equation can
+    /// be solved.
     fn choice(&mut self, case: &Case, rows: &[Row]) -> Option<Choice> {
         let mut best: Option<(Rank, Choice)> = None;
         for (at, row) in rows.iter().enumerate() {
@@ -268,13 +290,14 @@ impl<'w, 'a> Search<'w, 'a> {
                 let open: Vec<Expr> =
                     self.open_factors(&divisor).into_iter().filter(|e| !case.excluded.contains(e)).collect();
                 let open: Vec<Expr> = open.into_iter().filter(|e| !self.work.sign(*e).is_strict()).collect();
-                // A value must not depend on an unknown of which a relation already gives the square, sine, cosine or
-                // tangent.
+                // A value must not depend on an unknown whose square, sine, cosine or tangent is
+                // already given by a relation.
                 let is_told = |e: Expr| case.relations.iter().any(|r| self.work.arena.mentions(e, r.unknown));
                 if isolated.solutions.iter().flat_map(|s| &s.relations).any(|r| is_told(r.value)) {
                     continue;
                 }
-                // A row whose factors are all factors of the divisor would make the divisor 0.
+                // An equation whose factors are all factors of the divisor would make the divisor
+                // 0.
                 let is_zero = |r: &Row| !r.factors.is_empty() && r.factors.iter().all(|e| open.contains(e));
                 if rows.iter().any(is_zero) {
                     continue;
@@ -290,8 +313,8 @@ impl<'w, 'a> Search<'w, 'a> {
         best.map(|(_, choice)| choice)
     }
 
-    /// True if relations give a sine or a cosine in terms of sines or cosines of other unknowns. Such a relation, put
-    /// into other rows, does not help to solve them.
+    /// True if a relation gives a sine or cosine in terms of sines or cosines of other unknowns.
+    /// Inserting it into other equations does not help to solve them.
     fn leaves_open(&mut self, relations: &[Relation]) -> bool {
         let keeps_tangents = self.work.keeps_tangents;
         let is_circular = |relation: &&Relation| match relation.kind {
@@ -306,7 +329,8 @@ impl<'w, 'a> Search<'w, 'a> {
         })
     }
 
-    /// Cases that follow from solving a row: one for each solution, and one in which the divisor is 0.
+    /// Cases (partly solved systems) that follow from solving an equation: one for each solution,
+    /// and one in which the divisor is 0.
     fn solved(&mut self, case: &Case, rows: &[Row], choice: Choice) -> Vec<Case> {
         let mut list = Vec::new();
         for solution in choice.isolated.solutions {
@@ -338,7 +362,7 @@ impl<'w, 'a> Search<'w, 'a> {
     }
 }
 
-/// True if a term is a sine or a cosine.
+/// True if the term is a sine or a cosine.
 fn is_function(work: &Work, e: Expr) -> bool {
     matches!(work.arena.node(e), Node::Apply(Function::Sin | Function::Cos, _))
 }

@@ -1,4 +1,5 @@
-//! Ends of a search: the solutions found are put into the given equations.
+//! Ends of the search for closed forms: the solutions found are inserted into the given equations
+//! and checked.
 
 use super::branches::{Case, Row, Search};
 use super::relation::{Branch, Kind, Need, Relation};
@@ -6,7 +7,9 @@ use super::work::Work;
 use crate::algebra::Expr;
 
 impl Search<'_, '_> {
-    /// Puts a case that cannot be solved further into the given equations, and adds its branch to the solutions.
+    /// Checks a case (a partly solved system) that cannot be solved further: inserts it into the
+    /// given equations, and adds its branch to the solutions. `rows` are equations that stay
+    /// unsolved.
     pub(super) fn leaf(&mut self, case: &Case, rows: &[Row]) {
         if self.work.normalizer.ring().budget == 0 {
             self.found.is_cut = true;
@@ -37,8 +40,8 @@ impl Search<'_, '_> {
         }
     }
 
-    /// Sign condition under which a term with √p² vanishes: the root is p or −p, which then must not be negative.
-    /// `None` if the term vanishes with neither.
+    /// Condition under which a term with a root √p² vanishes. The root is p or −p, whichever makes
+    /// the term vanish, and that must not be negative. `None` if the term vanishes with neither.
     fn by_sign(&mut self, value: Expr) -> Option<Need> {
         let (p, [plus, minus]) = self.work.split_root(value)?;
         let mut vanishes = |e: Expr| self.work.comparer.is_zero(self.work.arena, e).is_equal();
@@ -46,7 +49,8 @@ impl Search<'_, '_> {
         if plus { Some(Need::NotNegative(p)) } else { minus.then(|| Need::NotNegative(self.work.arena.neg(p))) }
     }
 
-    /// True if the numerator of a term is a multiple of the numerator of a term in `left`, which must vanish.
+    /// True if the numerator of the term `value` is a multiple of the numerator of a term in
+    /// `left`, which must vanish.
     fn follows(&mut self, value: Expr, left: &[Expr]) -> bool {
         let Some((value, _)) = self.work.fraction(value) else { return false };
         left.iter().any(|e| {
@@ -55,14 +59,16 @@ impl Search<'_, '_> {
         })
     }
 
-    /// The branch that a case shows to the reader. Each value is free of the unknowns that were solved for after it,
-    /// and needs that always hold are left out. `None` if a need cannot hold, a divisor is 0, or the budget ends.
+    /// Converts a case (a partly solved system) to a branch for the reader. Each value is free of
+    /// the unknowns that were solved for after it, and conditions that always hold are left out.
+    /// `None` if a condition cannot hold, a divisor is 0, or the budget of multiplications is used
+    /// up.
     fn told(&mut self, case: &Case, left: &[Expr]) -> Option<Branch> {
         let mut branch = Branch::default();
         for (at, relation) in case.relations.iter().enumerate() {
             let value = self.work.put_all(&case.relations[at + 1..], relation.value)?;
             let value = self.work.neat(value);
-            // tan is 0 where sin is.
+            // The tangent is 0 where the sine is 0.
             let kind = if (relation.kind, value) == (Kind::Tangent, Expr::ZERO) { Kind::Sine } else { relation.kind };
             branch.solved.push(Relation { kind, value, ..*relation });
         }
@@ -90,7 +96,7 @@ impl Search<'_, '_> {
         Some(branch)
     }
 
-    /// Removes branches that are special cases of other branches.
+    /// Removes branches of solutions that are special cases of other branches.
     pub(super) fn without_special_cases(&mut self) {
         let all = std::mem::take(&mut self.found.branches);
         let mut kept = vec![true; all.len()];
@@ -101,8 +107,9 @@ impl Search<'_, '_> {
         self.found.branches = kept.collect();
     }
 
-    /// True if one branch is proved to be a special case of another, `wider`: all relations of `wider` hold with the
-    /// solutions of `branch` put in, its needs are met, and its divisors are nowhere 0.
+    /// True if `branch` is proved to be a special case of the branch `wider`. With the solutions of
+    /// `branch` inserted, all relations of `wider` hold, its conditions are met, and its divisors
+    /// are never 0.
     fn is_within(&mut self, branch: &Branch, wider: &Branch) -> bool {
         if wider.solved.len() >= branch.solved.len() {
             return false;

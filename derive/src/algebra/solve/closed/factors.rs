@@ -5,33 +5,35 @@ use crate::algebra::form::ring::{GENERATORS, Poly, Powers, Ring};
 use crate::algebra::meaning::signs::Sign;
 use crate::algebra::{Expr, Function, Node, Rational};
 
-/// Largest number of terms of a numerator that is shown in factors.
+/// Largest number of terms of a numerator that is written in factors.
 const NEAT: usize = 60;
 
-/// Largest number of terms of a polynomial in which factors other than single generators are looked for.
+/// Largest number of terms of a polynomial that is searched for factors other than single
+/// generators.
 const MOST_FACTORED: usize = 80;
 
-/// A numerator in factors.
+/// Numerator of a term, split into factors.
 #[derive(Clone, Debug, Default)]
 pub struct Factors {
-    /// The number, and the factors without unknowns, each with its exponent.
+    /// Numerical factor, and factors without unknowns, as pairs (factor, exponent).
     pub known: Vec<(Expr, i32)>,
-    /// Factors that contain an unknown, each with its exponent.
+    /// Factors that contain an unknown, as pairs (factor, exponent).
     pub unknown: Vec<(Expr, i32)>,
 }
 
-/// Result of splitting a polynomial.
+/// Result of splitting a polynomial into two factors.
 enum Split {
-    /// The polynomial is the product of these two.
+    /// The polynomial is the product of the two polynomials, up to a number.
     Product([Poly; 2]),
-    /// No factor of the polynomial was found.
+    /// No factor of the polynomial was found: it is kept as a whole.
     Whole,
-    /// The budget ended before a factor was found.
+    /// The budget of multiplications ended before a factor was found.
     Stopped,
 }
 
 impl Work<'_> {
-    /// Numerator of a term in factors; `None` beyond the budget, no factors for 0.
+    /// Splits the numerator of a term into factors. There are none for 0; `None` if the budget of
+    /// multiplications is used up.
     pub fn factors(&mut self, e: Expr) -> Option<Factors> {
         let (above, _) = self.fraction(e)?;
         if above.is_zero() {
@@ -61,7 +63,8 @@ impl Work<'_> {
         Some(factors)
     }
 
-    /// Splits a primitive polynomial into a product of two, if one is found.
+    /// Splits a primitive polynomial into a product of two polynomials, if trial division finds a
+    /// factor.
     fn split(&mut self, p: &Poly) -> Split {
         let ring = self.normalizer.ring();
         let common = p.common_powers();
@@ -94,8 +97,9 @@ impl Work<'_> {
         if self.normalizer.ring().budget > 0 { Split::Whole } else { Split::Stopped }
     }
 
-    /// Polynomials that may divide `p`: sines, 1 ± cosine of its angles, and candidates for the common factor of its
-    /// coefficients by one generator. That factor is taken from the shortest of the coefficients, which it divides.
+    /// Candidates for polynomials that divide `p`: sines, 1 ± cosine of its angles, and a common
+    /// factor of its coefficients by one generator. The last is taken from the shortest of these
+    /// coefficients, which it must divide.
     fn candidates(&mut self, p: &Poly) -> Vec<Poly> {
         let used: Vec<usize> = (0..self.normalizer.ring().size())
             .filter(|at| p.terms.iter().any(|(powers, _)| powers.of(*at) > 0))
@@ -121,7 +125,7 @@ impl Work<'_> {
             let shortest = coefficients.values().min_by_key(|c| c.terms.len()).filter(|_| coefficients.len() > 1);
             let Some(shortest) = shortest else { continue };
             let mut part = shortest.split_content().1;
-            // Without generators that divide this coefficient alone.
+            // Generators that divide only this coefficient are removed.
             let common = part.common_powers();
             for other in 0..self.normalizer.ring().size() {
                 for _ in 0..common.of(other) {
@@ -138,8 +142,8 @@ impl Work<'_> {
         list
     }
 
-    /// Writes a term as a fraction with numerator and denominator in factors, each in short form. If that is too large,
-    /// only the simplifier is applied.
+    /// Writes a term as a fraction with numerator and denominator in factors, each in short form. A
+    /// term that is too large is only simplified.
     pub fn neat(&mut self, e: Expr) -> Expr {
         let short = self.short(e);
         let Some((above, below)) = self.fraction(e).filter(|(above, _)| above.terms.len() <= NEAT) else {
@@ -156,7 +160,7 @@ impl Work<'_> {
         if list.is_empty() { Expr::ZERO } else { self.arena.try_product(&list).unwrap_or(short) }
     }
 
-    /// A term with the sign of `e`, without positive factors and without even powers.
+    /// Term with the sign of the term `e`, but without positive factors and even powers.
     pub fn sign_part(&mut self, e: Expr) -> Expr {
         let Some((above, below)) = self.fraction(e) else { return e };
         let above = self.term(&above);

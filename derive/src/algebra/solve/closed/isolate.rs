@@ -1,4 +1,4 @@
-//! Solution of one factor of an equation for one unknown.
+//! Isolation of an unknown: solution of one factor of an equation for one unknown.
 
 use super::relation::{Isolated, Kind, Need, Relation, Solution};
 use super::work::{Role, Work};
@@ -6,17 +6,21 @@ use crate::algebra::form::ring::Poly;
 use crate::algebra::meaning::signs::Sign;
 use crate::algebra::{Expr, Function, Rational};
 
-/// Roots y of a y² + b y + d = 0, or of b y + d = 0 if a is 0. `divisor` is the coefficient that they divide by; `root`
-/// is the term under their square root, which must not be negative.
+/// Roots y of a y² + b y + d = 0, or of b y + d = 0 if a is 0.
 struct Roots {
+    /// Values of the roots of the equation, one or two.
     values: Vec<Expr>,
+    /// Coefficient of the equation by which the roots divide.
     divisor: Expr,
+    /// Term under the square root, which must not be negative; `None` for a linear equation.
     root: Option<Expr>,
+    /// Complexity of the roots: 0 for a linear equation, 1 with a square root.
     degree: u8,
 }
 
 impl Work<'_> {
-    /// Solves a polynomial factor of an equation for an unknown; `None` if it is of no kind that can be solved.
+    /// Solves the equation factor = 0 for the unknown `x`; `None` if the factor has none of the
+    /// forms that can be solved.
     pub fn isolated(&mut self, factor: Expr, x: Expr) -> Option<Isolated> {
         let (p, _) = self.fraction(factor)?;
         if let Some(found) = self.by_waves(&p, x) {
@@ -40,8 +44,9 @@ impl Work<'_> {
         }
     }
 
-    /// Coefficients of a polynomial in a generator, that of power 0 first, and the step between powers. The step is 2
-    /// if only even powers occur, else 1. `None` if the degree is above 2 steps.
+    /// Coefficients of a polynomial in the generator with the number `at`, the constant first, and
+    /// the step between powers. The step is 2 if only even powers occur, else 1. `None` if the
+    /// degree exceeds two steps.
     fn powers(&mut self, p: &Poly, at: usize) -> Option<(Vec<Expr>, usize)> {
         let list = Self::coefficients(p, &[at]);
         let powers: Vec<usize> = list.keys().map(|powers| usize::from(powers.of(at))).collect();
@@ -57,8 +62,8 @@ impl Work<'_> {
         Some((coefficients, step))
     }
 
-    /// Roots of a polynomial of degree 2 at most, from its coefficients, the constant first; `None` if it has no
-    /// divisor.
+    /// Roots of a polynomial of degree 2 at most, from its coefficients, the constant first. `None`
+    /// if it does not depend on the variable.
     fn roots(&mut self, coefficients: &[Expr]) -> Option<Roots> {
         let [d, b, a] = *coefficients else { return None };
         if a == Expr::ZERO {
@@ -89,6 +94,8 @@ impl Work<'_> {
         Some(Roots { values, divisor: a, root: Some(under), degree: 1 })
     }
 
+    /// Solves a polynomial in the unknown itself, or in its square, for the unknown. `None` if the
+    /// degree is too high.
     fn plain(&mut self, p: &Poly, at: usize, x: Expr) -> Option<Isolated> {
         let (coefficients, step) = self.powers(p, at)?;
         // For a x² + d the relation gives the square, not two roots.
@@ -111,7 +118,8 @@ impl Work<'_> {
         Some(Isolated { solutions: solutions.collect(), divisor: Some(divisor), degree })
     }
 
-    /// Solves a polynomial in the sine alone, or in the cosine alone, for the angle.
+    /// Solves a polynomial in the sine alone, or in the cosine alone, for the angle. `None` if the
+    /// degree exceeds 2.
     fn circular(&mut self, p: &Poly, at: usize, x: Expr, angle: Expr, kind: Kind) -> Option<Isolated> {
         let list = Self::coefficients(p, &[at]);
         let mut coefficients = vec![Expr::ZERO; 3];
@@ -121,9 +129,11 @@ impl Work<'_> {
         self.of_function(&coefficients, x, angle, kind)
     }
 
+    /// Solves a polynomial in a sine or cosine, given by its coefficients, the constant first.
+    /// Values −1, 0 and 1 give angles directly.
     fn of_function(&mut self, coefficients: &[Expr], x: Expr, angle: Expr, kind: Kind) -> Option<Isolated> {
         let Roots { values, mut divisor, root, degree } = self.roots(coefficients)?;
-        // angle = k x.
+        // The angle is k x, with k = factor.
         let factor = self.arena.div(angle, x)?;
         let mut solutions = Vec::new();
         for value in values {
@@ -147,7 +157,8 @@ impl Work<'_> {
         Some(Isolated { solutions, divisor: Some(divisor), degree })
     }
 
-    /// Angles, in units of π/2, where a sine or a cosine is −1, 0 or 1; `None` for other values.
+    /// Angles, in units of π/2, at which a sine or cosine has the value −1, 0 or 1; `None` for
+    /// other values.
     fn quarter_turns(kind: Kind, value: Expr) -> Option<&'static [i64]> {
         match (kind, value) {
             (Kind::Sine, Expr::ZERO) => Some(&[0, 2]),
@@ -160,7 +171,8 @@ impl Work<'_> {
         }
     }
 
-    /// Solves b sin + a cos + d = 0, or b sin + A₂ cos² + A₀ = 0, for the angle of both functions.
+    /// Solves b sin + a cos + d = 0, or b sin + A₂ cos² + A₀ = 0, for the angle. `None` for other
+    /// polynomials.
     fn both(&mut self, p: &Poly, [sine, cosine]: [usize; 2], x: Expr, angle: Expr) -> Option<Isolated> {
         let [mut a, mut b, mut d, mut square] = [Expr::ZERO; 4];
         for (powers, c) in Self::coefficients(p, &[sine, cosine]) {
@@ -204,13 +216,14 @@ impl Work<'_> {
         Some(Isolated { solutions, divisor: Some(length), degree: 2 })
     }
 
-    /// Removes needs that always hold from a solution; `None` if one can never hold.
+    /// Removes conditions that always hold from a solution; `None` if a condition can never hold.
     fn possible(&mut self, solution: Solution) -> Option<Solution> {
         let needs = self.needed(&solution.needs)?;
         Some(Solution { needs, ..solution })
     }
 
-    /// Needs that do not always hold; `None` if one can never hold.
+    /// Filters conditions: returns those that do not always hold. `None` if a condition can never
+    /// hold.
     pub fn needed(&mut self, needs: &[Need]) -> Option<Vec<Need>> {
         let mut list: Vec<Need> = Vec::new();
         for need in needs {

@@ -1,13 +1,15 @@
-//! Solutions of systems of equations in closed form, by factors and one unknown at a time, where exact algebra finds
-//! them.
+//! Solutions of systems of equations in closed form, found by exact algebra: by factors, for one
+//! unknown at a time.
 //!
-//! An unknown is solved for where a factor of an equation is linear in it, linear or quadratic in its square, linear or
-//! quadratic in its cosine or its sine alone, or linear in both. Angles are also solved for where two sines or cosines
-//! cancel. Each solution is put into the given equations. Terms that exact algebra does not reduce to 0 there are shown
-//! as conditions: only proved results are claimed, and nothing is hidden.
+//! A factor of an equation can be solved for an unknown if it is linear in the unknown, or linear
+//! or quadratic in its square. It can also be linear or quadratic in its cosine or its sine alone,
+//! or linear in both. Angles are also solved for where two sines or cosines cancel.
+//! Each solution is inserted into the given equations. Terms that exact algebra does not reduce to
+//! 0 there are shown as conditions: only proved results are claimed, and nothing is hidden.
 //!
-//! The work is counted: [`MOST_STEPS`], [`MOST_BRANCHES`] and multiplications of terms. Absent on purpose: Gröbner
-//! bases and resultants, whose results nobody reads, and any knowledge of the meaning of the unknowns.
+//! The work is counted: [`MOST_STEPS`], [`MOST_BRANCHES`] and multiplications of terms. Absent on
+//! purpose: Gröbner bases and resultants, whose results nobody reads, and any knowledge of the
+//! meaning of the unknowns.
 
 mod branches;
 mod ends;
@@ -26,36 +28,38 @@ use crate::algebra::{Arena, Expr};
 use branches::Search;
 use work::Work;
 
-/// Largest number of steps of a search. A step splits a product or solves for an unknown.
+/// Largest number of steps of a search for solutions. A step splits a product or solves for an
+/// unknown.
 pub const MOST_STEPS: usize = 200;
-/// Largest number of branches that a search returns.
+/// Largest number of branches of solutions that a search returns.
 pub const MOST_BRANCHES: usize = 32;
-/// Largest number of multiplications of terms for one system.
+/// Largest number of multiplications of terms for solving one system.
 pub const BUDGET: u64 = 2 * Normalizer::BUDGET;
 
-/// Solutions of a system of equations, with its equations in factors.
+/// Solutions of a system of equations in closed form, with the equations as factored terms.
 #[derive(Clone, Debug, Default)]
 pub struct Solutions {
-    /// Terms that must vanish, in factors and without divisors.
+    /// Left-hand sides of the equations, which must vanish, in factors and without divisors.
     pub equations: Vec<Expr>,
-    /// Divisors of the given equations. The equations say nothing where one of these is 0.
+    /// Divisors of the given equations. Where a divisor is 0, the solutions claim nothing.
     pub divided_by: Vec<Expr>,
-    /// Number of equations that have no normal form within the budget; if it is not 0, nothing is solved.
+    /// Number of equations that have no normal form within the budget. If it is not 0, nothing is
+    /// solved.
     pub too_large: usize,
-    /// All solutions where no divisor of the equations is 0, as far as they were found.
+    /// Branches of solutions where no divisor of the equations is 0, as far as they were found.
     pub branches: Vec<Branch>,
     /// True if the search ended before it had found all branches.
     pub is_cut: bool,
 }
 
-/// Solves equations, each a term that must vanish, for unknowns. If several unknowns can be solved for, those that come
-/// first in the list are chosen. The first `asked` unknowns are preferred at any cost. The divisors are assumed not to
-/// be 0.
+/// Solves equations in closed form. Each equation is a term that must vanish. If several unknowns
+/// can be solved for, those that come first in the list are chosen. The first `asked` unknowns are
+/// preferred at any cost. The divisors are assumed not to be 0.
 pub fn solve(arena: &mut Arena, equations: &[Expr], unknowns: &[Expr], asked: usize, divisors: &[Expr]) -> Solutions {
     let mut work = Work::new(arena, unknowns, asked);
     work.normalizer.prepare(work.arena, &[equations, divisors].concat());
     let found = Search::new(&mut work, equations, divisors).run();
-    // A partial solution in functions of an unknown that stays open is harder to read than the equation.
+    // A partial solution in functions of an unsolved unknown is harder to read than the equation.
     if !found.is_cut && found.branches.iter().all(|branch| !branch.left.is_empty()) {
         work.keeps_tangents = false;
         return Search::new(&mut work, equations, divisors).run();
@@ -63,7 +67,8 @@ pub fn solve(arena: &mut Arena, equations: &[Expr], unknowns: &[Expr], asked: us
     found
 }
 
-/// Writes a term as a fraction with numerator and denominator in factors; in short form only, if that is too large.
+/// Writes a term as a fraction with numerator and denominator in factors. A term that is too large
+/// is only brought to short form.
 pub fn in_factors(arena: &mut Arena, e: Expr) -> Expr {
     Work::new(arena, &[], 0).neat(e)
 }

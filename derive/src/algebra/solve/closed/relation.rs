@@ -1,32 +1,35 @@
-//! Relations that give unknowns, their conditions, and the branches of solutions that they make up.
+//! Relations that give unknowns in closed form, their conditions, and the branches of solutions
+//! that they form.
 
 use crate::algebra::Expr;
 
-/// Function of an unknown that a relation gives: the unknown itself, its square, or a sine, cosine or tangent.
+/// Kind of relation: the unknown itself is given, its square, or the sine, cosine or tangent of an
+/// angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
-    /// The unknown itself.
+    /// The relation gives the unknown itself.
     Value,
-    /// Square of the unknown.
+    /// The relation gives the square of the unknown.
     Square,
-    /// Sine of an angle that is proportional to the unknown.
+    /// The relation gives the sine of an angle that is proportional to the unknown.
     Sine,
-    /// Cosine of an angle that is proportional to the unknown.
+    /// The relation gives the cosine of an angle that is proportional to the unknown.
     Cosine,
-    /// Tangent of an angle that is proportional to the unknown.
+    /// The relation gives the tangent of an angle that is proportional to the unknown.
     Tangent,
 }
 
-/// A relation for one unknown: its value, its square, or a sine, cosine or tangent of an angle proportional to it.
+/// Relation function(unknown) = value. The function is the identity, the square, or the sine,
+/// cosine or tangent of an angle proportional to the unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Relation {
-    /// Unknown that the relation gives.
+    /// Unknown of the equations that the relation gives.
     pub unknown: Expr,
     /// Function of the unknown that the relation gives.
     pub kind: Kind,
     /// Angle whose sine, cosine or tangent is given; the unknown itself for other kinds.
     pub angle: Expr,
-    /// Value of the function of the unknown.
+    /// Value of the function, a term without the unknown.
     pub value: Expr,
 }
 
@@ -37,17 +40,17 @@ impl Relation {
     }
 }
 
-/// Condition, beside the equations, under which a branch has real solutions.
+/// Condition under which a branch of solutions is real, in addition to the equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Need {
-    /// The term is not negative: it stands under a square root.
+    /// The term is not negative: it is under a square root, or it is a square.
     NotNegative(Expr),
-    /// The term lies from −1 to 1: it is a sine or a cosine.
+    /// The term lies from −1 to 1: it is the value of a sine or a cosine.
     Unit(Expr),
 }
 
 impl Need {
-    /// Term on which the condition is.
+    /// Term that the condition restricts: it is not negative, or lies from −1 to 1.
     #[must_use]
     pub const fn term(self) -> Expr {
         match self {
@@ -55,6 +58,7 @@ impl Need {
         }
     }
 
+    /// Returns the same kind of condition for the term `e`.
     pub(super) const fn of(self, e: Expr) -> Self {
         match self {
             Self::NotNegative(_) => Self::NotNegative(e),
@@ -63,34 +67,34 @@ impl Need {
     }
 }
 
-/// Branch of solutions of a system: formulas for the unknowns, and their conditions.
+/// Branch of solutions of a system: relations that give the unknowns, and their conditions.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Branch {
     /// Relations for the unknowns that were solved for, each in terms of the free unknowns.
     pub solved: Vec<Relation>,
-    /// Conditions for the solution to be real.
+    /// Conditions under which the solutions are real.
     pub needs: Vec<Need>,
-    /// Divisors of the solution, which are not 0.
+    /// Divisors of the solutions; the branch holds where they are not 0.
     pub divided_by: Vec<Expr>,
-    /// Further terms that must vanish, which were not solved.
+    /// Further terms that must vanish, which could not be solved.
     pub left: Vec<Expr>,
 }
 
-/// Solution for one unknown, with its conditions.
+/// Solution of an equation for one unknown, with its conditions.
 #[derive(Clone, Debug, Default)]
 pub struct Solution {
-    /// Relations for the unknown: one, or two if both sine and cosine are given.
+    /// Relations that give the unknown: one, or two if both its sine and cosine are given.
     pub relations: Vec<Relation>,
-    /// Conditions for the solution to be real.
+    /// Conditions under which the solution is real.
     pub needs: Vec<Need>,
 }
 
-/// Solutions of a factor of an equation for one unknown.
+/// All solutions of a factor of an equation for one unknown.
 #[derive(Clone, Debug, Default)]
 pub struct Isolated {
     /// Solutions for the unknown; empty if no real number solves the factor.
     pub solutions: Vec<Solution>,
-    /// Divisor of the solutions, if they divide by a term.
+    /// Divisor of the solutions; `None` if they divide by no term.
     pub divisor: Option<Expr>,
     /// Complexity of the solutions: 0 if the factor is linear, 1 with one square root, 2 with roots in both sine and
     /// cosine.

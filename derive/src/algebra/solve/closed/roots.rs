@@ -1,4 +1,4 @@
-//! Square roots of squares, and removal of square roots from equations.
+//! Square roots in equations: roots of squares, and removal of roots.
 
 use super::work::Work;
 use crate::algebra::form::ring::Poly;
@@ -6,8 +6,9 @@ use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Expr, Function, Node};
 
 impl Work<'_> {
-    /// Removes a square root whose argument contains unknowns from a factor. The result is a norm, which vanishes
-    /// wherever the factor does. `None` if there is no such root.
+    /// Removes a square root whose argument contains unknowns from a factor of an equation. The
+    /// result is a norm, which vanishes wherever the factor vanishes. `None` if the factor has no
+    /// such root.
     pub fn without_root(&mut self, factor: Expr) -> Option<Expr> {
         let (p, _) = self.fraction(factor)?;
         let root = (0..self.normalizer.ring().size()).rev().find(|at| {
@@ -15,14 +16,15 @@ impl Work<'_> {
             let is_used = p.terms.iter().any(|(powers, _)| powers.of(*at) > 0);
             is_used && matches!(self.arena.node(e), Node::Apply(Function::Sqrt, _)) && !self.unknowns_in(e).is_empty()
         })?;
-        // (A + B √x) (A − B √x).
+        // The norm is (A + B √x) (A − B √x).
         let other = p.terms.iter().map(|(m, k)| (*m, if m.of(root) % 2 == 1 { k.neg() } else { k.clone() }));
         let other = Poly { terms: other.collect() };
         let norm = self.normalizer.ring().mul(&p, &other)?;
         Some(self.term(&norm))
     }
 
-    /// Square root of `e`. If `e` is the square of a rational term, the result is that term, of either sign.
+    /// Square root of the term `e`. If `e` is the square of a rational term p, the result is p or
+    /// −p, whatever its sign.
     pub fn root_of(&mut self, e: Expr) -> Expr {
         match self.rational_root(e) {
             Some(root) => root,
@@ -30,7 +32,7 @@ impl Work<'_> {
         }
     }
 
-    /// Rational term p with p² = e, of either sign; `None` if none is found.
+    /// Rational term p with p² = e, of either sign; `None` if no such term is found.
     fn rational_root(&mut self, e: Expr) -> Option<Expr> {
         let (above, below) = self.fraction(e)?;
         let above = self.normalizer.ring().square_root(&above)?;
@@ -42,8 +44,8 @@ impl Work<'_> {
         self.arena.try_product(&factors).ok()
     }
 
-    /// Finds a root √p² in a term. Returns p, and the term with p and with −p in place of the root. `None` if there is
-    /// no such root.
+    /// Finds a square root √p² in a term. Returns p, and two terms with the root replaced by p and
+    /// by −p. `None` if the term has no such root.
     pub fn split_root(&mut self, e: Expr) -> Option<(Expr, [Expr; 2])> {
         let parts = self.arena.reachable(&[e]);
         let mut roots = parts.into_iter().filter_map(|part| match *self.arena.node(part) {

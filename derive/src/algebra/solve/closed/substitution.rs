@@ -1,4 +1,5 @@
-//! Substitution of relations, which give an unknown, its square or its sine, cosine or tangent, into terms.
+//! Substitution of solved relations, which give an unknown, its square, sine, cosine or tangent,
+//! into terms.
 
 use super::relation::{Kind, Relation};
 use super::work::Work;
@@ -7,9 +8,10 @@ use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Expr, Function, Node, Rational};
 
 impl Work<'_> {
-    /// Puts a relation into a term, as far as the relation determines it. The sign of a square root, or of the cosine
-    /// beside a sine, stays open: the unknown or the function remains to the power 1. `None` if a divisor becomes 0, or
-    /// beyond the budget.
+    /// Inserts a relation into the term `e`, as far as the relation determines it. The sign of a
+    /// square root, or of the cosine for a given sine, may stay open. Then the unknown or the
+    /// function remains to the power 1. `None` if a divisor becomes 0 or the budget of
+    /// multiplications is used up.
     pub fn put(&mut self, relation: &Relation, e: Expr) -> Option<Expr> {
         if !self.arena.mentions(e, relation.unknown) {
             return Some(e);
@@ -30,7 +32,8 @@ impl Work<'_> {
         self.arena.try_product(&factors).ok()
     }
 
-    /// Puts a relation into each term of a polynomial; `None` if a divisor becomes 0, or beyond the budget.
+    /// Inserts a relation into each term of a polynomial; `None` if a divisor becomes 0 or the
+    /// budget of multiplications is used up.
     fn rewritten(&mut self, relation: &Relation, p: &Polynomial) -> Option<Expr> {
         let Relation { kind, angle, value, .. } = *relation;
         let square = self.arena.square(value);
@@ -63,8 +66,9 @@ impl Work<'_> {
         Some(self.arena.linear_combination(&terms))
     }
 
-    /// Puts a relation into the argument of a function value, such as the root of a square that the relation gives.
-    /// Other atoms are returned unchanged.
+    /// Inserts a relation into the argument of a function, such as the root of a square that the
+    /// relation gives. Sines, cosines and other atoms are returned unchanged. `None` if a divisor
+    /// becomes 0 or the budget of multiplications is used up.
     fn inside(&mut self, relation: &Relation, atom: Expr) -> Option<Expr> {
         let Node::Apply(f, argument) = *self.arena.node(atom) else { return Some(atom) };
         if !self.arena.mentions(argument, relation.unknown) || matches!(f, Function::Sin | Function::Cos) {
@@ -74,7 +78,8 @@ impl Work<'_> {
         Some(self.arena.apply(f, argument))
     }
 
-    /// Puts several relations into a term, one after the other; `None` if a divisor becomes 0, or beyond the budget.
+    /// Inserts several relations into a term in sequence; `None` if a divisor becomes 0 or the
+    /// budget of multiplications is used up.
     pub fn put_all(&mut self, relations: &[Relation], e: Expr) -> Option<Expr> {
         relations.iter().try_fold(e, |e, relation| self.put(relation, e))
     }

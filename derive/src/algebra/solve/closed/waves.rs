@@ -1,5 +1,5 @@
-//! Equations of angles alone that reduce to one sine or cosine, or to two of equal amplitude.
-//! For example, sin A + sin B = 0 where A = −B or A = B + π.
+//! Waves: equations of sines and cosines that reduce to a single wave, or to two of equal
+//! amplitude. For example, sin A + sin B = 0 where A = −B or A = B + π.
 
 use super::relation::{Isolated, Relation, Solution};
 use super::work::Work;
@@ -10,32 +10,37 @@ use std::collections::BTreeMap;
 /// Largest number of terms of a polynomial, and of waves, that are examined.
 const MOST_TERMS: usize = 12;
 
-/// Function of a wave.
+/// Function of a wave: sine or cosine.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     Cosine,
     Sine,
 }
 
-/// Angle Σ n · unknown: the number n of each unknown.
+/// Angle Σ n · unknown, as the integer n of each unknown; an empty map is the angle 0.
 type Angle = BTreeMap<Expr, i64>;
 
-/// Sine or cosine of an angle whose first n is above 0.
+/// Sine or cosine of an angle whose first coefficient n is positive.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct Wave {
+    /// Function of the wave: sine or cosine.
     kind: Kind,
+    /// Angle of the wave, in the unknowns.
     angle: Angle,
 }
 
-/// Linear equation angle = half turns · π.
+/// Linear equation for angles: angle = `half_turns` · π.
 struct Line {
+    /// Left-hand side of the equation angle = `half_turns` · π.
     angle: Angle,
+    /// Right-hand side of the equation, as a multiple of π.
     half_turns: Rational,
 }
 
 impl Work<'_> {
-    /// Solves a factor that depends on angles alone for the unknown `x`. `x` must be the last unknown that has the
-    /// factor 1 or −1 in each solution; otherwise the result is `None`.
+    /// Solves an equation of sines and cosines only, p = 0, for the unknown `x`. `None` if p is no
+    /// single wave and no sum of two waves of equal amplitude. `None` also if `x` is not the last
+    /// unknown with the coefficient 1 or −1 in each solution.
     pub fn by_waves(&mut self, p: &Poly, x: Expr) -> Option<Isolated> {
         let waves = self.waves(p)?;
         let lines = lines(&waves)?;
@@ -55,8 +60,9 @@ impl Work<'_> {
         Some(Isolated { solutions, divisor: None, degree: 0 })
     }
 
-    /// Writes a polynomial with numbers as coefficients as a sum of waves: products of waves become sums. `None` if it
-    /// contains other atoms or is too long.
+    /// Writes a polynomial in sines and cosines, with numbers as coefficients, as a sum of waves
+    /// with their amplitudes. Products become sums. `None` if the polynomial contains other atoms
+    /// or is too long.
     fn waves(&mut self, p: &Poly) -> Option<Vec<(Wave, Rational)>> {
         if p.terms.len() > MOST_TERMS {
             return None;
@@ -97,7 +103,8 @@ impl Work<'_> {
     }
 }
 
-/// Product of a wave of amplitude 2 k and the sine or cosine of the unknown `x`, as two waves with their amplitudes.
+/// Product of a wave of amplitude 2 k and the sine or cosine of the unknown `x`, as two waves with
+/// their amplitudes.
 fn times(wave: &Wave, k: &Rational, by: Kind, x: Expr) -> [(Wave, Rational); 2] {
     let turned = |by: i64| {
         let mut angle = wave.angle.clone();
@@ -120,7 +127,8 @@ fn times(wave: &Wave, k: &Rational, by: Kind, x: Expr) -> [(Wave, Rational); 2] 
     })
 }
 
-/// Equations for the angles where one wave, or the sum of two waves of equal amplitude, is 0. `None` for other sums.
+/// Linear equations for the angles at which a single wave, or the sum of two waves of equal
+/// amplitude, is 0. `None` for other sums.
 fn lines(waves: &[(Wave, Rational)]) -> Option<Vec<Line>> {
     let [zero, half, one] = [Rational::ZERO, Rational::fraction(1, 2)?, Rational::ONE];
     let line = |angle: Angle, half_turns: Rational| Line { angle, half_turns };
@@ -150,6 +158,6 @@ fn lines(waves: &[(Wave, Rational)]) -> Option<Vec<Line>> {
         }
         _ => return None,
     };
-    // If the angles of a pair are equal, one equation is empty: then it is no pair.
+    // If the angles of a pair are equal, an equation is empty, and the waves are not a pair.
     lines.iter().all(|line| !line.angle.is_empty()).then_some(lines)
 }

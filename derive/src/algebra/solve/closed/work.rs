@@ -1,4 +1,5 @@
-//! Tools of the closed-form search: numerators, factors, coefficients and signs of terms in normal form.
+//! Working tools of the search for closed forms: numerators, factors, coefficients and signs of
+//! terms in normal form.
 
 use super::BUDGET;
 use crate::algebra::form::normal::Normalizer;
@@ -9,72 +10,85 @@ use crate::algebra::meaning::signs::Sign;
 use crate::algebra::{Arena, Expr, Function, Node};
 use std::collections::BTreeMap;
 
-/// Dependence of a generator on an unknown.
+/// Dependence of a generator (a variable of the normal form, such as a sine) on an unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// The generator is the unknown itself.
+    /// The generator of the normal form is the unknown itself.
     Plain,
-    /// The generator is the sine of this angle: the unknown times a term without unknowns.
+    /// The generator of the normal form is the sine of an angle, which is the unknown times a term
+    /// without unknowns.
     Sine(Expr),
-    /// The generator is the cosine of this angle: the unknown times a term without unknowns.
+    /// The generator of the normal form is the cosine of an angle, which is the unknown times a
+    /// term without unknowns.
     Cosine(Expr),
-    /// The generator depends on the unknown in another way.
+    /// The generator of the normal form depends on the unknown in any other way.
     Mixed,
 }
 
-/// Arena, engines and unknowns with which one system is solved.
+/// Workspace in which a system is solved in closed form: arena, algebraic tools and unknowns.
 pub struct Work<'a> {
+    /// Arena of the terms.
     pub arena: &'a mut Arena,
+    /// Converter to normal forms, with the budget of multiplications.
     pub normalizer: Normalizer,
+    /// Simplifier that brings results to short form.
     pub simplifier: Simplifier,
+    /// Comparer that decides if terms are zero.
     pub comparer: Comparer,
+    /// Unknowns of the system; preferred unknowns come first.
     pub unknowns: Vec<Expr>,
+    /// Number of unknowns, from the first, that are preferred at any cost.
     pub asked: usize,
-    /// True if a tangent may be given in terms of unknown angles while other rows mention its unknown.
+    /// True if a tangent may be given in terms of other unknown angles while other equations
+    /// mention its unknown.
     pub keeps_tangents: bool,
 }
 
 impl<'a> Work<'a> {
+    /// Creates the workspace for a system with the given unknowns, of which the first `asked` are
+    /// preferred.
     pub fn new(arena: &'a mut Arena, unknowns: &[Expr], asked: usize) -> Self {
         let normalizer = Normalizer::new(BUDGET);
         let (simplifier, comparer) = (Simplifier::default(), Comparer::default());
         Self { arena, normalizer, simplifier, comparer, unknowns: unknowns.to_vec(), asked, keeps_tangents: true }
     }
 
-    /// Unknowns of the system that a term mentions.
+    /// Unknowns of the system that the term `e` mentions.
     pub fn unknowns_in(&self, e: Expr) -> Vec<Expr> {
         let parts = self.arena.reachable(&[e]);
         self.unknowns.iter().copied().filter(|x| parts.binary_search(x).is_ok()).collect()
     }
 
-    /// Numerator and factors of the denominator of a term in normal form; `None` beyond the budget.
+    /// Numerator of a term in normal form, and factors of its denominator as pairs (polynomial,
+    /// exponent). `None` if the budget of multiplications is used up.
     pub fn fraction(&mut self, e: Expr) -> Option<(Poly, Vec<(Poly, u32)>)> {
         let form = self.normalizer.fraction(self.arena, e)?;
         Some((form.numerator.clone(), form.denominator.clone()))
     }
 
-    /// A polynomial as a term, multiplied out.
+    /// Converts a polynomial to a term, multiplied out.
     pub fn term(&mut self, p: &Poly) -> Expr {
         self.normalizer.polynomial(p).expand(self.arena)
     }
 
-    /// Simplifies a term to its short form.
+    /// Brings a term to short form.
     pub fn short(&mut self, e: Expr) -> Expr {
         self.simplifier.simplify(self.arena, e)
     }
 
-    /// Quotient a / b, simplified; `None` if the divisor is the literal 0.
+    /// Quotient a / b in short form; `None` if b is the literal 0.
     pub fn quotient(&mut self, a: Expr, b: Expr) -> Option<Expr> {
         let quotient = self.arena.div(a, b)?;
         Some(self.short(quotient))
     }
 
-    /// True if a term is 0 by its normal form.
+    /// True if the normal form of the term is 0. False also if the budget of multiplications is
+    /// used up.
     pub fn is_zero(&mut self, e: Expr) -> bool {
         self.fraction(e).is_some_and(|(above, _)| above.is_zero())
     }
 
-    /// Dependence of a generator on an unknown that it mentions.
+    /// Dependence of a generator of the normal form on the unknown `x`, which it mentions.
     pub fn role(&mut self, generator: Expr, x: Expr) -> Role {
         if generator == x {
             return Role::Plain;
@@ -90,25 +104,28 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Numbers of the generators in a polynomial that mention the unknown `x`.
+    /// Numbers of the generators that occur in a polynomial and mention the unknown `x`.
     pub fn generators_of(&mut self, p: &Poly, x: Expr) -> Vec<usize> {
         let size = self.normalizer.ring().size();
         let used = (0..size).filter(|at| p.terms.iter().any(|(powers, _)| powers.of(*at) > 0));
         used.filter(|at| self.arena.mentions(self.normalizer.expression_of(*at), x)).collect()
     }
 
-    /// Coefficients of a polynomial by the powers of some generators.
+    /// Collects a polynomial by powers of the given generators: the coefficient of each power
+    /// product, as a polynomial in the others.
     pub fn coefficients(p: &Poly, generators: &[usize]) -> BTreeMap<Powers, Poly> {
         let mut list: BTreeMap<Powers, Poly> = BTreeMap::new();
         for (powers, k) in &p.terms {
             let (inside, outside) = powers.split(generators);
             list.entry(inside).or_default().terms.push((outside, k.clone()));
         }
-        // The order of terms stays falling: the terms of one coefficient lack the same powers.
+        // The terms of a coefficient stay in descending order, since the same powers were taken
+        // from all of them.
         list
     }
 
-    /// Sign of a term, as far as it follows from positive symbols, even powers and roots.
+    /// Sign of a term, as far as it follows from positive symbols, even powers and roots in its
+    /// normal form.
     pub fn sign(&mut self, e: Expr) -> Sign {
         let Some((above, below)) = self.fraction(e) else { return Sign::Unknown };
         let mut sign = self.sign_of(&above);
@@ -122,6 +139,7 @@ impl<'a> Work<'a> {
         sign
     }
 
+    /// Sign of a polynomial whose terms all have the same sign; unknown for others.
     fn sign_of(&mut self, p: &Poly) -> Sign {
         let Some((_, first)) = p.terms.first() else { return Sign::NotNegative };
         let negative = first.is_negative();

@@ -1,6 +1,8 @@
-//! Quadratic form while it is carried back through the names: its entries, and the removal of a term.
+//! Entries of the quadratic form that is minimized, and the elimination of a named term or an
+//! unknown from it.
 //!
-//! Invariant: an entry stands in the rows of both of its terms.
+//! Invariant: an entry is in the rows of both of its terms. An "end" of the form is an unknown or a
+//! name.
 
 use super::{Block, Depth};
 use crate::algebra::form::simplify::Simplifier;
@@ -11,36 +13,45 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-/// Largest number of terms of an entry that is simplified.
+/// Largest number of terms in the sum of an entry that is still simplified.
 const MOST_SHORTENED: usize = 20;
 
-/// Linear form Σ coefficient · end + rest; an end is an unknown or a name.
+/// Linear form Σ coefficient · end + rest, where each end is an unknown or a name.
 pub(super) struct Part {
+    /// Pairs (unknown or name, coefficient).
     pub(super) terms: Vec<(Expr, Expr)>,
+    /// Constant part of the linear form, which depends on no unknown.
     pub(super) rest: Expr,
 }
 
-/// An unknown, and the name that is solved for in its place: name = sign · unknown + other terms.
+/// Unknown that is replaced by a name, which contains it: name = sign · unknown + other terms.
 pub(super) struct Replaced {
+    /// Unknown that the name replaces.
     pub(super) unknown: Expr,
+    /// Name that replaces the unknown.
     pub(super) by: Expr,
-    /// Sign of the unknown in the name: 1 or −1.
+    /// Sign of the unknown in the name: the number 1 or −1.
     pub(super) sign: Expr,
 }
 
-/// Two terms z that are two ends x, y turned by an angle, plus known rests: z₁ = c x + s y + r₁ and z₂ = c y − s x +
-/// r₂.
+/// Rotation that relates two terms to two unknowns or names x and y. It is z₁ = c x + s y + r₁ and
+/// z₂ = c y − s x + r₂.
 pub(super) struct Turn {
+    /// Unknown or name x that the rotation relates.
     x: Expr,
+    /// Unknown or name y that the rotation relates.
     y: Expr,
+    /// Sine s of the angle of rotation, with either sign.
     sine: Expr,
+    /// Cosine c of the angle of rotation, with either sign.
     cosine: Expr,
-    /// Known rests (r₁, r₂) of the two terms.
+    /// Rests (r₁, r₂) of the two terms, which depend on no unknown.
     rests: (Expr, Expr),
 }
 
-/// Rotation that relates two terms to two ends, by the sine and the cosine of one angle, so that c² + s² = 1; `None` if
-/// they are not so related.
+/// Finds the rotation that relates two linear forms to two common unknowns or names. It needs the
+/// sine and cosine of one angle, so that c² + s² = 1. `None` if the forms are not related by a
+/// rotation.
 pub(super) fn turn(arena: &mut Arena, one: &Part, other: &Part) -> Option<Turn> {
     let ([(x, c), (y, s)], [(x2, minus_s), (y2, c2)]) = (one.terms.as_slice(), other.terms.as_slice()) else {
         return None;
@@ -59,7 +70,8 @@ pub(super) fn turn(arena: &mut Arena, one: &Part, other: &Part) -> Option<Turn> 
     })
 }
 
-/// Function and angle of a term that is a sine, a cosine or the negative of one; `None` for other terms.
+/// Function and angle of a term that is a sine, a cosine or the negative of either; `None` for
+/// other terms.
 fn circular(arena: &Arena, e: Expr) -> Option<(Function, Expr)> {
     let inner = match arena.node(e) {
         Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 && terms[0].1 == Rational::integer(-1) => {
@@ -73,21 +85,31 @@ fn circular(arena: &Arena, e: Expr) -> Option<(Function, Expr)> {
     }
 }
 
-/// Quadratic form while it is carried back. An entry is a list of terms, which are added when the entry is read.
+/// Quadratic form under elimination. An entry is a list of terms, which are added when the entry is
+/// read.
 pub(super) struct Form<'a> {
+    /// Arena of the terms.
     pub(super) arena: &'a mut Arena,
+    /// Simplifier of the entries.
     pub(super) simplifier: &'a mut Simplifier,
+    /// Derivatives of terms with respect to all unknowns and names.
     pub(super) gradient: Gradient,
+    /// Substitution of 0 for all unknowns and names.
     pub(super) at_zero: Substitution,
+    /// Set of the unknowns and of all names that depend on them.
     pub(super) varying: FxHashSet<Expr>,
+    /// Variables of the form: names that depend on unknowns, then the unknowns.
     pub(super) ends: Vec<Expr>,
-    /// Entries of the symmetric matrix by their two ends: each entry stands in the rows of both.
+    /// Entries of the symmetric matrix, by the two unknowns or names that they couple. Each entry
+    /// is in the rows of both.
     pub(super) rows: BTreeMap<Expr, BTreeMap<Expr, Vec<Expr>>>,
+    /// Terms of the linear coefficient of each unknown or name.
     pub(super) linear: FxHashMap<Expr, Vec<Expr>>,
 }
 
 impl Form<'_> {
-    /// Reads a term as a linear form in the ends; `None` if it is not linear.
+    /// Splits a term into a linear form in unknowns and names; `None` if the term is not linear in
+    /// them.
     pub(super) fn part(&mut self, e: Expr) -> Option<Part> {
         let slopes = self.gradient.apply(self.arena, e);
         let terms: Vec<(Expr, Expr)> = slopes.iter().map(|(at, slope)| (self.ends[*at], *slope)).collect();
@@ -98,7 +120,8 @@ impl Form<'_> {
         Some(Part { terms, rest: self.at_zero.apply(self.arena, e) })
     }
 
-    /// Unknowns that occur in one name only, and nowhere by themselves in the quadratic part, each with that name.
+    /// Unknowns that occur in exactly one name, and not directly in the quadratic part, each with
+    /// that name.
     pub(super) fn replaced(&self, named: &[Expr], parts: &FxHashMap<Expr, Part>, unknowns: &[Expr]) -> Vec<Replaced> {
         let mut list: Vec<Replaced> = Vec::new();
         for unknown in unknowns.iter().filter(|unknown| !self.rows.contains_key(unknown)) {
@@ -114,7 +137,8 @@ impl Form<'_> {
         list
     }
 
-    /// Puts a name in the place of an unknown, and returns the step by which the unknown follows from the name.
+    /// Replaces an unknown by the name `by`, whose linear form is `part`. Returns the step that
+    /// defines the unknown by the name.
     pub(super) fn replace(&mut self, unknown: Expr, by: Expr, sign: Expr, part: &Part) -> Definition {
         let others = || part.terms.iter().filter(|(of, _)| *of != unknown);
         for term in self.linear.remove(&unknown).unwrap_or_default() {
@@ -133,6 +157,7 @@ impl Form<'_> {
         Definition { symbol: unknown, value: self.arena.mul(sign, sum) }
     }
 
+    /// Adds a term to the matrix entry of two unknowns or names a and b, in the rows of both.
     fn add(&mut self, a: Expr, b: Expr, term: Expr) {
         if term == Expr::ZERO {
             return;
@@ -143,12 +168,14 @@ impl Form<'_> {
         }
     }
 
+    /// Adds a term to the linear coefficient of the unknown or name a.
     pub(super) fn add_linear(&mut self, a: Expr, term: Expr) {
         if term != Expr::ZERO {
             self.linear.entry(a).or_default().push(term);
         }
     }
 
+    /// Adds a block to the form; `None` if a component is not linear in unknowns and names.
     pub(super) fn add_block(&mut self, block: &Block) -> Option<()> {
         let parts: Option<Vec<Part>> = block.components.iter().map(|e| self.part(*e)).collect();
         let parts = parts?;
@@ -158,7 +185,8 @@ impl Form<'_> {
                     let to_rest = self.arena.product(&[k, *by_a, other.rest]);
                     self.add_linear(*a, to_rest);
                     for (b, by_b) in other.terms.iter().filter(|(b, _)| a <= b) {
-                        // Each pair of ends occurs in both orders, of which one is kept.
+                        // Each pair of unknowns or names occurs in both orders, of which one is
+                        // kept.
                         let entry = self.arena.product(&[k, *by_a, *by_b]);
                         self.add(*a, *b, entry);
                     }
@@ -172,27 +200,31 @@ impl Form<'_> {
         Some(())
     }
 
-    /// Position in `ready` of the end to take out next; `None` if `ready` is empty. Unknowns go first, then the names
-    /// farthest from the unknowns; among equals, the end with the fewest entries.
+    /// Index in `ready` of the unknown or name that is eliminated next; `None` if `ready` is empty.
+    /// Unknowns go first, then the names farthest from the unknowns; among equals, the term with
+    /// the fewest matrix entries.
     pub(super) fn next(&self, ready: &[Expr], depth: impl Fn(&Expr) -> Option<Depth>) -> Option<usize> {
         let key = |e: &Expr| (depth(e).map(Reverse), self.rows.get(e).map_or(0, BTreeMap::len), Reverse(*e));
         (0..ready.len()).min_by_key(|at| key(&ready[*at]))
     }
 
-    /// Sum of terms in short form; a sum of several terms gets a name.
+    /// Sum of the terms of an entry in short form. If it is still a sum, it gets a name with the
+    /// label `wanted`.
     fn read(&mut self, terms: &[Expr], wanted: &str) -> Expr {
         let sum = self.arena.sum(terms);
-        // Only an order of elimination that will lose to another gathers so many terms.
+        // A sum of so many terms arises only in an order of elimination that will be rejected.
         let sum = if terms.len() > MOST_SHORTENED { sum } else { self.simplifier.simplify(self.arena, sum) };
         if matches!(self.arena.node(sum), Node::Sum(..)) { self.arena.name(sum, wanted) } else { sum }
     }
 
+    /// Name of an unknown or a named term, with primes replaced by `_dot` and `_ddot`.
     fn called(&self, e: Expr) -> String {
         let name = self.arena.name_of(e).or_else(|| self.arena.symbol_name(e)).unwrap_or_default();
         name.replace("''", "_ddot").replace('\'', "_dot")
     }
 
-    /// Removes the row of end `z` from the form. Returns (diagonal entry, entries with other ends, linear entry).
+    /// Removes the row of the unknown or name `z` from the form. Returns the diagonal entry, the
+    /// entries that couple it to others, and the linear coefficient.
     fn take(&mut self, z: Expr) -> (Expr, Vec<(Expr, Expr)>, Expr) {
         let row = self.rows.remove(&z).unwrap_or_default();
         let linear = self.linear.remove(&z).unwrap_or_default();
@@ -215,7 +247,7 @@ impl Form<'_> {
         (own, others, linear)
     }
 
-    /// Replaces a name `z` in the form by the linear form that it is made of.
+    /// Replaces the name `z` in the form by the linear form `part` that defines it.
     pub(super) fn substitute(&mut self, z: Expr, part: &Part) {
         let (own, others, linear) = self.take(z);
         for (y, entry) in &others {
@@ -239,8 +271,9 @@ impl Form<'_> {
         }
     }
 
-    /// Moves the 2 × 2 block K of two terms z = R (x, y) + r to x and y: Rᵀ K R becomes the block of x and y, and K r
-    /// is added to the linear entries of z, which [`Self::substitute`] carries on as Rᵀ K r.
+    /// Moves the 2 × 2 block K of two terms z = R (x, y) + r to x and y; R is a rotation. Rᵀ K R
+    /// becomes the block of x and y. K r is added to the linear entries of z, which
+    /// [`Self::substitute`] later turns into Rᵀ K r.
     ///
     /// With t = s (K₂₂ − K₁₁) − 2 c K₁₂ the block of x and y is K₁₁ + s t, K₂₂ − s t and −(c t + K₁₂).
     pub(super) fn turn_block(&mut self, one: Expr, other: Expr, turn: &Turn) {
@@ -278,13 +311,14 @@ impl Form<'_> {
         let across = self.arena.add(ct, k12);
         let across = self.arena.neg(across);
         self.add(x, y, across);
-        // Both keep a row, so that their entries with other ends are substituted later.
+        // Both terms keep a row, so that their entries with other unknowns or names are substituted
+        // later.
         self.rows.entry(one).or_default();
         self.rows.entry(other).or_default();
     }
 
-    /// Eliminates an unknown: returns the value at which the form is least for given other ends. `None` if the pivot is
-    /// 0.
+    /// Eliminates an unknown from the form. Returns the step that defines it: the value that
+    /// minimizes the form for given other unknowns and names. `None` if the pivot is 0.
     pub(super) fn eliminate(&mut self, unknown: Expr) -> Option<Definition> {
         let (own, others, linear) = self.take(unknown);
         let name = self.called(unknown);

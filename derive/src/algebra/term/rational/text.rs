@@ -1,4 +1,4 @@
-//! Rational numbers as text: decimals read exactly, fractions printed.
+//! Text of rational numbers: decimals are read exactly, and numbers are printed as fractions.
 
 use super::{Rational, Repr};
 use num_bigint::BigInt;
@@ -6,10 +6,10 @@ use num_rational::BigRational;
 use std::fmt;
 
 impl Rational {
-    /// The exact value of an unsigned decimal number such as `12`, `0.5` or `1.5e-3`.
+    /// Reads an unsigned decimal number such as `12`, `0.5` or `1.5e-3` as an exact fraction: `0.1`
+    /// is 1/10.
     ///
-    /// Decimals are exact: `0.1` is 1/10. `None` if the text is no such number or its exponent is
-    /// beyond ±4 000.
+    /// `None` if the text is not a decimal number or its exponent is beyond ±4 000.
     #[must_use]
     pub fn parse_decimal(text: &str) -> Option<Self> {
         let (mantissa, exponent) = match text.find(['e', 'E']) {
@@ -27,7 +27,8 @@ impl Rational {
         Some(Self::from_big(value * num_traits::Pow::pow(ten, scale)))
     }
 
-    /// The decimal number with the fewest digits that rounds to `x`: 1/10 for 0.1. `None` if `x` is not finite.
+    /// Decimal number with the fewest digits that rounds to the double `x`, as an exact fraction:
+    /// 1/10 for 0.1. `None` if `x` is infinite or not a number.
     #[must_use]
     pub fn shortest_decimal(x: f64) -> Option<Self> {
         // The standard library writes the fewest digits.

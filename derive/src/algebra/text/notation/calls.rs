@@ -1,4 +1,5 @@
-//! Calls that the language of model files writes otherwise: `pow(x, 2)`, `Rational(1, 2)`, `deg2rad(10)`.
+//! Calls in program text that model files write in another form: `pow(x, 2)`, `Rational(1, 2)`,
+//! `deg2rad(10)`.
 
 use super::kind::Notation;
 use super::plain::Plain;
@@ -6,21 +7,26 @@ use super::refusal::wrong;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
-/// Rewriting of a call into the language of model files.
+/// Rule that rewrites the call of a function of a program into the language of model files.
 #[derive(Clone, Copy)]
 struct Form {
-    /// Name of the function; `of` lists the notations that have it.
+    /// Name of the function in programs.
     name: &'static str,
+    /// Notations (programming languages) that have the function.
     of: &'static [Notation],
-    /// Tokens that replace the name with its parenthesis; `comma` and `close` replace the comma and the closing
-    /// parenthesis.
+    /// Tokens that replace the name and its opening parenthesis.
     open: &'static [&'static str],
+    /// Tokens that replace the comma; `None` if the function has one argument.
     comma: Option<&'static [&'static str]>,
+    /// Tokens that replace the closing parenthesis of the call.
     close: &'static [&'static str],
 }
 
+/// Tokens of a power, (base)^(exponent): for the opening parenthesis, the comma and the closing
+/// parenthesis.
 const POWER: (&[&str], Option<&[&str]>, &[&str]) = (&["(", "("], Some(&[")", "^", "("]), &[")", ")"]);
 
+/// Rules for all functions whose calls are rewritten.
 const FORMS: [Form; 8] = [
     Form { name: "pow", of: &[Notation::C, Notation::Python], open: POWER.0, comma: POWER.1, close: POWER.2 },
     Form { name: "powf", of: &[Notation::C], open: POWER.0, comma: POWER.1, close: POWER.2 },
@@ -44,29 +50,36 @@ const FORMS: [Form; 8] = [
     },
 ];
 
-/// Open parentheses, each with the tokens that replace its commas and its end.
+/// Stack of open parentheses, each with the rule that rewrites its commas and its end.
 #[derive(Default)]
 pub(super) struct Calls(Vec<Call>);
 
+/// An open parenthesis, of a call or of a group.
 struct Call {
+    /// Rule that rewrites the call; `None` for an ordinary parenthesis.
     form: Option<&'static Form>,
-    /// Number of commas still to come; 0 for an ordinary call, whose commas are not counted.
+    /// Number of commas that must still follow; 0 for an ordinary parenthesis, whose commas are not
+    /// counted.
     commas: usize,
+    /// Place of the call in the original text, in bytes.
     place: Range<usize>,
 }
 
 impl Calls {
+    /// True if any parenthesis of the formula is open.
     pub(super) fn is_open(&self) -> bool {
         !self.0.is_empty()
     }
 
-    /// Opens an ordinary parenthesis.
+    /// Appends the opening `tokens` of an ordinary parenthesis to `out` and puts the parenthesis on
+    /// the stack.
     pub(super) fn open(&mut self, out: &mut Plain, tokens: &[&str], place: &Range<usize>) {
         out.push_all(tokens, place);
         self.0.push(Call { form: None, commas: 0, place: place.clone() });
     }
 
-    /// Opens a call that model files write otherwise, such as `pow(x, 2)`; false if the word is no such function.
+    /// Opens a call that model files write in another form, such as `pow(x, 2)`. False if `word` is
+    /// not a function with a rewriting rule.
     pub(super) fn rewritten(&mut self, out: &mut Plain, word: &str, notation: Notation, place: &Range<usize>) -> bool {
         let Some(form) = FORMS.iter().find(|form| form.name == word && form.of.contains(&notation)) else {
             return false;
@@ -76,6 +89,7 @@ impl Calls {
         true
     }
 
+    /// Translates a comma between arguments. Error if a rewritten function has too many arguments.
     pub(super) fn comma(&mut self, out: &mut Plain, place: &Range<usize>) -> Result<(), ParseError> {
         let Some(Call { form: Some(form), commas, .. }) = self.0.last_mut() else {
             out.push(",", place.clone());
@@ -90,13 +104,14 @@ impl Calls {
         Ok(())
     }
 
+    /// Translates a closing parenthesis. Error if a rewritten function has too few arguments.
     pub(super) fn close(&mut self, out: &mut Plain, place: &Range<usize>) -> Result<(), ParseError> {
         let Some(call) = self.0.pop() else { return Ok(()) };
         let Some(form) = call.form else {
             out.push(")", place.clone());
             return Ok(());
         };
-        // S(1) and Rational(3) are whole.
+        // Rational(3) needs no comma: it is the integer 3, like S(3).
         if call.commas > 0 && form.name != "Rational" {
             let message = format!("`{}` has two arguments", form.name);
             return Err(wrong(call.place, message, &format!("write {}(x, 2)", form.name)));

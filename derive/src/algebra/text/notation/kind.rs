@@ -1,26 +1,26 @@
-//! The notations that formulas may be written in.
+//! Kinds of notation in which formulas may be written.
 
-/// Notation in which formulas are written.
+/// Notation in which the formulas of a file are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Notation {
-    /// The language of model files.
+    /// Formulas in the language of Tripos's model files.
     #[default]
     Tripos,
-    /// LaTeX in math mode.
+    /// Formulas in LaTeX math mode.
     Latex,
-    /// Python, and the output of `SymPy`.
+    /// Formulas in Python, including the output of `SymPy`.
     Python,
-    /// MATLAB and Octave.
+    /// Formulas in MATLAB and Octave.
     Matlab,
-    /// C and C++.
+    /// Formulas in C and C++.
     C,
 }
 
 impl Notation {
-    /// All notations, in the order of every list of them.
+    /// All notations, in the order in which they are listed everywhere.
     pub const ALL: [Self; 5] = [Self::Tripos, Self::Latex, Self::Python, Self::Matlab, Self::C];
 
-    /// Name of the notation in files.
+    /// Name of the notation as files write it.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -32,7 +32,7 @@ impl Notation {
         }
     }
 
-    /// Notation of this name; `sympy` is Python. `None` for an unknown name.
+    /// Notation with the given name in files; `sympy` means Python. `None` for an unknown name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let name = if name == "sympy" { "python" } else { name };

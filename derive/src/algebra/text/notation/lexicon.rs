@@ -1,9 +1,9 @@
-//! Names of functions and constants, in LaTeX and in programs.
+//! Lexicon of other notations: names of functions and constants in LaTeX and in programs.
 
 use super::kind::Notation;
 use crate::algebra::text::parse::is_reserved;
 
-/// Commands of LaTeX that are functions, each with its name in model files.
+/// LaTeX commands that are functions, each with its name in model files.
 const LATEX: [(&str, &str); 17] = [
     ("sin", "sin"),
     ("cos", "cos"),
@@ -24,7 +24,7 @@ const LATEX: [(&str, &str); 17] = [
     ("max", "max"),
 ];
 
-/// Greek letters and letter-like commands of LaTeX.
+/// LaTeX commands that are letters: Greek letters and letter-like symbols.
 const LETTERS: [&str; 43] = [
     "alpha",
     "beta",
@@ -71,7 +71,8 @@ const LETTERS: [&str; 43] = [
     "hbar",
 ];
 
-/// Functions of programs that have another name in model files: (name in programs, name in model files).
+/// Functions of programs that have another name in model files, as pairs (name in programs, name in
+/// model files).
 const RENAMED: [(&str, &str); 13] = [
     ("fabs", "abs"),
     ("Abs", "abs"),
@@ -88,41 +89,43 @@ const RENAMED: [(&str, &str); 13] = [
     ("minimum", "min"),
 ];
 
-/// Modules and namespaces in front of functions in programs.
+/// Modules and namespaces that may precede a function in programs, as in `np.sin`.
 const MODULES: [&str; 15] =
     ["sp", "sympy", "sm", "np", "numpy", "math", "std", "me", "ca", "casadi", "cs", "jnp", "jax", "torch", "xp"];
 
-/// Name in model files of the function that a command of LaTeX stands for; `None` if it is no function.
+/// Name in model files of the function that a LaTeX command stands for; `None` if the command is
+/// not a function.
 pub(super) fn latex_function(command: &str) -> Option<&'static str> {
     LATEX.iter().find(|(name, _)| *name == command).map(|(_, function)| *function)
 }
 
-/// True if a command of LaTeX is a letter.
+/// True if a LaTeX command is a letter, such as `theta`.
 pub(super) fn is_letter(command: &str) -> bool {
     LETTERS.contains(&command)
 }
 
-/// Name in model files of the function that a word stands for, in roman type or in a program; `None` if it is no
-/// function.
+/// Name in model files of the function that a word stands for, in a program or in roman type of
+/// LaTeX. `None` if the word is not a function.
 pub(super) fn function(word: &str) -> Option<&str> {
     let renamed = RENAMED.iter().find(|(name, _)| *name == word).map_or(word, |(_, function)| *function);
     let is_function = is_reserved(renamed) && renamed != "pi";
     (is_function || ["min", "max", "atan2"].contains(&renamed)).then_some(renamed)
 }
 
-/// Name in model files of a function of C, which may end in `f` or `l` for its precision, such as `cosf`; `None` if the
-/// word is no function.
+/// Name in model files of a C function. The word may end in `f` or `l` for its precision, as in
+/// `cosf`. `None` if the word is not a function.
 pub(super) fn function_of_c(word: &str) -> Option<&str> {
     function(word).or_else(|| word.strip_suffix(['f', 'l']).and_then(function))
 }
 
-/// Word without a known module or namespace in front of it.
+/// Removes a known module or namespace in front of a word: `np.sin` becomes `sin`.
 pub(super) fn without_module(word: &str) -> &str {
     let split = word.split_once("::").or_else(|| word.split_once('.'));
     split.filter(|(module, _)| MODULES.contains(module)).map_or(word, |(_, name)| name)
 }
 
-/// Tokens, in the language of model files, of a constant of a program; `None` if the word is no constant.
+/// Tokens, in the language of model files, of a program's constant such as `M_PI_2`; `None` if the
+/// word is not a constant.
 pub(super) fn constant(word: &str, notation: Notation) -> Option<&'static [&'static str]> {
     match (word, notation) {
         ("pi", Notation::Python | Notation::Matlab) | ("M_PI", Notation::C) => Some(&["pi"]),

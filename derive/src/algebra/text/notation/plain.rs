@@ -1,29 +1,33 @@
-//! Tokens of the language of model files, with their places in the original text of another notation.
+//! Plain form of a formula: tokens of the language of model files, with their places in the
+//! original text.
 
 use std::ops::Range;
 
-/// A formula in the language of model files, translated from another notation.
+/// Formula in the language of model files, translated from another notation. Each token keeps its
+/// place in the original text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Plain {
-    /// Tokens of the formula, with a space between them.
+    /// Tokens of the translated formula, separated by spaces.
     text: String,
-    /// Place of each token in `text`, and in the original text, in bytes; empty if `text` is the original text.
+    /// Byte range of each token in `text`, and in the original text. Empty if `text` is the
+    /// original text.
     places: Vec<(Range<usize>, Range<usize>)>,
     /// True if `text` is the original text, unchanged.
     is_same: bool,
 }
 
 impl Plain {
-    /// Takes a text that is in the language of model files already.
+    /// Wraps a text that is already in the language of model files.
     pub(super) fn same(text: &str) -> Self {
         Self { text: text.to_owned(), places: Vec::new(), is_same: true }
     }
 
+    /// Creates an empty formula, to which tokens are appended.
     pub(super) fn new() -> Self {
         Self { text: String::new(), places: Vec::new(), is_same: false }
     }
 
-    /// Appends a token that comes from the place `from` of the original text.
+    /// Appends a token that was translated from the byte range `from` of the original text.
     pub(super) fn push(&mut self, token: &str, from: Range<usize>) {
         if !self.text.is_empty() {
             self.text.push(' ');
@@ -33,25 +37,25 @@ impl Plain {
         self.places.push((start..self.text.len(), from));
     }
 
-    /// Appends tokens that all come from the place `from` of the original text.
+    /// Appends tokens that were all translated from the byte range `from` of the original text.
     pub(super) fn push_all(&mut self, tokens: &[&str], from: &Range<usize>) {
         for token in tokens {
             self.push(token, from.clone());
         }
     }
 
-    /// Tokens of the formula, with their places in the original text.
+    /// Iterates over the tokens of the formula, with their byte ranges in the original text.
     pub(super) fn tokens(&self) -> impl DoubleEndedIterator<Item = (&str, &Range<usize>)> + Clone {
         self.places.iter().map(|(at, from)| (&self.text[at.clone()], from))
     }
 
-    /// Formula as text for the parser.
+    /// Text of the formula in the language of model files, for the parser.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// Place in the original text that a part of `text` comes from, in bytes.
+    /// Byte range of the original text from which the range `part` of the translated text comes.
     #[must_use]
     pub fn source(&self, part: Range<usize>) -> Range<usize> {
         if self.is_same {
@@ -59,7 +63,8 @@ impl Plain {
         }
         let last = self.places.last().map_or(0, |(_, from)| from.end);
         let inside = |at: &Range<usize>| at.end > part.start && at.start < part.end.max(part.start + 1);
-        // Parentheses that come from a mark such as \frac have the place of that mark: their content says more.
+        // Parentheses that come from a token such as \frac have the place of that token; the place
+        // of their content is more exact.
         let is_parenthesis = |at: &Range<usize>| matches!(&self.text[at.clone()], "(" | ")");
         let union = |skip: bool| {
             let touched = self.places.iter().filter(|(at, _)| inside(at) && !(skip && is_parenthesis(at)));

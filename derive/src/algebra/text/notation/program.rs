@@ -1,4 +1,4 @@
-//! Translation of formulas of programs: Python with the output of `SymPy`, MATLAB, C.
+//! Translation of program text: formulas of Python (with the output of `SymPy`), MATLAB and C.
 
 use super::calls::Calls;
 use super::kind::Notation;
@@ -11,29 +11,38 @@ use super::unicode;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
-/// Number of characters within which the index of a variable must end.
+/// Largest length of a variable's index, in characters.
 const LONGEST_INDEX: usize = 40;
 
-/// Translates a formula of a program into the language of model files.
+/// Translates a formula of a program into the language of model files; `spell` names the variables.
+/// Error if the formula is ambiguous or not understood.
 pub(super) fn translate(text: &str, notation: Notation, spell: &mut dyn Spell) -> Result<Plain, ParseError> {
     let program =
         Program { text, notation, at: 0, out: Plain::new(), calls: Calls::default(), power: vec![false], spell };
     program.whole()
 }
 
-/// State of reading a formula of a program, from left to right.
+/// State of translating a formula of a program, from left to right.
 pub(super) struct Program<'a, 's> {
+    /// Whole text of the formula, in a programming language.
     pub(super) text: &'a str,
+    /// Programming language of the formula.
     pub(super) notation: Notation,
+    /// Position of the next character, in bytes.
     pub(super) at: usize,
+    /// Formula in the language of model files, as translated so far.
     pub(super) out: Plain,
+    /// Parentheses and calls that are open at the present position.
     pub(super) calls: Calls,
-    /// True while an exponent is being read: one entry outside all parentheses, and one for each open parenthesis.
+    /// True at a level of parentheses while an exponent is being read there. The first entry is for
+    /// the text outside of all parentheses.
     power: Vec<bool>,
+    /// Source of the model's names for the program's variables.
     pub(super) spell: &'s mut dyn Spell,
 }
 
 impl Program<'_, '_> {
+    /// Translates the whole text. Error if the text has more than one statement.
     fn whole(mut self) -> Result<Plain, ParseError> {
         loop {
             self.skip();
@@ -59,12 +68,12 @@ impl Program<'_, '_> {
         Ok(self.out)
     }
 
-    /// Rest of the text, from so many bytes behind the present place on.
+    /// Text from `from` bytes after the present position on.
     pub(super) fn rest(&self, from: usize) -> &str {
         self.text.get(self.at + from..).unwrap_or_default()
     }
 
-    /// Skips space, comments and the marks of lines that go on.
+    /// Skips space, comments and line continuations.
     pub(super) fn skip(&mut self) {
         loop {
             let rest = self.rest(0);
@@ -83,6 +92,7 @@ impl Program<'_, '_> {
         }
     }
 
+    /// Translates a decimal number; a suffix of C such as `f` is dropped.
     fn number(&mut self) {
         let start = self.at;
         let bytes = self.text.as_bytes();
@@ -99,7 +109,7 @@ impl Program<'_, '_> {
             self.at = if end > self.at + 1 + sign { end } else { self.at };
         }
         let mut end = self.at;
-        // 2.*x is 2 .* x, and 2...  goes on in the next line.
+        // 2.*x is 2 .* x, and 2... continues on the next line.
         if self.notation == Notation::Matlab {
             let after = self.rest(0).starts_with(['*', '/', '^']) && self.text[start..end].ends_with('.');
             let dots = self.text[start..end].find("...").map(|dots| start + dots);
@@ -112,7 +122,7 @@ impl Program<'_, '_> {
         self.out.push(&self.text[start..end], start..self.at);
     }
 
-    /// Reads a name with its modules and members, such as `p.m`; returns it with its place.
+    /// Reads a name with its modules and members, such as `p.m`. Returns it with its byte range.
     pub(super) fn word(&mut self) -> (String, Range<usize>) {
         let start = self.at;
         loop {
@@ -135,6 +145,8 @@ impl Program<'_, '_> {
         (self.text[start..self.at].replace("->", "."), start..self.at)
     }
 
+    /// Translates a name: a constant, a call, or a variable with its indices and derivatives. Error
+    /// if the variable is unknown.
     fn named(&mut self) -> Result<(), ParseError> {
         let (whole, place) = self.word();
         let word = without_module(&whole).to_owned();
@@ -154,8 +166,8 @@ impl Program<'_, '_> {
         Ok(())
     }
 
-    /// Reads the indices behind a name, `z(6)` in MATLAB, `z[5]`, `x[2][0]` and `p['m']` elsewhere, and returns the
-    /// name with them.
+    /// Reads the indices after a name: `z(6)` in MATLAB, `z[5]`, `x[2][0]` and `p['m']` elsewhere.
+    /// Returns the name with its indices.
     fn indexed(&mut self, mut word: String) -> String {
         let (open, close) = if self.notation == Notation::Matlab { ('(', ')') } else { ('[', ']') };
         loop {
@@ -173,6 +185,8 @@ impl Program<'_, '_> {
         }
     }
 
+    /// Translates an operator, a parenthesis or a comma. Error if the language gives the character
+    /// another meaning.
     fn operator(&mut self, c: char) -> Result<(), ParseError> {
         let rest = self.rest(0);
         let matlab = self.notation == Notation::Matlab;
@@ -213,26 +227,27 @@ impl Program<'_, '_> {
         Ok(())
     }
 
-    /// Opens a call whose parenthesis is next.
+    /// Skips the opening parenthesis of a call, and begins its level of parentheses.
     pub(super) fn enter_call(&mut self) {
         self.at += 1;
         self.power.push(false);
     }
 
+    /// Marks the end of an exponent at the present level of parentheses.
     fn leave_power(&mut self) {
         if let Some(power) = self.power.last_mut() {
             *power = false;
         }
     }
 
-    /// True if the last token read ends an operand.
+    /// True if the last translated token ends an operand.
     fn ends_operand(&self) -> bool {
         let last = self.out.tokens().next_back().map(|(token, _)| token);
         last.is_some_and(|token| !matches!(token, "+" | "-" | "*" | "/" | "^" | "(" | ","))
     }
 
-    /// Notes a power; refuses a power of a power in MATLAB, which reads it from the left and other languages from the
-    /// right.
+    /// Notes that an exponent begins. Error for a power of a power in MATLAB, which reads it from
+    /// the left while other languages read it from the right.
     fn one_power(&mut self, place: &Range<usize>) -> Result<(), ParseError> {
         let Some(power) = self.power.last_mut() else { return Ok(()) };
         if std::mem::replace(power, true) && self.notation == Notation::Matlab {
@@ -242,7 +257,8 @@ impl Program<'_, '_> {
         Ok(())
     }
 
-    /// Error for a character that has no place in a formula of this notation.
+    /// Creates the error for a character that a formula of the language cannot contain, with
+    /// advice.
     fn odd(&self, c: char) -> ParseError {
         let (mut shown, mut span) = found(self.text, self.at);
         let help = match (self.notation, c) {
@@ -265,7 +281,8 @@ impl Program<'_, '_> {
         wrong(span, format!("unexpected `{shown}`"), help)
     }
 
-    /// Opens the call of a function, whose parenthesis is next; false if the word is no function.
+    /// Opens the call of a function whose parenthesis comes next. False if `word` is not a
+    /// function. Error for C's `abs`, which rounds to an integer.
     fn call(&mut self, word: &str, place: &Range<usize>) -> Result<bool, ParseError> {
         if self.notation == Notation::C && word == "abs" {
             let help = "in C this rounds to a whole number: fabs(x)";
@@ -290,7 +307,8 @@ impl Program<'_, '_> {
     }
 }
 
-/// True if a text between brackets is an index: whole numbers, or a word in single quotes.
+/// True if the text between brackets is an index: integers separated by commas, or a word in single
+/// quotes.
 pub(crate) fn is_index(text: &str) -> bool {
     let is_word = |text: &str| {
         let word = text.strip_prefix('\'').and_then(|rest| rest.strip_suffix('\''));

@@ -1,22 +1,23 @@
-//! Quotients of whole numbers, which C rounds towards zero.
+//! Quotients of integers in C, which C rounds towards zero; they are refused.
 
 use super::plain::Plain;
 use super::refusal::wrong;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
-/// State of one level of parentheses while it is read.
+/// State of one level of parentheses while the tokens of a formula are read.
 #[derive(Default)]
 struct Level {
-    /// True if a term before the current one is not a whole number.
+    /// True if an earlier term of the sum is not an integer.
     is_real: bool,
-    /// True if the current term is whole so far; `None` if it has not begun.
+    /// True if the current term is an integer so far; `None` if no operand was read yet.
     term: Option<bool>,
-    /// Place of the slash in front of the next operand; `None` without a slash.
+    /// Place of the slash before the next operand; `None` if no slash was read.
     slash: Option<Range<usize>>,
 }
 
-/// Refuses a quotient of two whole numbers, as C computes it: `1/2` is 0.
+/// Checks a translated C formula for quotients of two integers, which C rounds: `1/2` is 0. Error
+/// at the first of them.
 pub(super) fn refuse_whole_quotients(plain: &Plain) -> Result<(), ParseError> {
     let mut levels = vec![Level::default()];
     for (token, place) in plain.tokens() {
@@ -30,7 +31,7 @@ pub(super) fn refuse_whole_quotients(plain: &Plain) -> Result<(), ParseError> {
                 operand(outer, if is_whole { Operand::Whole } else { Operand::Real })?;
             }
             "/" => level.slash = Some(place.clone()),
-            // Powers and functions of several arguments are real.
+            // Powers and functions of several arguments are real numbers.
             "^" => level.term = Some(false),
             "," => *level = Level { is_real: true, ..Level::default() },
             "+" | "-" => {
@@ -45,16 +46,16 @@ pub(super) fn refuse_whole_quotients(plain: &Plain) -> Result<(), ParseError> {
     Ok(())
 }
 
-/// Kind of an operand in C.
+/// Type of an operand in C.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Operand {
-    /// Whole number, or a term of whole numbers in parentheses.
+    /// Integer, or a term of integers in parentheses.
     Whole,
-    /// Number with decimals, variable, or term that contains one.
+    /// Number with decimals, variable, or a term that contains either.
     Real,
 }
 
-/// Takes an operand into the term of a level.
+/// Adds an operand to the current term of a level. Error if it divides an integer by an integer.
 fn operand(level: &mut Level, operand: Operand) -> Result<(), ParseError> {
     let is_whole = operand == Operand::Whole;
     if let Some(slash) = level.slash.take().filter(|_| is_whole && level.term == Some(true)) {

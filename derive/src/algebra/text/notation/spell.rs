@@ -1,29 +1,33 @@
-//! Names, in the language of model files, of the symbols in formulas of other notations.
+//! Spelling of symbols: names, in the language of model files, of the symbols in formulas of other
+//! notations.
 
 use super::symbol::Symbol;
 
-/// Reason why a symbol has no name: (message, help).
+/// Reason why a symbol has no name in the model: (message, help).
 pub type Unknown = (String, Option<String>);
 
-/// Source of the names, in the language of model files, of the symbols in a text, primes for derivatives included.
+/// Source of names for symbols of other notations. A name is in the language of model files, with a
+/// prime per derivative.
 pub trait Spell {
-    /// True if a symbol of LaTeX, its dots aside, has a name.
+    /// True if a LaTeX symbol, apart from its dots, has a name in the model.
     fn knows(&self, symbol: &Symbol) -> bool;
 
-    /// True if a symbol of LaTeX stands for a coordinate.
+    /// True if a LaTeX symbol stands for a generalized coordinate.
     fn is_coordinate(&self, _symbol: &Symbol) -> bool {
         false
     }
 
-    /// The name of a symbol of LaTeX.
+    /// Name, in the language of model files, of a LaTeX symbol.
     ///
-    /// `run` is the word that the symbol forms with the letters around it, empty if they form none.
+    /// `run` is the word that the symbol forms with the letters next to it; it is empty if there
+    /// are none.
     ///
     /// # Errors
     /// Reason why the symbol has no name.
     fn latex(&mut self, symbol: &Symbol, run: &str) -> Result<String, Unknown>;
 
-    /// The name of a variable of a program, such as `q1`, `p.m`, `z(6)` or `z[5]`.
+    /// Name, in the language of model files, of a program's variable, such as `q1`, `p.m`, `z(6)`
+    /// or `z[5]`.
     ///
     /// # Errors
     /// Reason why the variable has no name.

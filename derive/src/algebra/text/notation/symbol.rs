@@ -1,24 +1,25 @@
-//! Symbols of LaTeX in one form, however they are written.
+//! Symbols of LaTeX in a normal form, independent of the way they are written.
 
-/// A symbol of LaTeX in one form, however it is written: `\dot{q}_1`, `\dot q_{1}` and `\dot{q_1}` are equal.
+/// Symbol of LaTeX in a normal form: `\dot{q}_1`, `\dot q_{1}` and `\dot{q_1}` are equal.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Symbol {
-    /// Letter or word of the symbol, with accents other than dots.
+    /// Letter or word of the symbol, with its accents except dots.
     pub base: String,
-    /// Subscript of the symbol, without braces and type faces; may be empty.
+    /// Subscript of the symbol, without braces and type faces; empty if there is none.
     pub subscript: String,
-    /// Superscript that is not a power, such as the `B` of `I^B`; may be empty.
+    /// Superscript that is not a power, such as the `B` of `I^B`; empty if there is none.
     pub mark: String,
-    /// Number of dots and primes: the order of the derivative with respect to time.
+    /// Number of dots and primes: the order of the time derivative.
     pub dots: usize,
 }
 
 impl Symbol {
+    /// Creates a symbol without subscript, superscript and dots.
     pub(super) fn plain(base: impl Into<String>) -> Self {
         Self { base: base.into(), subscript: String::new(), mark: String::new(), dots: 0 }
     }
 
-    /// The symbol without its dots, as LaTeX.
+    /// LaTeX text of the symbol without its dots.
     #[must_use]
     pub fn still(&self) -> String {
         let part = |sign: char, text: &str| if text.is_empty() { String::new() } else { format!("{sign}{{{text}}}") };

@@ -7,8 +7,9 @@ use super::refusal::{unknown, wrong};
 use crate::algebra::text::parse::ParseError;
 
 impl Program<'_, '_> {
-    /// Reads `Derivative(q(t), t)` and `Derivative(q(t), (t, 2))` of `SymPy`, whose parenthesis is next, as q' and q''.
-    /// `None` if the word is no derivative.
+    /// Reads a derivative as `SymPy` prints it, after the word `Derivative` or `diff`: `(q(t), t)`
+    /// as q', `(q(t), (t, 2))` as q''. `None` if `word` is not a derivative. Error if it is not the
+    /// time derivative of a symbol.
     pub(super) fn derivative(&mut self, word: &str) -> Result<Option<String>, ParseError> {
         if self.notation != Notation::Python || !matches!(word, "Derivative" | "diff") {
             return Ok(None);
@@ -23,8 +24,8 @@ impl Program<'_, '_> {
         Ok(Some(name + &"'".repeat(primes)))
     }
 
-    /// Reads what `SymPy` appends to a name: the time that a symbol depends on, and `.diff(t)`. Returns the name with
-    /// primes.
+    /// Reads the suffixes that `SymPy` appends to a name: the argument `(t)`, and `.diff(t)`.
+    /// Returns the name with a prime per derivative. Error for a derivative by another variable.
     pub(super) fn differentiated(&mut self, name: String) -> Result<String, ParseError> {
         if self.notation != Notation::Python {
             return Ok(name);
@@ -47,7 +48,7 @@ impl Program<'_, '_> {
         Ok(name + &"'".repeat(primes))
     }
 
-    /// Skips the argument `(t)` of a function of time.
+    /// Skips the argument `(t)` of a function of time, if it comes next.
     fn of_time(&mut self) {
         for written in ["(t)", "( t )"] {
             if self.rest(0).starts_with(written) {
@@ -56,10 +57,11 @@ impl Program<'_, '_> {
         }
     }
 
-    /// Reads the end of a derivative, `, t)`, `, t, t)`, `, t, 2)` or `, (t, 2))`, and returns its order.
+    /// Reads the end of a derivative, `, t)`, `, t, t)`, `, t, 2)` or `, (t, 2))`, and returns its
+    /// order, 1 or 2. Error for any other end.
     fn times(&mut self) -> Result<usize, ParseError> {
         let begin = self.at;
-        // No parenthesis is open in it but that around (t, 2).
+        // The only parenthesis that may be open inside is that around (t, 2).
         let mut depth = 1_usize;
         let end = self.rest(0).char_indices().find_map(|(at, c)| {
             match c {
@@ -79,6 +81,7 @@ impl Program<'_, '_> {
         }
     }
 
+    /// Creates the error for a derivative that is not the time derivative of a symbol.
     fn not_by_time(&self, begin: usize) -> ParseError {
         let place = begin..self.at.max(begin);
         wrong(

@@ -1,4 +1,5 @@
-//! Names and operators outside ASCII, as Julia, Python and people write them: `θ̇₁`, `2·x²`.
+//! Unicode names and operators outside ASCII, as Julia, Python and people write them: `θ̇₁`,
+//! `2·x²`.
 
 use super::plain::Plain;
 use super::refusal::unknown;
@@ -6,31 +7,35 @@ use super::spell::Spell;
 use crate::algebra::text::parse::ParseError;
 use crate::algebra::text::print::greek_name;
 
-/// Operators and powers, each with its form in the language of model files.
+/// Operators and powers outside ASCII, each with its form in the language of model files.
 const OPERATORS: [(char, &str); 8] =
     [('·', "*"), ('⋅', "*"), ('×', "*"), ('−', "-"), ('–', "-"), ('²', "^2"), ('³', "^3"), ('⁴', "^4")];
 
-/// Operator or power, in the language of model files, that a character outside ASCII stands for; `None` if it is none.
+/// Translates a character outside ASCII that is an operator or power, such as `·` or `²`; `None`
+/// for any other character.
 pub(super) fn operator(c: char) -> Option<&'static str> {
     OPERATORS.iter().find(|(sign, _)| *sign == c).map(|(_, token)| *token)
 }
 
-/// True if a character may begin a name.
+/// True if a character may begin a name: a letter of any alphabet, or an underscore.
 pub(super) fn begins_name(c: char) -> bool {
     c.is_ascii_alphabetic() || c == '_' || !c.is_ascii() && c.is_alphabetic()
 }
 
-/// True if a character may stand inside a name: letters, digits, subscript digits and dots above letters.
+/// True if a character may occur inside a name: letters, digits, subscript digits and dots above
+/// letters.
 pub(super) fn is_of_name(c: char) -> bool {
     begins_name(c) || c.is_ascii_digit() || subscript(c).is_some() || dots(c) > 0
 }
 
+/// Digit that a subscript digit stands for; `None` for any other character.
 fn subscript(c: char) -> Option<char> {
     let digit = u32::from(c).checked_sub(u32::from('₀')).filter(|digit| *digit < 10)?;
     char::from_digit(digit, 10)
 }
 
-/// Number of time derivatives that an accent stands for.
+/// Number of time derivatives that a combining accent stands for: 1 for a dot, 2 for two dots, else
+/// 0.
 fn dots(c: char) -> usize {
     match c {
         '\u{307}' => 1,
@@ -39,8 +44,8 @@ fn dots(c: char) -> usize {
     }
 }
 
-/// Names of model files that a name outside ASCII may stand for: θ̇₁ is `theta1'` or `theta_1'`. Empty if a character
-/// has no name.
+/// Candidates for the name in model files of a name outside ASCII: θ̇₁ is `theta1'` or `theta_1'`.
+/// Empty if a character has no ASCII form.
 #[must_use]
 pub fn ascii_names(name: &str) -> Vec<String> {
     let (mut plain, mut apart, mut primes) = (String::new(), String::new(), 0);
@@ -70,7 +75,8 @@ pub fn ascii_names(name: &str) -> Vec<String> {
     names.iter().map(|name| format!("{name}{}", "'".repeat(primes))).collect()
 }
 
-/// Translates a formula in the language of model files that has names or operators outside ASCII.
+/// Translates a formula of model files with names or operators outside ASCII into ASCII. Error for
+/// a name that `spell` does not know.
 pub(super) fn translate(text: &str, spell: &mut dyn Spell) -> Result<Plain, ParseError> {
     let mut out = Plain::new();
     let mut at = 0;

@@ -1,4 +1,5 @@
-//! Calls in the parser: functions of one and of several arguments, and components of velocities and interactions.
+//! Parsing of calls: functions of one and of several arguments, and components of velocities and
+//! interactions.
 
 use super::domain::{is_outside, is_partial};
 use super::error::{ParseError, error};
@@ -6,7 +7,8 @@ use super::{InteractionName, Parser, VelocityName};
 use crate::algebra::{Expr, Function, Rational};
 
 impl Parser<'_, '_> {
-    /// Reads a component of a velocity or position, whose `v`, `omega` or `p` was at `start`.
+    /// Parses a component of a velocity or position. Its keyword `v`, `omega` or `p` began at byte
+    /// `start`. Error if the syntax is wrong or a name is unknown.
     pub(super) fn component(&mut self, word: &str, start: usize) -> Result<Expr, ParseError> {
         let (name, end) = VelocityName::read(word, self.text, self.at)?;
         self.at = end;
@@ -14,7 +16,8 @@ impl Parser<'_, '_> {
         resolve(self.arena, &name).map_err(|(message, help)| ParseError { span: start..end, message, help })
     }
 
-    /// Reads a component of a force or torque between bodies, whose `force` or `torque` was at `start`.
+    /// Parses a component of a force or torque between bodies. Its keyword `force` or `torque`
+    /// began at byte `start`. Error if the syntax is wrong or a name is unknown.
     pub(super) fn interaction(&mut self, word: &str, start: usize) -> Result<Expr, ParseError> {
         let (name, end) = InteractionName::read(word, self.text, self.at)?;
         self.at = end;
@@ -22,7 +25,9 @@ impl Parser<'_, '_> {
         resolve(self.arena, &name).map_err(|(message, help)| ParseError { span: start..end, message, help })
     }
 
-    /// Reads the distance of two points, whose `distance` was at `start`.
+    /// Parses the distance of two points, `distance(P, Q)`, whose keyword began at byte `start`.
+    /// The result is the square root of the sum of squares. Error if the syntax is wrong or a point
+    /// is unknown.
     pub(super) fn distance(&mut self, start: usize) -> Result<Expr, ParseError> {
         let (ends, end) = VelocityName::ends(self.text, self.at)?;
         self.at = end;
@@ -44,7 +49,8 @@ impl Parser<'_, '_> {
         Ok(self.arena.apply(Function::Sqrt, square))
     }
 
-    /// Reads a call of `min`, `max` or `atan2`, and writes it by functions of one argument.
+    /// Parses a call of `min`, `max` or `atan2`, and builds it from functions of one argument.
+    /// Error if the number of arguments is wrong.
     pub(super) fn of_several(&mut self, name: &str, start: usize) -> Result<Expr, ParseError> {
         let open = self.at;
         self.take(b'(');
@@ -73,7 +79,7 @@ impl Parser<'_, '_> {
         let half = Rational::fraction(1, 2).expect("not zero");
         let mut result = arguments[0];
         for argument in &arguments[1..] {
-            // (a + b ± |a − b|)/2.
+            // min and max are (a + b ∓ |a − b|)/2.
             let apart = self.arena.sub(result, *argument);
             let apart = self.arena.apply(Function::Abs, apart);
             let both = self.arena.add(result, *argument);
@@ -83,8 +89,8 @@ impl Parser<'_, '_> {
         Ok(result)
     }
 
-    /// Angle of the direction (x, y) from the first axis, 2 arctan(y/(x + √(x² + y²))). It has no value on the negative
-    /// half of that axis.
+    /// Angle of the direction (x, y) from the first axis, rad: 2 arctan(y/(x + √(x² + y²))). It has
+    /// no value on the negative half of that axis. Error if that is certain.
     fn direction(&mut self, y: Expr, x: Expr, start: usize) -> Result<Expr, ParseError> {
         let squares = [self.arena.square(x), self.arena.square(y)];
         let square = self.arena.sum(&squares);
@@ -101,6 +107,8 @@ impl Parser<'_, '_> {
         Ok(self.arena.scale(half, &Rational::integer(2)))
     }
 
+    /// Applies a function of one argument by its name; `tan`, `cot`, `sec` and `csc` become
+    /// quotients. Error if the function has no value at a constant argument.
     pub(super) fn function(&mut self, name: &str, argument: Expr, start: usize) -> Result<Expr, ParseError> {
         let quotient = |parser: &mut Self, above: Expr, below: Expr| {
             parser.arena.div(above, below).ok_or_else(|| {
@@ -125,7 +133,8 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// Applies a function to an argument; refuses a constant outside the function's domain.
+    /// Applies a function to an argument. Error if the argument is a constant outside the
+    /// function's domain.
     pub(super) fn checked_apply(&mut self, f: Function, argument: Expr, start: usize) -> Result<Expr, ParseError> {
         if is_outside(self.arena, f, argument) {
             let shown = crate::diagnostic::shown(&crate::algebra::text::print::text(self.arena, argument));

@@ -1,15 +1,15 @@
-//! Domains of functions: the arguments for which they have real values.
+//! Domains of elementary functions: the arguments for which they have real values.
 
 use crate::algebra::value::evaluate::Tape;
 use crate::algebra::{Arena, Expr, Function, Rational};
 
-/// True if a function has no real value for some arguments.
+/// True if the function has no real value for some real arguments.
 pub(super) fn is_partial(f: Function) -> bool {
     matches!(f, Function::Sqrt | Function::Log | Function::Asin | Function::Acos)
 }
 
-/// True if an argument lies outside the domain of a function: exactly for plain numbers, to rounding for other
-/// constants. False for an argument that mentions a symbol.
+/// True if the argument is a constant outside the domain of the function. The test is exact for
+/// rational numbers, and to rounding for other constants. False for an argument with symbols.
 pub(super) fn is_outside(arena: &Arena, f: Function, argument: Expr) -> bool {
     if !is_partial(f) {
         return false;
@@ -22,7 +22,7 @@ pub(super) fn is_outside(arena: &Arena, f: Function, argument: Expr) -> bool {
             _ => size > Rational::ONE,
         };
     }
-    // An argument that mentions a symbol may have any value.
+    // An argument with symbols may have any value.
     let Ok(tape) = Tape::new(arena, &[], &[argument]) else { return false };
     let value = tape.evaluate(&[])[0];
     match f {
@@ -32,5 +32,5 @@ pub(super) fn is_outside(arena: &Arena, f: Function, argument: Expr) -> bool {
     }
 }
 
-/// Rounding error allowed in the value of a constant such as sin(1)^2 + cos(1)^2.
+/// Rounding error that is allowed in the value of a constant such as sin(1)^2 + cos(1)^2.
 const ROUNDING: f64 = 1e-12;

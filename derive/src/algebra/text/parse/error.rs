@@ -3,19 +3,20 @@
 use crate::algebra::{Arena, PowerError};
 use std::ops::Range;
 
-/// Error in the text of an expression: place, description and advice.
+/// Error in the text of an expression, with its place, a description and advice.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParseError {
     /// Place of the error, as a byte range of the text.
     pub span: Range<usize>,
     /// Description of the error.
     pub message: String,
-    /// Advice on how to correct the text.
+    /// Advice on how to correct the text; `None` if there is none.
     pub help: Option<String>,
 }
 
 impl ParseError {
-    /// Error for a character that may not stand at this place. Names may end in at most `primes` primes.
+    /// Creates the error for an unexpected character at byte `at`, or for an early end of the text.
+    /// Names may end in at most `primes` primes.
     pub(super) fn unexpected(text: &str, at: usize, primes: usize) -> Self {
         let Some(found) = text[at..].chars().next() else {
             return error(at..at, "the expression ends too early", Some("an operand is missing here"));
@@ -56,7 +57,8 @@ impl ParseError {
         error(span, format!("unexpected `{found}`"), Some(help))
     }
 
-    /// Error for a power that cannot be built.
+    /// Creates the error for a power that cannot be built: a division by zero, or a power that is
+    /// too large.
     pub(super) fn power(span: Range<usize>, kind: PowerError) -> Self {
         match kind {
             PowerError::DivisionByZero => error(span, "division by zero", Some("this divisor is zero")),
@@ -69,12 +71,12 @@ impl ParseError {
     }
 }
 
-/// Creates an error with a fixed help text, if any.
+/// Creates an error with a place, a message and an optional help text.
 pub(super) fn error(span: Range<usize>, message: impl Into<String>, help: Option<&str>) -> ParseError {
     ParseError { span, message: message.into(), help: help.map(str::to_owned) }
 }
 
-/// True if a text begins with a word or sign for degrees.
+/// True if the text begins with a word or sign for degrees, such as `deg` or `°`.
 fn is_degree(text: &str) -> bool {
     let word: String = text.chars().take_while(|c| c.is_alphanumeric() || *c == '°').collect();
     matches!(word.as_str(), "deg" | "degree" | "degrees" | "°")

@@ -1,11 +1,12 @@
-//! Components of the force or torque that one body exerts on another through the elements that connect them. They are
-//! written `force(base on arm) @ N [1]`, `torque(base on arm) @ arm_frame [3]` or
-//! `torque(base on arm about P) @ N [3]`.
+//! Interactions in expressions: components of the force or torque that one body exerts on another
+//! through the elements that connect them. They are written `force(base on arm) @ N [1]`,
+//! `torque(base on arm) @ arm_frame [3]` or `torque(base on arm about P) @ N [3]`.
 
 use super::cursor::{Cursor, Word};
 use super::error::ParseError;
 
-/// Name of a component of a force or torque between two bodies. The algebra does not interpret the names in it.
+/// Name of a component of the force or torque that one body exerts on another. The parser does not
+/// check that its bodies, point and frame exist.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InteractionName<'a> {
     /// True for a torque, false for a force.
@@ -22,17 +23,19 @@ pub struct InteractionName<'a> {
     pub axis: usize,
 }
 
-/// Help for errors: the forms of a force and a torque.
+/// Help text for errors: the syntax of a force and a torque.
 const FORM: &str =
     "write force(BODY on BODY) @ FRAME [1], or torque(BODY on BODY about POINT) @ FRAME [1]; `ground` is a body here";
 
-/// True if this word, in front of a parenthesis, begins a force or torque between bodies.
+/// True if a word before a parenthesis begins a force or torque between bodies: `force` or
+/// `torque`.
 pub(super) fn is_interaction(word: &str) -> bool {
     ["force", "torque"].contains(&word)
 }
 
 impl<'a> InteractionName<'a> {
-    /// Reads an interaction behind its `word`, from its parenthesis on. Returns the name and the place where it ends.
+    /// Reads an interaction from its opening parenthesis at byte `at` on; `word` is its keyword.
+    /// Returns the name and the byte where it ends. Error if the syntax is wrong.
     pub(super) fn read(word: &str, text: &'a str, at: usize) -> Result<(Self, usize), ParseError> {
         let mut cursor = Cursor { text, at, form: FORM };
         let is_torque = word == "torque";
@@ -48,7 +51,7 @@ impl<'a> InteractionName<'a> {
         Ok((Self { is_torque, by, on, about, frame, axis }, cursor.at))
     }
 
-    /// Canonical text of the name, however it was written.
+    /// Canonical text of the name, independent of spaces: `force(base on arm) @ N [1]`.
     #[must_use]
     pub fn text(&self) -> String {
         let what = if self.is_torque { "torque" } else { "force" };

@@ -1,12 +1,13 @@
-//! Numbers as they are written: `12`, `0.5`, `1.5e-3`.
+//! Parsing of decimal numbers: `12`, `0.5`, `1.5e-3`.
 
 use super::error::{ParseError, error};
 use crate::algebra::Rational;
 
-/// Largest number of digits of a written number.
+/// Largest number of digits that a written number may have.
 const MAX_DIGITS: usize = 4000;
 
-/// Reads the number that begins at byte `start`. Returns its exact value and the place where it ends.
+/// Reads the decimal number that begins at byte `start`. Returns its exact value and the byte where
+/// it ends. Error if it is not a number or is too long.
 pub(super) fn decimal(text: &str, start: usize) -> Result<(Rational, usize), ParseError> {
     let bytes = text.as_bytes();
     let digits = |mut at: usize| {

@@ -1,8 +1,10 @@
-//! Size of the numbers in front of terms, which determines the cost of exact arithmetic with them.
+//! Size of the numerical coefficients of terms, which determines the cost of exact arithmetic with
+//! them.
 
 use crate::algebra::{Arena, Expr, Node, Rational};
 
-/// Bits of the numerator and of the denominator of the number in front of a term, at least 1 each.
+/// Numbers of bits of the numerator and denominator of a term's leading coefficient, at least 1
+/// each.
 pub(super) fn largest_number(arena: &Arena, e: Expr) -> (u64, u64) {
     let bits = |value: &Rational| match value.small() {
         Some((n, d)) => (u64::from(64 - n.unsigned_abs().leading_zeros()), u64::from(64 - d.leading_zeros())),
@@ -15,7 +17,7 @@ pub(super) fn largest_number(arena: &Arena, e: Expr) -> (u64, u64) {
     (above.max(1), below.max(1))
 }
 
-/// The number in front of a term.
+/// Leading coefficient of a term: the number itself, the first coefficient of a sum, or 1.
 fn leading(arena: &Arena, e: Expr) -> &Rational {
     match arena.node(e) {
         Node::Number(value) => value,
@@ -24,7 +26,7 @@ fn leading(arena: &Arena, e: Expr) -> &Rational {
     }
 }
 
-/// The denominator of the number in front of a term.
+/// Denominator of a term's leading coefficient.
 pub(super) fn below_of(arena: &Arena, e: Expr) -> num_bigint::BigInt {
     leading(arena, e).to_big().denom().clone()
 }

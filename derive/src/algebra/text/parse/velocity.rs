@@ -1,27 +1,30 @@
-//! Components of velocities and positions. They are written `v(P) @ A [1]` for a point, `v(disk, P) @ A [1]` for the
-//! material of a body at a point, `omega(B) @ A [3]` for a body or a frame that turns, and `p(P) @ A [1]` for a
-//! position.
+//! Velocities and positions in expressions, by components. They are written `v(P) @ A [1]` for a
+//! point, `v(disk, P) @ A [1]` for the material of a body at a point, and `omega(B) @ A [3]` for an
+//! angular velocity. A position is `p(P) @ A [1]`.
 
 use super::cursor::{Cursor, Word};
 use super::error::ParseError;
 
-/// Object of a velocity or a position, with its kind.
+/// Object of which a velocity or position is taken. `N` is the type of the names of bodies, frames
+/// and points.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum VelocityOf<N> {
-    /// Velocity of a point.
+    /// Velocity of a point, by the point's name.
     Point(N),
-    /// Velocity of the material of a body at a point: the body, then the point.
+    /// Velocity of the material point of a body that is at a given point: names of the body and of
+    /// the point.
     Material(N, N),
-    /// Angular velocity of a body or a frame.
+    /// Angular velocity of a body or a frame, by its name.
     Turning(N),
-    /// Position of a point, from the origin.
+    /// Position of a point relative to the origin, by the point's name.
     Place(N),
 }
 
-/// Name of a component of a velocity or position. The algebra does not interpret the names in it.
+/// Name of a component of a velocity or position. The parser does not check that its points, bodies
+/// and frame exist.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VelocityName<'a> {
-    /// Object whose velocity or position is meant.
+    /// Object of which the velocity or position is taken.
     pub of: VelocityOf<Word<'a>>,
     /// Frame along whose axis the component is taken.
     pub frame: Word<'a>,
@@ -29,18 +32,18 @@ pub struct VelocityName<'a> {
     pub axis: usize,
 }
 
-/// Help for errors: the forms of a velocity and a position.
+/// Help text for errors: the syntax of a velocity and a position.
 const FORM: &str = "write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, omega(BODY) @ FRAME [1], or \
                     p(POINT) @ FRAME [1] for a position";
 
-/// True if this word, in front of a parenthesis, begins a velocity or a position.
+/// True if a word before a parenthesis begins a velocity or position: `v`, `omega` or `p`.
 pub(super) fn is_velocity(word: &str) -> bool {
     ["v", "omega", "p"].contains(&word)
 }
 
 impl<'a> VelocityName<'a> {
-    /// Reads a velocity or position behind its `word`, from its parenthesis on. Returns the name and the place where it
-    /// ends.
+    /// Reads a velocity or position from its opening parenthesis at byte `at` on; `word` is its
+    /// keyword. Returns the name and the byte where it ends. Error if the syntax is wrong.
     pub(super) fn read(word: &str, text: &'a str, at: usize) -> Result<(Self, usize), ParseError> {
         let mut cursor = Cursor { text, at, form: FORM };
         cursor.mark('(')?;
@@ -63,8 +66,9 @@ impl<'a> VelocityName<'a> {
         Ok((Self { of, frame, axis }, cursor.at))
     }
 
-    /// Reads the two points of `distance(P, Q)`, from its parenthesis on. Returns their positions along the axes of the
-    /// inertial frame, whose name is empty, and the place where the call ends.
+    /// Reads the two points of `distance(P, Q)` from its opening parenthesis on. Returns their
+    /// positions for each of the three axes of the inertial frame, whose name is empty, and the
+    /// byte where the call ends.
     pub(super) fn ends(text: &'a str, at: usize) -> Result<([[Self; 2]; 3], usize), ParseError> {
         let mut cursor = Cursor { text, at, form: FORM };
         cursor.mark('(')?;
@@ -76,7 +80,7 @@ impl<'a> VelocityName<'a> {
         Ok(([0, 1, 2].map(|axis| [place(&first, axis), place(&second, axis)]), cursor.at))
     }
 
-    /// Canonical text of the name, however it was written.
+    /// Canonical text of the name, independent of spaces: `v(disk, P) @ A [1]`.
     #[must_use]
     pub fn text(&self) -> String {
         let of = match &self.of {

@@ -4,7 +4,8 @@ use super::name::{GREEK, greek_index, is_word, split_name};
 use crate::algebra::text::view::View;
 use std::fmt::Write;
 
-/// A symbol's name in LaTeX: `q1'` as `\dot{q}_{1}`, `u_psi` as `u_{\psi}`, `q_track` as `q_{\mathrm{track}}`.
+/// Prints a symbol's name in LaTeX: `q1'` as `\dot{q}_{1}`, `u_psi` as `u_{\psi}`, `q_track` as
+/// `q_{\mathrm{track}}`.
 #[must_use]
 pub fn latex_name(name: &str) -> String {
     let (letters, subscript, primes) = split_name(name);
@@ -17,7 +18,7 @@ pub fn latex_name(name: &str) -> String {
     if subscript.is_empty() { dotted } else { format!("{dotted}_{{{}}}", latex_subscript(subscript)) }
 }
 
-/// A subscript in LaTeX: a Greek letter with its index, a word in roman type, or indices.
+/// Prints a subscript in LaTeX: a Greek letter with its index, a word in roman type, or indices.
 fn latex_subscript(subscript: &str) -> String {
     let escaped = subscript.replace('_', "\\_");
     match greek_index(subscript) {
@@ -28,12 +29,13 @@ fn latex_subscript(subscript: &str) -> String {
     }
 }
 
-/// A symbol's name in LaTeX as one word, without a subscript.
+/// Prints a symbol's name in LaTeX as a word in roman type without a subscript; primes become dots.
 fn latex_word(name: &str) -> String {
     let stem = name.trim_end_matches('\'');
     dotted(format!("\\mathrm{{{}}}", stem.replace('_', "\\_")), name.len() - stem.len())
 }
 
+/// Puts dots for time derivatives over a symbol in LaTeX: none, one, or two for any larger number.
 fn dotted(letters: String, dots: usize) -> String {
     match dots {
         0 => letters,
@@ -42,7 +44,7 @@ fn dotted(letters: String, dots: usize) -> String {
     }
 }
 
-/// Appends a formula in LaTeX.
+/// Appends a formula in LaTeX to `out`.
 pub(super) fn write_latex(view: &View, out: &mut String) {
     match view {
         View::Number(text) | View::Shared(text) => out.push_str(text),
@@ -114,6 +116,7 @@ pub(super) fn write_latex(view: &View, out: &mut String) {
     }
 }
 
+/// Appends a factor of a product to `out`, in parentheses if it is a sum.
 fn latex_factor(view: &View, out: &mut String) {
     if view.is_loose() {
         out.push_str("\\left(");
@@ -124,6 +127,7 @@ fn latex_factor(view: &View, out: &mut String) {
     }
 }
 
+/// Appends the argument of a function to `out`, in parentheses unless it is a name.
 fn latex_argument(view: &View, out: &mut String) {
     if matches!(view, View::Name(_) | View::Word(_)) {
         write_latex(view, out);

@@ -1,7 +1,7 @@
-//! Formulas in lines that a page can hold. They break at their signs, also within parentheses, at the same places in
-//! LaTeX, Typst and `MathML`.
+//! Breaking of long formulas into lines that fit a page. Lines break at plus and minus signs, also
+//! within parentheses, at the same places in LaTeX, Typst and `MathML`.
 //!
-//! Invariant: the lines joined are the formula, wherever they are broken. Widths are estimates, in tenths of an em. A
+//! Invariant: the joined lines are the whole formula. Widths are estimates, in tenths of an em. A
 //! root, and the argument of a function, are never broken.
 
 use super::latex::write_latex;
@@ -9,30 +9,35 @@ use super::mathml::{between, write_mathml};
 use super::typst::write_typst;
 use crate::algebra::text::view::View;
 
-/// Spelling, in one language, of the marks near which lines break.
+/// Spelling, in one language, of the signs at which lines may break.
 struct Marks {
+    /// Function that appends a formula without line breaks.
     write: fn(&View, &mut String),
-    /// Minus sign that begins a formula, or the content of parentheses.
+    /// Minus sign at the beginning of a formula or of parentheses.
     negative: &'static str,
-    /// Plus sign between terms, with which a line may begin.
+    /// Plus sign between terms; a line may begin with it.
     plus: &'static str,
-    /// Minus sign between terms, with which a line may begin.
+    /// Minus sign between terms; a line may begin with it.
     minus: &'static str,
-    /// Mark between two factors, given the second.
+    /// Sign between two factors; the function gets the second factor.
     times: fn(&View) -> &'static str,
-    /// Mark between two factors with which a line may begin.
+    /// Multiplication sign with which a line begins that breaks between two factors.
     cross: &'static str,
-    /// Parentheses around content on one line, as high as the content.
+    /// Opening and closing parenthesis around content on one line; they grow with the content.
     whole: [&'static str; 2],
-    /// Parentheses around content that may break over lines, of fixed height.
+    /// Opening and closing parenthesis around content that may break over lines; their height is
+    /// fixed.
     broken: [&'static str; 2],
+    /// Function that writes an exponent behind a base in parentheses.
     power: fn(i32) -> String,
-    /// Mark between the parts of a fraction that is broken.
+    /// Division sign of a fraction that is broken over lines.
     slash: &'static str,
-    /// True if a fraction with a wide numerator gets a slash; false if n a/b becomes (n/b) a.
+    /// True if a fraction with a wide numerator is written with a slash; false if n a/b is written
+    /// as (n/b) a.
     slashes_numerators: bool,
 }
 
+/// Signs of LaTeX at which lines may break.
 const LATEX: Marks = Marks {
     write: write_latex,
     negative: "-",
@@ -47,7 +52,8 @@ const LATEX: Marks = Marks {
     slashes_numerators: false,
 };
 
-/// Marks of Typst. Its parentheses are escaped, since Typst breaks no line between parentheses that it pairs.
+/// Signs of Typst at which lines may break. Its parentheses are escaped, since Typst breaks no line
+/// between paired parentheses.
 const TYPST: Marks = Marks {
     write: write_typst,
     negative: "-",
@@ -62,7 +68,8 @@ const TYPST: Marks = Marks {
     slashes_numerators: false,
 };
 
-/// Marks of `MathML`. Each piece is an element `math` of its own, so nothing stretches to the height of another piece.
+/// Signs of `MathML` at which lines may break. Each piece is its own `math` element, so nothing
+/// stretches to the height of another piece.
 const MATHML: Marks = Marks {
     write: write_mathml,
     negative: "<mo form=\"prefix\">−</mo>",
@@ -77,30 +84,33 @@ const MATHML: Marks = Marks {
     slashes_numerators: true,
 };
 
-/// Part of a formula within which no line breaks.
+/// Part of a formula within which no line break is allowed.
 struct Piece {
+    /// Text of the piece in the language of the formula.
     text: String,
+    /// Estimated width of the piece, in tenths of an em.
     width: usize,
-    /// True if a line may begin with this piece.
+    /// True if a new line may begin with this piece.
     breaks: bool,
-    /// True if this piece is the mark between two factors. A line breaks there only if it has no other place.
+    /// True if this piece is the sign between two factors. A line breaks there only if no other
+    /// place is left.
     is_between: bool,
 }
 
-/// Breaks a formula into lines of LaTeX, each about `widest` tenths of an em wide.
+/// Breaks a formula into lines of LaTeX, each at most about `widest` tenths of an em wide.
 #[must_use]
 pub fn latex_lines(view: &View, widest: usize) -> Vec<String> {
     Breaking { marks: &LATEX, widest }.lines(view)
 }
 
-/// Breaks a formula into lines of Typst, each about `widest` tenths of an em wide.
+/// Breaks a formula into lines of Typst, each at most about `widest` tenths of an em wide.
 #[must_use]
 pub fn typst_lines(view: &View, widest: usize) -> Vec<String> {
     Breaking { marks: &TYPST, widest }.lines(view)
 }
 
-/// A formula as presentation `MathML`, in pieces between which lines may break. It is one piece if it is no wider than
-/// `widest`, in tenths of an em.
+/// Writes a formula in presentation `MathML` as pieces, between which lines may break. A formula no
+/// wider than `widest`, in tenths of an em, is a single piece.
 #[must_use]
 pub fn mathml_pieces(view: &View, widest: usize) -> Vec<String> {
     let mut pieces = Vec::new();
@@ -115,19 +125,20 @@ pub fn mathml_pieces(view: &View, widest: usize) -> Vec<String> {
     list
 }
 
-/// Language and line width for breaking a formula.
+/// Settings for breaking a formula into lines: language and line width.
 struct Breaking {
+    /// Signs of the language at which lines may break.
     marks: &'static Marks,
-    /// Width of a line, in tenths of an em.
+    /// Largest width of a line, in tenths of an em.
     widest: usize,
 }
 
 impl Breaking {
-    /// Lines of a formula, each about as wide as allowed.
+    /// Breaks a formula into lines that are about as wide as allowed.
     fn lines(&self, view: &View) -> Vec<String> {
         let mut pieces = Vec::new();
         self.flatten(view, &mut pieces);
-        // Pieces between two breaks stay together: their widths add up.
+        // Pieces without a break between them stay on one line: their widths add up.
         let mut together: Vec<Vec<Piece>> = Vec::new();
         for piece in pieces {
             match together.last_mut() {
@@ -143,7 +154,7 @@ impl Breaking {
                 filled = 0;
             }
             let is_too_wide = width > self.widest;
-            // Width from each piece to the next mark between factors.
+            // Width from each piece to the next sign between factors.
             let mut rest = vec![0; list.len() + 1];
             for at in (0..list.len()).rev() {
                 let next = list.get(at + 1).is_some_and(|piece| !piece.is_between);
@@ -164,13 +175,13 @@ impl Breaking {
         lines
     }
 
-    /// Appends a formula to `out`: as one piece if it fits on a line, else in pieces.
+    /// Appends a formula to `out`: as a single piece if it fits on a line, else as several pieces.
     fn flatten(&self, view: &View, out: &mut Vec<Piece>) {
         let width = formula_width(view);
         if width <= self.widest { self.push(out, view, width) } else { self.split(view, out) }
     }
 
-    /// Appends a formula to `out` in pieces that break at its signs.
+    /// Appends a formula to `out` in pieces, which break at its plus and minus signs.
     fn split(&self, view: &View, out: &mut Vec<Piece>) {
         match view {
             View::Sum(terms) => {
@@ -184,7 +195,7 @@ impl Breaking {
                     out.push(Piece { text: sign.to_owned(), width: 0, breaks: at > 0, is_between: false });
                     let first = out.len();
                     self.factor(term, out);
-                    // The sign and the piece behind it stay together.
+                    // A sign and the piece after it stay together.
                     if let [sign, next, ..] = &mut out[first - 1..] {
                         sign.width = 15 + next.width;
                         next.width = 0;
@@ -213,7 +224,7 @@ impl Breaking {
                     _ => self.factor(below, out),
                 }
             }
-            // n a/b as (n/b) a.
+            // n a/b is written as (n/b) a.
             View::Fraction(above, below)
                 if !self.marks.slashes_numerators && matches!(**above, View::Sum(_) | View::Product(_)) =>
             {
@@ -236,15 +247,16 @@ impl Breaking {
         }
     }
 
-    /// True if the view is a fraction that gets a slash, since a line may break in its numerator or denominator. A
-    /// factor behind it would seem to belong to the denominator.
+    /// True if the view is a fraction that must be written with a slash, because a line may break
+    /// in its numerator or denominator. The fraction then needs parentheses before another factor.
     fn is_slashed(&self, view: &View) -> bool {
         let breaks = |part: &View| formula_width(part) > self.widest && has_signs(part);
         let numerators = self.marks.slashes_numerators;
         matches!(view, View::Fraction(above, below) if breaks(below) || numerators && breaks(above))
     }
 
-    /// Appends a factor: a sum that does not fit stands in parentheses that lines may break.
+    /// Appends a factor to `out`. A sum gets parentheses; a wide sum gets parentheses within which
+    /// lines may break.
     fn factor(&self, view: &View, out: &mut Vec<Piece>) {
         let width = factor_width(view);
         if !view.is_loose() {
@@ -260,7 +272,8 @@ impl Breaking {
         out.push(Piece { text, width, breaks: false, is_between: false });
     }
 
-    /// Appends a formula in parentheses of fixed height, in pieces that break at its signs.
+    /// Appends a formula to `out` in parentheses of fixed height, in pieces that break at its
+    /// signs.
     fn enclosed(&self, view: &View, out: &mut Vec<Piece>) {
         let [open, close] = self.marks.broken;
         out.push(Piece { text: open.to_owned(), width: 5, breaks: false, is_between: false });
@@ -268,6 +281,7 @@ impl Breaking {
         out.push(Piece { text: close.to_owned(), width: 5, breaks: false, is_between: false });
     }
 
+    /// Appends a formula to `out` as a single piece of the given width.
     fn push(&self, out: &mut Vec<Piece>, view: &View, width: usize) {
         let mut text = String::new();
         (self.marks.write)(view, &mut text);
@@ -275,7 +289,7 @@ impl Breaking {
     }
 }
 
-/// True if a line may break inside this view.
+/// True if the formula has a plus or minus sign at which a line may break.
 fn has_signs(view: &View) -> bool {
     match view {
         View::Sum(terms) => terms.len() > 1 || terms.iter().any(|(_, term)| has_signs(term)),
@@ -286,7 +300,7 @@ fn has_signs(view: &View) -> bool {
     }
 }
 
-/// Splits a product into the number in front of it, 1 if there is none, and the rest.
+/// Splits a product into its leading number, `1` if it has none, and the remaining product.
 fn without_number(view: &View) -> (String, View) {
     match view {
         View::Product(factors) => match factors.split_first() {
@@ -298,7 +312,7 @@ fn without_number(view: &View) -> (String, View) {
     }
 }
 
-/// Estimated width of a formula, in tenths of an em.
+/// Estimated width of a printed formula, in tenths of an em.
 #[must_use]
 pub fn formula_width(view: &View) -> usize {
     match view {
@@ -323,10 +337,13 @@ fn name_width(name: &str) -> usize {
     letters + 4 * subscript.len()
 }
 
+/// Estimated width of a formula as a factor, with its parentheses if any, in tenths of an em.
 fn factor_width(view: &View) -> usize {
     formula_width(view) + if view.is_loose() { 9 } else { 0 }
 }
 
+/// Estimated width of a formula as the argument of a function, with parentheses unless it is a
+/// name, in tenths of an em.
 fn argument_width(view: &View) -> usize {
     formula_width(view) + if matches!(view, View::Name(_) | View::Word(_)) { 0 } else { 9 }
 }

@@ -4,13 +4,13 @@ use super::name::{GREEK, greek_index, split_name};
 use crate::algebra::text::view::View;
 use std::fmt::Write;
 
-/// A symbol's name in `MathML`, with dots for time derivatives.
+/// Prints a symbol's name in `MathML`, with subscript, and with dots for time derivatives.
 #[must_use]
 pub fn mathml_name(name: &str) -> String {
     mathml_symbol(name, None)
 }
 
-/// A symbol and its power in `MathML`; subscript and exponent stand above each other.
+/// Prints a symbol in `MathML`, with its exponent if it has one, directly above the subscript.
 fn mathml_symbol(name: &str, power: Option<i32>) -> String {
     let (letters, subscript, primes) = split_name(name);
     let letters = GREEK.iter().find(|(n, _)| *n == letters).map_or(letters, |(_, greek)| greek);
@@ -25,7 +25,7 @@ fn mathml_symbol(name: &str, power: Option<i32>) -> String {
     }
 }
 
-/// A subscript in `MathML`: a Greek letter with its index, a number, or letters.
+/// Prints a subscript in `MathML`: a Greek letter with its index, a number, or letters.
 fn mathml_subscript(subscript: &str) -> String {
     match greek_index(subscript) {
         Some(((_, greek), "")) => format!("<mi>{greek}</mi>"),
@@ -35,12 +35,14 @@ fn mathml_subscript(subscript: &str) -> String {
     }
 }
 
-/// A symbol's name in `MathML` as one word, without a subscript.
+/// Prints a symbol's name in `MathML` as a word without a subscript; primes become dots.
 fn mathml_word(name: &str) -> String {
     let stem = name.trim_end_matches('\'');
     dotted(format!("<mi>{stem}</mi>"), name.len() - stem.len())
 }
 
+/// Puts dots for time derivatives over a symbol in `MathML`: none, one, or two for any larger
+/// number.
 fn dotted(letters: String, dots: usize) -> String {
     match dots {
         0 => letters,
@@ -49,7 +51,7 @@ fn dotted(letters: String, dots: usize) -> String {
     }
 }
 
-/// Appends a formula in `MathML`.
+/// Appends a formula in `MathML` to `out`.
 pub(super) fn write_mathml(view: &View, out: &mut String) {
     match view {
         View::Number(text) => {
@@ -112,11 +114,12 @@ pub(super) fn write_mathml(view: &View, out: &mut String) {
     }
 }
 
-/// Mark in front of a factor that follows another: a dot if it is a number, else a thin space.
+/// Sign between two factors in `MathML`: a dot if the second is a number, else a thin space.
 pub(super) fn between(factor: &View) -> &'static str {
     if matches!(factor, View::Number(_)) { "<mo>·</mo>" } else { "<mspace width=\"0.17em\"/>" }
 }
 
+/// Appends a factor of a product to `out`, in parentheses if it is a sum.
 fn mathml_factor(view: &View, out: &mut String) {
     if view.is_loose() {
         mathml_parenthesized(view, out);
@@ -125,7 +128,8 @@ fn mathml_factor(view: &View, out: &mut String) {
     }
 }
 
-/// Appends the argument of a function, behind the invisible operator of function application.
+/// Appends the argument of a function to `out`, after the invisible operator of function
+/// application.
 fn mathml_argument(view: &View, out: &mut String) {
     if matches!(view, View::Name(_) | View::Word(_)) {
         // Browsers leave no space between a function and an argument without parentheses.
@@ -137,6 +141,7 @@ fn mathml_argument(view: &View, out: &mut String) {
     }
 }
 
+/// Appends a formula in parentheses to `out`.
 fn mathml_parenthesized(view: &View, out: &mut String) {
     out.push_str("<mrow><mo>(</mo>");
     write_mathml(view, out);

@@ -1,8 +1,9 @@
-//! Names of symbols in parts: letters, subscript, dots.
+//! Names of symbols, split for printing: letters, subscript and dots.
 
-/// Splits a name into (letters, subscript, number of primes): `q12'` is (q, 12, 1), `m_p` (m, p, 0).
+/// Splits a symbol's name into (letters, subscript, number of primes): `q12'` is (q, 12, 1), `m_p`
+/// is (m, p, 0).
 pub(super) fn split_name(name: &str) -> (&str, &str, usize) {
-    // `v(my_disk, P) @ A [1]`: the words of a quantity, none of which is a subscript.
+    // `v(my_disk, P) @ A [1]`: the name of a quantity, which has no subscript.
     if name.contains('(') {
         return (name, "", 0);
     }
@@ -25,7 +26,8 @@ pub(super) fn split_name(name: &str) -> (&str, &str, usize) {
     if letters.len() == 1 || letters.len() < stem.len() {
         return (letters, &stem[letters.len()..], primes);
     }
-    // I_xx written as Ixx: a capital and what follows, unless it is the name of a Greek letter.
+    // Ixx is I with the subscript xx: a capital and the letters after it, unless it is the name of
+    // a Greek letter.
     if !GREEK.iter().any(|(greek, _)| *greek == letters)
         && letters.len() <= 4
         && letters.starts_with(|c: char| c.is_ascii_uppercase())
@@ -35,7 +37,8 @@ pub(super) fn split_name(name: &str) -> (&str, &str, usize) {
     (letters, "", primes)
 }
 
-/// Name without an underscore that has the same letters and subscript, such as `l1` for `l_1`; `None` if there is none.
+/// Name without an underscore that would be printed like `name`: `l1` for `l_1`; `None` if there is
+/// no such name.
 pub(super) fn twin(name: &str) -> Option<String> {
     let (letters, subscript, _) = split_name(name);
     let other = format!("{letters}{subscript}");
@@ -43,7 +46,7 @@ pub(super) fn twin(name: &str) -> Option<String> {
     (is_split && split_name(&other) == (letters, subscript, 0)).then_some(other)
 }
 
-/// Greek letters: name and character.
+/// Greek letters, each as its name and its character.
 pub(super) const GREEK: [(&str, &str); 33] = [
     ("alpha", "α"),
     ("beta", "β"),
@@ -80,28 +83,31 @@ pub(super) const GREEK: [(&str, &str); 33] = [
     ("Omega", "Ω"),
 ];
 
-/// Name and character of the Greek letter at the beginning of a word, and the digits after it: `theta12` is θ and 12.
-/// `None` if the word is anything else.
+/// Reads a word that is a Greek letter's name with digits: `theta12` gives the name and character
+/// of θ, and the digits 12. `None` for any other word.
 pub(super) fn greek_index(word: &str) -> Option<((&'static str, &'static str), &str)> {
     let letters = word.trim_end_matches(|c: char| c.is_ascii_digit());
     let greek = GREEK.iter().find(|(name, _)| *name == letters)?;
     Some((*greek, &word[letters.len()..]))
 }
 
-/// Name of a Greek letter in one of its forms; `None` for another character.
+/// Name of the Greek letter that a character is, in any of its forms; `None` for any other
+/// character.
 pub(in crate::algebra::text) fn greek_name(letter: char) -> Option<&'static str> {
-    /// Other forms of letters.
+    /// Alternative forms of Greek letters.
     const VARIANTS: [(char, &str); 3] = [('ϵ', "epsilon"), ('ϑ', "theta"), ('ϕ', "phi")];
     let variant = VARIANTS.iter().find(|(other, _)| *other == letter).map(|(_, name)| *name);
     variant.or_else(|| GREEK.iter().find(|(_, text)| text.chars().eq([letter])).map(|(name, _)| *name))
 }
 
-/// True if a subscript is a word, which is set in roman type: `track` is one, `xy` and `12` are indices.
+/// True if a subscript is printed as a word in roman type, such as `track`. False for indices such
+/// as `xy` and `12`.
 pub(super) fn is_word(subscript: &str) -> bool {
     subscript.len() > 2 && subscript.bytes().any(|b| b.is_ascii_alphabetic())
 }
 
-/// Splits a symbol's name into its letters, its subscript, and the number of its dots. Greek letters are characters.
+/// Splits a symbol's name into its letters, its subscript and its number of dots. Greek letters
+/// become characters.
 ///
 /// ```
 /// use tripos_derive::algebra::text::print::name_parts;

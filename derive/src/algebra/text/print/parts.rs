@@ -1,14 +1,17 @@
-//! Parts of formulas that are too long to be written out. Each part has a name in the formulas that contain it.
+//! Parts of formulas that are too long to be written out: each part gets a name in the formulas
+//! that contain it.
 
 use super::BUDGET;
 use crate::algebra::{Arena, Expr, Node};
 use rustc_hash::FxHashMap;
 
-/// Number of nodes above which a sum or product is a part; parts within it count as one node each.
+/// Number of nodes above which a sum or product is split off as a part. Parts within it count as
+/// one node each.
 const PART: usize = 500;
 
-/// The parts that formulas of more than [`BUDGET`] nodes must share by name to be short, each after the parts that it
-/// contains; empty if all formulas are short. Written out, terms that are shared again and again fill a disk.
+/// Sums and products that must get names so that formulas of more than [`BUDGET`] nodes become
+/// short. Each comes after the parts that it contains. Empty if all formulas are short.
+/// Without these names, terms that are shared many times would be written out again and again.
 #[must_use]
 pub fn long_parts(arena: &Arena, formulas: &[Expr]) -> Vec<Expr> {
     let whole = sizes(arena, &arena.shown(formulas), usize::MAX);
@@ -18,14 +21,16 @@ pub fn long_parts(arena: &Arena, formulas: &[Expr]) -> Vec<Expr> {
     shown.into_iter().filter(|e| sizes[e].1).collect()
 }
 
-/// Number of nodes of a formula as it is printed. A print has three to four characters a node.
+/// Number of nodes of a formula as it is printed in full. The text has three to four characters per
+/// node.
 #[must_use]
 pub fn length(arena: &Arena, formula: Expr) -> usize {
     sizes(arena, &arena.shown(&[formula]), usize::MAX)[&formula].0
 }
 
-/// Number of nodes of each term, operands first, and true if the term is a part. A sum or product of more than `part`
-/// nodes is a part, and counts as one node in other terms.
+/// Number of printed nodes of each term, and true if the term is a part. Operands come first in
+/// `terms`. A sum or product of more than `part` nodes is a part, and counts as one node in other
+/// terms.
 fn sizes(arena: &Arena, terms: &[Expr], part: usize) -> FxHashMap<Expr, (usize, bool)> {
     let mut known: FxHashMap<Expr, (usize, bool)> = FxHashMap::default();
     for e in terms {

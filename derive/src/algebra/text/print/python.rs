@@ -1,12 +1,14 @@
-//! Formulas as Python reads them: with `NumPy` under the name `np`, or with `SymPy` under the name `sp`.
+//! Spelling of formulas in Python: with `NumPy` imported as `np`, or with `SymPy` imported as `sp`.
 
 use super::Spelling;
 
+/// Spelling of formulas with `NumPy`, imported as `np`.
 pub(super) const NUMPY: Spelling = Spelling { pi: "np.pi", power: "**", function: of_numpy, quotient: None };
+/// Spelling of formulas with `SymPy`, imported as `sp`.
 pub(super) const SYMPY: Spelling =
     Spelling { pi: "sp.pi", power: "**", function: of_sympy, quotient: Some("sp.Rational") };
 
-/// Name of a function in `NumPy`, with the prefix `np.`.
+/// Name of a function in `NumPy`, with the prefix `np.`, from its name in model files.
 fn of_numpy(name: &'static str) -> String {
     let name = match name {
         "asin" => "arcsin",
@@ -17,7 +19,7 @@ fn of_numpy(name: &'static str) -> String {
     format!("np.{name}")
 }
 
-/// Name of a function in `SymPy`, with the prefix `sp.`.
+/// Name of a function in `SymPy`, with the prefix `sp.`, from its name in model files.
 fn of_sympy(name: &'static str) -> String {
     format!("sp.{}", if name == "abs" { "Abs" } else { name })
 }

@@ -4,7 +4,7 @@ use super::name::{GREEK, greek_index, split_name};
 use crate::algebra::text::view::View;
 use std::fmt::Write;
 
-/// A symbol's name in Typst, `q1'` as `dot(q)_1`.
+/// Prints a symbol's name in Typst: `q1'` as `dot(q)_1`.
 #[must_use]
 pub fn typst_name(name: &str) -> String {
     let (letters, subscript, primes) = split_name(name);
@@ -19,12 +19,13 @@ pub fn typst_name(name: &str) -> String {
     }
 }
 
-/// A symbol's name in Typst as one word, without a subscript.
+/// Prints a symbol's name in Typst as a word without a subscript; primes become dots.
 fn typst_word(name: &str) -> String {
     let stem = name.trim_end_matches('\'');
     dotted(upright(stem), name.len() - stem.len())
 }
 
+/// Puts dots for time derivatives over a symbol in Typst: none, one, or two for any larger number.
 fn dotted(letters: String, dots: usize) -> String {
     match dots {
         0 => letters,
@@ -33,13 +34,14 @@ fn dotted(letters: String, dots: usize) -> String {
     }
 }
 
-/// Letter or word in Typst: a letter stays as it is, a word gets quotes, since Typst would look it up.
+/// Prints a letter or a word in Typst: a letter as it is, a word in quotes, since Typst would look
+/// it up.
 fn upright(word: &str) -> String {
     if word.len() == 1 { word.to_owned() } else { format!("\"{}\"", word.replace('\\', "\\\\").replace('"', "\\\"")) }
 }
 
-/// Appends a formula in Typst. Spaces separate adjacent marks: Typst reads `f(x)` as a call, and letters without spaces
-/// as a word.
+/// Appends a formula in Typst to `out`. Adjacent symbols are separated by spaces: Typst reads
+/// `f(x)` as a call, and letters without spaces as a word.
 pub(super) fn write_typst(view: &View, out: &mut String) {
     match view {
         View::Number(text) | View::Shared(text) => out.push_str(text),
@@ -98,7 +100,7 @@ pub(super) fn write_typst(view: &View, out: &mut String) {
     }
 }
 
-/// Appends a part of a formula, in parentheses unless it can stand without.
+/// Appends a part of a formula to `out`, in parentheses unless `stands_alone` is true for it.
 fn typst_part(view: &View, stands_alone: fn(&View) -> bool, out: &mut String) {
     if stands_alone(view) {
         write_typst(view, out);
@@ -109,17 +111,17 @@ fn typst_part(view: &View, stands_alone: fn(&View) -> bool, out: &mut String) {
     }
 }
 
-/// True if a part is a name, which needs no parentheses as an argument.
+/// True if a formula is a name, which needs no parentheses as the argument of a function.
 fn is_name(view: &View) -> bool {
     matches!(view, View::Name(_) | View::Word(_))
 }
 
-/// True if a part is a number or a name, which needs no parentheses under a power.
+/// True if a formula is a number or a name, which needs no parentheses as the base of a power.
 fn is_atom(view: &View) -> bool {
     is_name(view) || matches!(view, View::Number(_) | View::Pi)
 }
 
-/// Appends a call of a Typst function that draws bars or a root around its argument.
+/// Appends the call of a Typst function that draws bars or a root sign around its argument.
 fn typst_call(name: &str, argument: &View, out: &mut String) {
     let _ = write!(out, "{name}(");
     write_typst(argument, out);

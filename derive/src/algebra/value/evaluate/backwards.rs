@@ -1,28 +1,35 @@
-//! A tape run backwards: the derivatives of a weighted sum of its outputs with respect to all its inputs, in one pass.
+//! Backward pass over a tape: derivatives of a weighted sum of its outputs with respect to all
+//! inputs, in one pass.
 //!
-//! The values of the tape are computed first. Then, from the last operation to the first, the contribution of each
-//! operation to the sum is computed. The cost is that of a few evaluations, whatever the number of inputs. A. Griewank
-//! & A. Walther, *Evaluating Derivatives*, 2nd edition (2008), §3.2.
+//! First the values of the tape are computed. Then, from the last operation to the first, the
+//! derivative of the sum with respect to the result of each operation is computed. The cost is that
+//! of a few evaluations, whatever the number of inputs.
+//! A. Griewank & A. Walther, *Evaluating Derivatives*, 2nd edition (2008), §3.2.
 //!
-//! Slopes are the same as in [`tripos_traits::Tangent`]: the slope of |x| is the sign of x, whose own slope is 0. An
-//! operation that contributes 0 is not followed, so that an undefined slope counts only where the sum depends on it.
+//! Slopes are the same as in [`tripos_traits::Tangent`]: the slope of |x| is the sign of x, whose
+//! own slope is 0. An operation whose derivative is 0 is not followed, so an undefined slope counts
+//! only where the sum depends on it.
 
 use super::{Op, Tape};
 use crate::algebra::Function;
 
-/// Working space of a backward pass: the values of a tape, and the derivative of the weighted sum by each value.
+/// Working space of a backward pass over a tape, reused between passes.
 #[derive(Clone, Debug, Default)]
 pub struct Backwards {
+    /// Result of each operation of the tape.
     values: Vec<f64>,
+    /// Derivative of the weighted sum with respect to the result of each operation.
     shares: Vec<f64>,
+    /// Values of the outputs of the tape.
     outputs: Vec<f64>,
 }
 
 impl Tape {
-    /// Adds Σ weightₖ ∂outputₖ/∂inputᵢ to entry i of `slopes`. `room` is working space, reused between calls.
+    /// Adds the derivative Σₖ weightₖ ∂outputₖ/∂inputᵢ to entry i of `slopes`, for every input i.
+    /// `room` is working space, reused between calls.
     ///
     /// # Panics
-    /// If `inputs`, `weights` or `slopes` have another length than the tape was made for.
+    /// If the length of `inputs`, `weights` or `slopes` differs from that of the tape.
     pub fn pull(&self, inputs: &[f64], weights: &[f64], room: &mut Backwards, slopes: &mut [f64]) {
         assert_eq!(weights.len(), self.outputs.len(), "one weight for each output");
         assert_eq!(slopes.len(), self.inputs, "one place for each input");
@@ -46,7 +53,7 @@ impl Tape {
                 Op::Product(factors) => {
                     for (place, (slot, n)) in factors.iter().enumerate() {
                         let others = factors.iter().enumerate().filter(|(other, _)| *other != place);
-                        // Without a division: a factor may be 0.
+                        // No division by the factor itself, because it may be 0.
                         let others = others.fold(share, |x, (_, (slot, n))| x * raised(values[*slot as usize], *n));
                         shares[*slot as usize] += others * slope_of_power(values[*slot as usize], *n);
                     }
@@ -59,7 +66,7 @@ impl Tape {
     }
 }
 
-/// The power xⁿ.
+/// Power xⁿ, with short forms for n = 1, 2 and −1.
 fn raised(x: f64, n: i32) -> f64 {
     match n {
         1 => x,
@@ -69,7 +76,7 @@ fn raised(x: f64, n: i32) -> f64 {
     }
 }
 
-/// The slope n xⁿ⁻¹ of the power xⁿ.
+/// Derivative n xⁿ⁻¹ of the power xⁿ.
 fn slope_of_power(x: f64, n: i32) -> f64 {
     match n {
         0 => 0.0,
@@ -78,7 +85,7 @@ fn slope_of_power(x: f64, n: i32) -> f64 {
     }
 }
 
-/// Derivative f′(x), where `value` is f(x).
+/// Derivative f′(x) of an elementary function, where `value` is f(x).
 fn slope(f: Function, x: f64, value: f64) -> f64 {
     let leg = || (1.0 - x * x).sqrt();
     match f {

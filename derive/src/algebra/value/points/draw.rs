@@ -1,8 +1,9 @@
-//! Points at which all square roots of terms exist.
+//! Search for points of a prime field at which all square roots in given terms exist.
 //!
-//! A root exists at every second point of a prime field, so that k roots all exist at one point in 2^k. Symbols are
-//! therefore drawn group by group: a group is drawn again until all roots exist that need no later symbol. The cost is
-//! 2^k for the k roots of one group, and not for those of all groups together.
+//! A square root exists at every second point of a prime field, so that k roots all exist at one
+//! point in 2^k. Symbols are therefore drawn group by group: a group is drawn again until all roots
+//! exist that need no later symbol.
+//! The cost is 2^k for the k roots of each group, not for those of all groups together.
 
 use super::{Hashes, Point, Residues, angle_denominators, seeded};
 use crate::algebra::term::fold::{Needed, Values};
@@ -10,28 +11,29 @@ use crate::algebra::value::field::{Field, Generator};
 use crate::algebra::{Arena, Expr, Function, Node};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Largest number of nodes that are evaluated for one point.
+/// Largest number of nodes that are evaluated in the search for a point.
 const MOST_WORK: usize = 4_000_000;
 
-/// Values that must have residues at a point.
+/// Quantities that must have residues at a point: terms, or also their derivatives.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Scope {
+    /// Only the terms must have residues.
     Terms,
-    /// Terms, and their slopes along all symbols.
+    /// Terms, and their derivatives with respect to all symbols, must have residues.
     TermsAndSlopes,
 }
 
-/// A square root that must exist at a point.
+/// Square root that must exist at a point.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Root {
-    /// The root √x of a term.
+    /// The square root √x of a term x.
     Of(Expr),
-    /// The root √(1 − x²), in the slopes of arc sines and arc cosines.
+    /// The square root √(1 − x²), which occurs in the derivatives of asin x and acos x.
     Complement(Expr),
 }
 
 impl Root {
-    /// Root that a term needs to have a residue; `None` if it needs none.
+    /// Square root that a term needs in order to have a residue; `None` if it needs none.
     fn new(arena: &Arena, term: Expr, scope: Scope) -> Option<Self> {
         match arena.node(term) {
             Node::Apply(Function::Sqrt, x) => Some(Self::Of(*x)),
@@ -42,12 +44,14 @@ impl Root {
         }
     }
 
+    /// Term x in the square root √x or √(1 − x²).
     fn argument(self) -> Expr {
         match self {
             Self::Of(x) | Self::Complement(x) => x,
         }
     }
 
+    /// True if the square root exists in the field for the given residue of x.
     fn exists(self, field: Field, argument: u64) -> bool {
         let radicand = match self {
             Self::Of(_) => argument,
@@ -57,32 +61,42 @@ impl Root {
     }
 }
 
-/// Symbols that are drawn together, and the roots that need these symbols and none that is drawn later.
+/// Symbols that are drawn together, and the square roots that need these symbols and no symbol
+/// drawn later.
 struct Group {
+    /// Symbols whose residues are drawn together.
     symbols: Vec<Expr>,
+    /// Square roots of the group, each with the terms that its argument is built from.
     roots: Vec<(Root, Needed)>,
 }
 
-/// Search for random points at which terms have residues.
+/// Search for random points at which all given terms have residues.
 pub(crate) struct Draw<'a> {
+    /// Arena of the terms.
     arena: &'a Arena,
+    /// Terms for which a point is searched, with all their subterms.
     needed: Needed,
+    /// Least common denominator of the coefficients of each atom inside angles; an angle is a sum Σ
+    /// k · atom.
     denominators: FxHashMap<Expr, i64>,
+    /// Generator of primes and seeds.
     generator: Generator,
+    /// Groups of symbols, in the order in which they are drawn.
     groups: Vec<Group>,
 }
 
 impl<'a> Draw<'a> {
-    /// Creates a search for points at which terms have residues.
+    /// Creates a search for points at which the given terms have residues.
     pub fn new(arena: &'a Arena, terms: &[Expr]) -> Self {
         Self::prepared(arena, terms, Scope::Terms)
     }
 
-    /// Creates a search for points at which terms and their slopes have residues.
+    /// Creates a search for points at which the given terms and their derivatives have residues.
     pub fn with_slopes(arena: &'a Arena, terms: &[Expr]) -> Self {
         Self::prepared(arena, terms, Scope::TermsAndSlopes)
     }
 
+    /// Creates a search for points at which all quantities of the given scope have residues.
     fn prepared(arena: &'a Arena, terms: &[Expr], scope: Scope) -> Self {
         let needed = Needed::new(arena, terms);
         let denominators = angle_denominators(arena, needed.nodes());
@@ -91,7 +105,8 @@ impl<'a> Draw<'a> {
         Self { arena, needed, denominators, generator, groups }
     }
 
-    /// Next point at which all square roots exist, each point modulo another prime; `None` if none was found.
+    /// Draws the next point at which all square roots exist, each point modulo another prime.
+    /// `None` if no point was found within the limit of work.
     pub fn point(&mut self) -> Option<Point> {
         let (arena, denominators, generator) = (self.arena, &self.denominators, &mut self.generator);
         let mut work = MOST_WORK;
@@ -104,25 +119,27 @@ impl<'a> Draw<'a> {
         None
     }
 
-    /// Rules for the residues of the terms at a point.
+    /// Rules that compute the residues of the terms at a point.
     pub fn residues(&self, point: Point) -> Residues<'_> {
         Residues::new(self.arena, &self.denominators, point)
     }
 
-    /// The terms, and all terms that they are built from.
+    /// Given terms of the search, with all their subterms.
     pub fn needed(&self) -> &Needed {
         &self.needed
     }
 
-    /// Residues of the terms, and of all terms that they are built from, at a point; `None` if a term has none.
+    /// Residues of the given terms and of all their subterms at a point; `None` if a term has no
+    /// residue there.
     pub fn values(&self, point: &Point) -> Option<Values<'_, u64>> {
         self.needed.fold(self.arena, &mut self.residues(point.clone()))
     }
 }
 
 impl Group {
-    /// Draws the symbols of the group until its roots exist. False if the remaining work does not suffice, or if roots
-    /// of numbers do not exist in this field.
+    /// Draws the symbols of the group anew until its square roots exist at the point, and subtracts
+    /// the cost from `work`. False if `work` is used up, or if roots of numbers do not exist in
+    /// this field.
     fn draw(
         &self,
         arena: &Arena,
@@ -146,7 +163,8 @@ impl Group {
     }
 }
 
-/// Groups of the roots in all terms, those with few symbols first.
+/// Groups of the symbols and square roots in the given terms, in the order of drawing: groups with
+/// few symbols first.
 fn groups(arena: &Arena, needed: &Needed, scope: Scope) -> Vec<Group> {
     let roots: FxHashSet<Root> = needed.nodes().iter().filter_map(|e| Root::new(arena, *e, scope)).collect();
     if roots.is_empty() {
@@ -162,7 +180,8 @@ fn groups(arena: &Arena, needed: &Needed, scope: Scope) -> Vec<Group> {
             (symbols, root, inside)
         })
         .collect();
-    // Sorted by structure and not by handles, so that builds repeat. A root inside another root has fewer nodes.
+    // Sorted by structure and not by handles, so that builds repeat. A root inside another root has
+    // fewer nodes.
     left.sort_by_key(|(_, root, inside)| (inside.nodes().len(), hash(root.argument())));
     let mut groups = Vec::new();
     while let Some((next, ..)) = left.iter().min_by_key(|(symbols, ..)| symbols.len()) {

@@ -1,4 +1,4 @@
-//! Sums over bodies with printed values put in: generalized forces, the mass matrix, energies.
+//! Sums over bodies, computed with printed values: generalized forces, the mass matrix, energies.
 
 use super::Chain;
 use crate::algebra::term::calculus::{Differential, Substitution};
@@ -7,18 +7,21 @@ use crate::diff::roots::derived_values::{arena_of, components, derived, dot};
 use crate::geometry::Components;
 use crate::mechanics::{Energy, Quantities, QuantityKind, Row, VectorName};
 
-/// A load on a body and the velocity along which it has power.
+/// Load on a body, with the velocity of the point or frame at which the load has power.
 struct Power {
+    /// Kind of the velocity: of the mass centre, or angular.
     velocity: VectorName,
     /// Index of the point or frame that has the velocity.
     of: usize,
+    /// Kind of the load: a force or a torque.
     load: VectorName,
-    /// Index of the loaded body.
+    /// Index of the body on which the load acts.
     body: usize,
 }
 
 impl Chain {
-    /// Frame in which sums over bodies are formed: the frame of the first printed component, or the inertial frame.
+    /// Index of the frame in which sums over bodies are formed: that of the first printed
+    /// component, else the inertial frame.
     fn frame(&self) -> usize {
         let frame = self.put.iter().find_map(|value| match value.kind {
             QuantityKind::Component { frame, .. }
@@ -29,8 +32,10 @@ impl Chain {
         frame.unwrap_or(0)
     }
 
-    /// Generalized inertia force F*_r = Σ ∂v_C/∂u_r·R* + ∂ω/∂u_r·T*. Bodies whose terms depend on no printed value
-    /// count as derived.
+    /// Generalized inertia force F*_r = Σ ∂v_C/∂u_r·R* + ∂ω/∂u_r·T*, with printed values; r is the
+    /// index `speed`.
+    /// Derived terms are used for bodies that depend on no printed value. Returns `None` if no body
+    /// depends on one.
     pub(super) fn inertia_force(&mut self, quantities: &mut Quantities<'_>, speed: usize) -> Option<Expr> {
         let mut changes = Vec::new();
         for (at, body) in quantities.model.bodies.iter().enumerate() {
@@ -46,7 +51,8 @@ impl Chain {
         changed(quantities, &QuantityKind::Row(Row::InertiaForce, speed), &changes)
     }
 
-    /// Change of the power ∂v/∂u_r · load by printed values; `None` if both factors depend on no printed value.
+    /// Change of the term ∂v/∂u_r · load if printed values replace derived ones; `None` if both
+    /// factors depend on no printed value.
     fn power_change(&mut self, quantities: &mut Quantities<'_>, power: &Power, speed: usize) -> Option<Expr> {
         let &Power { velocity, of, load, body } = power;
         let frame = self.frame();
@@ -65,8 +71,10 @@ impl Chain {
         Some(arena.sub(value, right))
     }
 
-    /// Generalized active force F_r = Σ ∂v_C/∂u_r·F + ∂ω/∂u_r·M. If only partial velocities are printed, the part of
-    /// the weight changes.
+    /// Generalized active force F_r = Σ ∂v_C/∂u_r·F + ∂ω/∂u_r·M, with printed values; `None` if it
+    /// depends on none.
+    /// If partial velocities but no resultant force are printed, only the term of the weight
+    /// changes.
     pub(super) fn active_force(&mut self, quantities: &mut Quantities<'_>, speed: usize) -> Option<Expr> {
         let mut changes = Vec::new();
         for (at, body) in quantities.model.bodies.iter().enumerate() {
@@ -83,7 +91,8 @@ impl Chain {
         changed(quantities, &QuantityKind::Row(Row::ActiveForce, speed), &changes)
     }
 
-    /// Entry M_rs = −∂F*_r/∂u̇_s of the mass matrix.
+    /// Entry M_rs = −∂F*_r/∂u̇_s of the mass matrix, with printed values; `None` if F*_r depends on
+    /// none.
     pub(super) fn mass(&mut self, quantities: &mut Quantities<'_>, row: usize, column: usize) -> Option<Expr> {
         let force = self.value(quantities, &QuantityKind::Row(Row::InertiaForce, row))?;
         let rate = quantities.model.speeds[column].rate;
@@ -92,7 +101,7 @@ impl Chain {
         Some(arena.neg(slope))
     }
 
-    /// Forcing f_r = F_r + F*_r at u̇ = 0.
+    /// Forcing f_r = F_r + F*_r at u̇ = 0, with printed values; `None` if it depends on none.
     pub(super) fn forcing(&mut self, quantities: &mut Quantities<'_>, row: usize) -> Option<Expr> {
         let active = self.change(quantities, &QuantityKind::Row(Row::ActiveForce, row));
         let inertia = self.change(quantities, &QuantityKind::Row(Row::InertiaForce, row));
@@ -103,6 +112,8 @@ impl Chain {
         changed(quantities, &QuantityKind::Row(Row::Forcing, row), &changes)
     }
 
+    /// Energy, computed from printed parts such as T, V or the translational energy; `None` if it
+    /// depends on no printed value.
     pub(super) fn energy(&mut self, quantities: &mut Quantities<'_>, energy: Energy) -> Option<Expr> {
         let mut of = |chain: &mut Self, parts: &[(Energy, i64)]| {
             let mut changes = Vec::new();
@@ -122,8 +133,9 @@ impl Chain {
         }
     }
 
-    /// Energy Σ ½ m v·v of translation or Σ ½ ω·H of rotation. Bodies whose terms depend on no printed value count as
-    /// derived.
+    /// Kinetic energy of translation, Σ ½ m v·v, or of rotation, Σ ½ ω·H, with printed values.
+    /// Derived terms are used for bodies that depend on no printed value. Returns `None` if no body
+    /// depends on one.
     fn part_of_kinetic(&mut self, quantities: &mut Quantities<'_>, energy: Energy) -> Option<Expr> {
         let half = Rational::fraction(1, 2).expect("not zero");
         let mut changes = Vec::new();
@@ -141,7 +153,8 @@ impl Chain {
         changed(quantities, &QuantityKind::Energy(energy), &changes)
     }
 
-    /// Pair (v, m v) of a body from printed values, then as derived; `None` if v depends on no printed value.
+    /// Pairs (v, m v) of a body, first from printed values, then as derived; `None` if v depends on
+    /// no printed value.
     fn moving_pairs(&mut self, quantities: &mut Quantities<'_>, body: usize) -> Option<[(Components, Components); 2]> {
         let (centre, mass) = (quantities.model.bodies[body].centre, quantities.model.bodies[body].mass);
         let frame = self.frame();
@@ -151,7 +164,8 @@ impl Chain {
         Some([v, right].map(|v| (v, v.map(|e| arena.mul(mass, e)))))
     }
 
-    /// Pair (ω, H) of a body from printed values, then as derived; `None` if both depend on no printed value.
+    /// Pairs (ω, H) of a body, first from printed values, then as derived; `None` if both depend on
+    /// no printed value.
     fn turning_pairs(&mut self, quantities: &mut Quantities<'_>, body: usize) -> Option<[(Components, Components); 2]> {
         let carrier = quantities.model.bodies[body].rigid.as_ref()?.0;
         let frame = self.frame();
@@ -166,7 +180,7 @@ impl Chain {
     }
 }
 
-/// Derived value of a quantity plus these changes; `None` without changes.
+/// Derived value of a quantity plus the given changes; `None` if there are no changes.
 fn changed(quantities: &mut Quantities<'_>, kind: &QuantityKind, changes: &[Expr]) -> Option<Expr> {
     if changes.is_empty() {
         return None;

@@ -1,4 +1,5 @@
-//! Vectors with printed values put in: velocities, accelerations, momenta and their rates, loads, partial velocities.
+//! Vectors computed with printed values: velocities, accelerations, momenta and their derivatives,
+//! loads, partial velocities.
 
 use super::Chain;
 use crate::algebra::Expr;
@@ -8,6 +9,8 @@ use crate::geometry::{Components, apply_tensor, cross_components};
 use crate::mechanics::{Quantities, QuantityKind, VectorName};
 
 impl Chain {
+    /// Computes a vector, not itself printed, from printed vectors; `None` if it depends on no
+    /// printed value.
     pub(super) fn made_vector(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -44,6 +47,8 @@ impl Chain {
         }
     }
 
+    /// Negative of a vector, computed with printed values; `None` if the vector depends on no
+    /// printed value.
     fn negative(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -55,8 +60,9 @@ impl Chain {
         Some(v.map(|e| arena_of(quantities).neg(e)))
     }
 
-    /// Velocity of a point: dp/dt of a printed position, or v_O + ω × p_OP + (dp_OP/dt in the frame) if the point is
-    /// placed from O.
+    /// Velocity of a point, computed with printed values; `None` if it depends on none.
+    /// For a printed position p, it is dp/dt. Else it is v_O + ω × p_OP plus the derivative of p_OP
+    /// in the frame. O is the point from which the point P is placed.
     fn velocity(&mut self, quantities: &mut Quantities<'_>, of: usize, frame: usize) -> Option<Components> {
         if self.stated_frame(VectorName::Position, of, frame).is_some() {
             return self.rate(quantities, VectorName::Position, of, frame);
@@ -77,7 +83,9 @@ impl Chain {
         Some(sum(arena_of(quantities), &right, &change?))
     }
 
-    /// Time derivative of a vector in the inertial frame: its derivative in `frame` plus ω of `frame` × the vector.
+    /// Time derivative of a vector in the inertial frame: its derivative in `frame` plus ω of
+    /// `frame` × the vector.
+    /// Returns `None` if it depends on no printed value.
     fn rate(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -98,7 +106,8 @@ impl Chain {
         Some(sum(arena, &own, &carried))
     }
 
-    /// Product I · ω or I · α of a body; true if it depends on a printed value.
+    /// Product of the inertia tensor with ω or α of a body; the second value is true if the product
+    /// depends on a printed value.
     fn momentum(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -119,7 +128,9 @@ impl Chain {
         Some((apply_tensor(arena_of(quantities), &tensor, &turning), is_reached))
     }
 
-    /// Rate of the angular momentum: −T* or dH/dt from printed T* or H, else Euler's I·α + ω × I·ω.
+    /// Time derivative of a body's angular momentum: −T* or dH/dt from printed T* or H, else
+    /// Euler's I·α + ω × I·ω.
+    /// Returns `None` if it depends on no printed value.
     fn momentum_rate(&mut self, quantities: &mut Quantities<'_>, body: usize, frame: usize) -> Option<Components> {
         if self.stated_frame(VectorName::InertiaTorque, body, frame).is_some() {
             return self.negative(quantities, VectorName::InertiaTorque, body, frame);
@@ -140,6 +151,8 @@ impl Chain {
         Some(sum(arena, &own, &carried))
     }
 
+    /// Vector from printed values minus the derived vector; `None` if it depends on no printed
+    /// value.
     fn vector_change(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -152,7 +165,9 @@ impl Chain {
         Some(difference(arena_of(quantities), &value, &right))
     }
 
-    /// Partial velocity: printed, or the derivative of a velocity that depends on printed values; else `None`.
+    /// Partial velocity ∂v/∂u_r, r the index `speed`: as printed, else from a velocity that depends
+    /// on printed values.
+    /// Returns `None` if neither exists.
     pub(super) fn partial(
         &mut self,
         quantities: &mut Quantities<'_>,

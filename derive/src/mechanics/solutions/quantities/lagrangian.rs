@@ -1,4 +1,5 @@
-//! Operators of Lagrange's equations d/dt ∂L/∂q̇ − ∂L/∂q = Q, on L with no constraint put in.
+//! Derivatives of the Lagrangian L in Lagrange's equations d/dt ∂L/∂q̇ − ∂L/∂q = Q. No constraint
+//! is substituted in L.
 
 use super::Quantities;
 use crate::algebra::Expr;
@@ -6,30 +7,30 @@ use crate::algebra::term::calculus::Differential;
 use crate::mechanics::quantity::{Energy, QuantityKind};
 
 impl Quantities<'_> {
-    /// Lagrangian in q and q̇.
+    /// Lagrangian L = T − V as a term in q and q̇, J, without any constraint substituted.
     fn lagrangian(&mut self) -> Result<Expr, String> {
         let constrained = self.energy(Energy::Lagrangian)?;
         Ok(self.before_constraints(&QuantityKind::Energy(Energy::Lagrangian), constrained))
     }
 
-    /// Slope of a term along a symbol, with all others held.
+    /// Partial derivative of a term by a symbol, with all other symbols constant.
     fn slope(&mut self, e: Expr, along: Expr) -> Expr {
         Differential::partial(along).apply(&mut self.derivations.kinematics.arena, e)
     }
 
-    /// Generalized momentum ∂L/∂q̇ of a coordinate.
+    /// Generalized momentum ∂L/∂q̇ of the coordinate with the index `at`, as a term in q and q̇.
     pub(super) fn momentum(&mut self, at: usize) -> Result<Expr, String> {
         let lagrangian = self.lagrangian()?;
         Ok(self.slope(lagrangian, self.model.coordinates[at].rate))
     }
 
-    /// Slope ∂L/∂q along a coordinate.
+    /// Partial derivative ∂L/∂q by the coordinate with the index `at`, with q̇ constant.
     pub(super) fn lagrangian_slope(&mut self, at: usize) -> Result<Expr, String> {
         let lagrangian = self.lagrangian()?;
         Ok(self.slope(lagrangian, self.model.coordinates[at].symbol))
     }
 
-    /// Rate d/dt ∂L/∂q̇ along the motion, in q, q̇ and q̈.
+    /// Rate d/dt ∂L/∂q̇ of a generalized momentum along the motion, as a term in q, q̇ and q̈.
     pub(super) fn momentum_rate(&mut self, at: usize) -> Result<Expr, String> {
         let momentum = self.momentum(at)?;
         let (model, time) = (self.model, self.model.time());
@@ -44,7 +45,8 @@ impl Quantities<'_> {
         Ok(Differential::along(&moving).apply(&mut self.derivations.kinematics.arena, momentum))
     }
 
-    /// Slope ∂/∂t ∂L/∂q̇, zero unless the time itself stands in L.
+    /// Partial derivative ∂/∂t ∂L/∂q̇ of a generalized momentum by the time alone; zero unless L
+    /// contains the time.
     pub(super) fn held_momentum_rate(&mut self, at: usize) -> Result<Expr, String> {
         let momentum = self.momentum(at)?;
         let Some(time) = self.model.time() else { return Ok(Expr::ZERO) };

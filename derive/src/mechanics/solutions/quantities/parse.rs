@@ -1,30 +1,32 @@
-//! Reads the text of a quantity, such as `v(Cstar) @ B [1]`, as a [`Quantity`] of a model, every name resolved.
+//! Parser of the text of a quantity, such as `v(Cstar) @ B [1]`. It resolves every name in a model
+//! and gives a [`Quantity`].
 
 use crate::diagnostic::{nearest, shown};
 use crate::mechanics::quantity::{Energy, Owner, Quantity, QuantityKind, Row, VectorName};
 use crate::model::Model;
 use std::ops::Range;
 
-/// Error in the name of a quantity.
+/// Error in the text of a quantity, with its place and advice.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct QuantityError {
-    /// Message of the error, one line.
+    /// Description of the error, in a single line.
     pub message: String,
-    /// Advice for correcting the name.
+    /// Advice for the user on how to correct the text.
     pub help: String,
-    /// Place of the error, as a byte range of the text.
+    /// Position of the error, as a byte range of the parsed text.
     pub range: Range<usize>,
 }
 
-/// Names of quantities that are neither vectors, rows nor energies.
+/// First words of quantities that are neither vectors, rows nor energies.
 const OTHER_NAMES: [&str; 7] = ["rotation", "d", "I", "M", "E", "C", "Edot"];
 
 impl Quantity {
-    /// Reads the name of a quantity; `docs/publication.md` lists all names.
+    /// Parses the name of a quantity, such as `v(Cstar) @ B [1]`; `docs/publication.md` lists all
+    /// names.
     ///
     /// # Errors
-    /// First [`QuantityError`] in the text: its form is wrong, or the model has no such point, frame, body, speed,
-    /// coordinate or component.
+    /// First [`QuantityError`] in the text: its form is wrong, or the model has no such point, frame,
+    /// body, speed, coordinate or component.
     pub fn parse(text: &str, model: &Model) -> Result<Self, QuantityError> {
         let mut cursor = Cursor { text, at: 0, model, form: String::new() };
         cursor.skip_space();
@@ -37,23 +39,30 @@ impl Quantity {
     }
 }
 
-/// Word of the text with its byte range.
+/// Word of the parsed text, with its byte range.
 type Word<'a> = (&'a str, Range<usize>);
 
+/// Position in the text of a quantity while it is parsed.
 struct Cursor<'a> {
+    /// Whole text of the quantity that is parsed.
     text: &'a str,
+    /// Byte offset of the next character to read.
     at: usize,
+    /// Model in which names are resolved.
     model: &'a Model,
-    /// Expected form of the quantity, such as `v(POINT) @ FRAME [COMPONENT]`; empty until its kind is known.
+    /// Expected form of the quantity, such as `v(POINT) @ FRAME [COMPONENT]`; empty until its kind is
+    /// known.
     form: String,
 }
 
 impl<'a> Cursor<'a> {
+    /// Moves the position past white space.
     fn skip_space(&mut self) {
         let rest = &self.text[self.at..];
         self.at += rest.len() - rest.trim_start().len();
     }
 
+    /// Creates an error at a byte range; its advice is the expected form.
     fn error(&self, range: Range<usize>, message: impl Into<String>) -> QuantityError {
         let help = if self.form.is_empty() {
             "write the name of one quantity, such as v(P) @ B [1]; docs/publication.md lists them".to_owned()
@@ -63,10 +72,12 @@ impl<'a> Cursor<'a> {
         QuantityError { message: message.into(), help, range }
     }
 
+    /// True if the next character of the text is `mark`.
     fn next_is(&self, mark: char) -> bool {
         self.text[self.at..].starts_with(mark)
     }
 
+    /// Reads the character `mark` and the white space after it; an error if it is missing.
     fn mark(&mut self, mark: char) -> Result<(), QuantityError> {
         if !self.next_is(mark) {
             let length = self.text[self.at..].chars().next().map_or(0, char::len_utf8);
@@ -77,7 +88,8 @@ impl<'a> Cursor<'a> {
         Ok(())
     }
 
-    /// Reads a word: letters, digits and `_`, then primes. `what` names the expected word in the error.
+    /// Reads a word: letters, digits and `_`, then primes. `what` is the noun for the word in the error
+    /// if it is missing.
     fn word(&mut self, what: &str) -> Result<Word<'a>, QuantityError> {
         let rest = &self.text[self.at..];
         let plain = rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(rest.len());
@@ -92,6 +104,7 @@ impl<'a> Cursor<'a> {
         Ok((&self.text[range.clone()], range))
     }
 
+    /// Reads a quantity of any kind from its first word on.
     fn quantity(&mut self) -> Result<QuantityKind, QuantityError> {
         let (head, range) = self.word("the name of a quantity")?;
         let model = self.model;
@@ -140,6 +153,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
+    /// Creates the error for an unknown first word, with the nearest known name as advice.
     fn unknown(&self, head: &str, range: Range<usize>) -> QuantityError {
         let model = self.model;
         let rates = model.coordinates.iter().flat_map(|c| [format!("{}'", c.name), format!("{}''", c.name)]);
@@ -158,13 +172,14 @@ impl<'a> Cursor<'a> {
         QuantityError { message, help: nearest(head, known), range }
     }
 
-    /// Reads `(OWNER) @ FRAME [COMPONENT]` as indices of owner, frame and axis.
+    /// Reads `(OWNER) @ FRAME [COMPONENT]`, and returns the indices of owner, frame and axis.
     fn component(&mut self, vector: VectorName) -> Result<(usize, usize, usize), QuantityError> {
         self.mark('(')?;
         self.component_after(vector)
     }
 
-    /// Reads `OWNER) @ FRAME [COMPONENT]` as indices of owner, frame and axis.
+    /// Reads `OWNER) @ FRAME [COMPONENT]` after the opening parenthesis, and returns the indices of
+    /// owner, frame and axis.
     fn component_after(&mut self, vector: VectorName) -> Result<(usize, usize, usize), QuantityError> {
         let of = self.owner(vector.owner())?;
         self.mark(')')?;
@@ -176,12 +191,13 @@ impl<'a> Cursor<'a> {
         Ok((of, frame, axis))
     }
 
-    /// True if the parentheses that begin here contain two names.
+    /// True if the next parentheses contain two names, with a comma between.
     fn names_two(&self) -> bool {
         self.text[self.at..].split(')').next().is_some_and(|inside| inside.contains(','))
     }
 
-    /// Reads `(BODY, POINT) @ FRAME [COMPONENT]` after `v`.
+    /// Reads `(BODY, POINT) @ FRAME [COMPONENT]` after `v`: the velocity of a body's material at a
+    /// point.
     fn material_velocity(&mut self) -> Result<QuantityKind, QuantityError> {
         "v(BODY, POINT) @ FRAME [COMPONENT]".clone_into(&mut self.form);
         self.mark('(')?;
@@ -196,6 +212,7 @@ impl<'a> Cursor<'a> {
         Ok(QuantityKind::MaterialVelocity { body, point, frame, axis })
     }
 
+    /// Reads `(FRAME, FRAME) [ROW,COLUMN]` after `rotation`.
     fn rotation(&mut self) -> Result<QuantityKind, QuantityError> {
         "rotation(FRAME, FRAME) [ROW,COLUMN]".clone_into(&mut self.form);
         self.mark('(')?;
@@ -206,6 +223,7 @@ impl<'a> Cursor<'a> {
         Ok(QuantityKind::Rotation { from, to, entry: self.entry()? })
     }
 
+    /// Reads a partial velocity after `d`, such as `v(POINT) @ FRAME [COMPONENT]/d SPEED`.
     fn partial(&mut self) -> Result<QuantityKind, QuantityError> {
         "d v(POINT) @ FRAME [COMPONENT]/d SPEED".clone_into(&mut self.form);
         let (head, range) = self.word("`v` or `omega`")?;
@@ -229,6 +247,7 @@ impl<'a> Cursor<'a> {
         Ok(QuantityKind::Partial { vector, of, frame, axis, speed: self.speed()? })
     }
 
+    /// Reads `(BODY) @ FRAME [ROW,COLUMN]` after `I`: an entry of a body's inertia tensor.
     fn inertia(&mut self) -> Result<QuantityKind, QuantityError> {
         "I(BODY) @ FRAME [ROW,COLUMN]".clone_into(&mut self.form);
         self.mark('(')?;
@@ -239,6 +258,8 @@ impl<'a> Cursor<'a> {
         Ok(QuantityKind::Inertia { body, frame, entry: self.entry()? })
     }
 
+    /// Reads `[ROW,COLUMN]` after the name of a matrix: `M` by speeds; `E`, `C` and `Edot` by
+    /// coordinates.
     fn matrix_entry(&mut self, head: &str) -> Result<QuantityKind, QuantityError> {
         let kane = head == "M";
         let what = if kane { "SPEED" } else { "COORDINATE" };
@@ -256,7 +277,7 @@ impl<'a> Cursor<'a> {
         })
     }
 
-    /// Reads `[ROW,COLUMN]` of a tensor.
+    /// Reads `[ROW,COLUMN]` of a 3 × 3 tensor, and returns both indices from 0.
     fn entry(&mut self) -> Result<(usize, usize), QuantityError> {
         self.mark('[')?;
         let row = self.axis()?;
@@ -266,6 +287,7 @@ impl<'a> Cursor<'a> {
         Ok((row, column))
     }
 
+    /// Reads a component 1, 2 or 3, and returns its index from 0.
     fn axis(&mut self) -> Result<usize, QuantityError> {
         let (text, range) = self.word("a component")?;
         match text {
@@ -277,17 +299,20 @@ impl<'a> Cursor<'a> {
         }
     }
 
+    /// Reads a generalized speed by its name or number, and returns its index.
     fn speed(&mut self) -> Result<usize, QuantityError> {
         let names: Vec<&str> = self.model.speeds.iter().map(|s| s.name.as_str()).collect();
         self.numbered("speed", &names)
     }
 
+    /// Reads a coordinate by its name or number, and returns its index.
     fn coordinate(&mut self) -> Result<usize, QuantityError> {
         let names: Vec<&str> = self.model.coordinates.iter().map(|c| c.name.as_str()).collect();
         self.numbered("coordinate", &names)
     }
 
-    /// Reads an item of a list, by its name or its number from 1; returns its index from 0.
+    /// Reads an item of a list by its name or its number from 1, and returns its index from 0. `noun`
+    /// is the kind of item in the error.
     fn numbered(&mut self, noun: &str, names: &[&str]) -> Result<usize, QuantityError> {
         let (text, range) = self.word(&format!("a {noun}"))?;
         if let Some(at) = names.iter().position(|n| *n == text) {
@@ -306,7 +331,7 @@ impl<'a> Cursor<'a> {
         })
     }
 
-    /// Reads a point, frame or body by its name; returns its index.
+    /// Reads the name of a point, frame or body, and returns its index in the model.
     fn owner(&mut self, owner: Owner) -> Result<usize, QuantityError> {
         let model = self.model;
         let (noun, names): (&str, Vec<&str>) = match owner {
@@ -328,6 +353,7 @@ impl<'a> Cursor<'a> {
     }
 }
 
+/// Number with its noun: `1 speed`, `2 speeds`.
 fn count(n: usize, noun: &str) -> String {
     if n == 1 { format!("1 {noun}") } else { format!("{n} {noun}s") }
 }

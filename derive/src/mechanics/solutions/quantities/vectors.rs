@@ -1,4 +1,5 @@
-//! Vectors among the quantities: motion, momentum and loads. Each is computed once and kept.
+//! Vectors among the quantities: positions, velocities, accelerations, momenta and loads. Each is
+//! computed once.
 
 use super::Quantities;
 use crate::geometry::{Components, Vector};
@@ -8,7 +9,7 @@ use crate::mechanics::quantity::VectorName;
 use crate::model::Body;
 
 impl Quantities<'_> {
-    /// Components of a vector in one frame, simplified.
+    /// Simplified components along `frame` of a vector of the owner with the index `of`; computed once.
     pub(super) fn component(&mut self, name: VectorName, of: usize, frame: usize) -> Components {
         if let Some(done) = self.components.get(&(name, of, frame)) {
             return *done;
@@ -20,7 +21,8 @@ impl Quantities<'_> {
         components
     }
 
-    /// Vector of a point, frame or body with this index; a vector may be built from earlier variants of [`VectorName`].
+    /// Vector of the point, frame or body with the index `of`; computed once. A vector may use earlier
+    /// variants of [`VectorName`].
     pub(super) fn vector(&mut self, name: VectorName, of: usize) -> Vector {
         if let Some(done) = self.vectors.get(&(name, of)) {
             return done.clone();
@@ -52,19 +54,21 @@ impl Quantities<'_> {
         vector
     }
 
+    /// Time derivative, in the inertial frame, of a vector of the owner with the index `of`.
     fn time_derivative(&mut self, name: VectorName, of: usize) -> Vector {
         let vector = self.vector(name, of);
         let Kinematics { arena, frames, .. } = &mut self.derivations.kinematics;
         frames.time_derivative(arena, &vector, &self.velocities.angular, &mut self.d_dt)
     }
 
+    /// Weight m g of a body, N; zero without gravity.
     fn weight(&mut self, body: &Body) -> Vector {
         let Some(gravity) = &self.model.gravity else { return Vector::default() };
         let arena = &mut self.derivations.kinematics.arena;
         Vector::in_frame(gravity.frame, gravity.acceleration).scale(arena, body.mass)
     }
 
-    /// Sum of the weight, applied forces and stated reactions on a body, N.
+    /// Sum of the weight, the applied forces and the reactions stated in the model file on a body, N.
     fn force(&mut self, body: usize) -> Vector {
         let mut total = self.vector(VectorName::Weight, body);
         let kinematics = &mut self.derivations.kinematics;
@@ -74,7 +78,8 @@ impl Quantities<'_> {
         total
     }
 
-    /// Moment Σ p_CP × F + Σ T of the loads on a body about its mass centre C, N m. The weight has no moment about C.
+    /// Moment Σ p_CP × F + Σ T about the mass centre C of the applied loads and stated reactions on a
+    /// body, N m. The weight has no moment about C.
     fn moment(&mut self, body: usize) -> Vector {
         let kinematics = &mut self.derivations.kinematics;
         let mut total = Vector::default();

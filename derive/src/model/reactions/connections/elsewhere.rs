@@ -1,9 +1,10 @@
-//! Reactions that no connection of the file states: where equations tie coordinates, and along lines and directions
-//! that belong to no frame.
+//! Reactions elsewhere than at stated connections: where equations relate coordinates, and along
+//! lines and directions that belong to no frame.
 //!
-//! Loops and contacts are visited pair by pair of bodies, then massless rods between two points. A reaction is kept if
-//! it does no work, is felt, and is independent of those kept before. The search ends when there are as many reactions
-//! as the equations of all bodies need.
+//! All pairs of bodies are visited for contacts and loops, then for massless rods between two
+//! points. A reaction is accepted if it does no work, acts in an equation that is not 0 = 0, and is
+//! independent of those accepted before. The search ends when there are as many reactions as the
+//! equations of all bodies need.
 
 use super::search::{FoundReaction, ReactionDirection, Search};
 use super::stated_connections::works_alone;
@@ -11,17 +12,19 @@ use crate::model::reactions::random_pose::{DrawnModel, Triple};
 use crate::model::reactions::relative_motion::{BodyPair, Holder};
 use crate::model::{Place, ReactionKind};
 
-/// Slip of the points at which forces are sought.
+/// Slip of the two points between which forces are searched.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Slip {
+    /// The points do not move relative to one another.
     None,
+    /// The points may slide relative to one another.
     Allowed,
 }
 
 impl Search<'_> {
-    /// Chooses the reactions that no connection of the model file carries and that are still missing.
+    /// Chooses reactions that no connection of the model file transmits and that are still missing.
     pub fn elsewhere(&mut self) {
-        // Points where bodies hold fast come first. A force at a point where they slide is tried last.
+        // Points without slip come first. A force at a point where bodies slide is tried last.
         for slip in [Slip::None, Slip::Allowed] {
             self.contacts(slip);
             if slip == Slip::Allowed {
@@ -34,7 +37,8 @@ impl Search<'_> {
         self.shared();
     }
 
-    /// Chooses reactions between each body and its holder, in the motions that all constraints together permit.
+    /// Chooses reactions between each body and its support, in the motions that all constraints
+    /// together permit.
     fn tree(&mut self) {
         for support in self.supports.clone() {
             for (kind, velocities) in self.relative.between(support.body, support.holder) {
@@ -43,7 +47,8 @@ impl Search<'_> {
         }
     }
 
-    /// Keeps the reactions of a kind along axes that do no work at these velocities, one velocity for each speed.
+    /// Accepts the reactions of a kind along axes that do no work at these relative velocities, one
+    /// velocity for each speed.
     fn along_wanted_axes(&mut self, kind: ReactionKind, velocities: &[Triple], body: usize, holder: Holder) {
         if self.missing == 0 {
             return;
@@ -57,8 +62,8 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses forces along massless rods: between points of two bodies, or of a body and the ground, at a constant
-    /// distance.
+    /// Chooses forces along massless rods: between points at a constant distance, of two bodies or of a
+    /// body and the ground.
     fn lines(&mut self) {
         let count = self.relative.model.points.len();
         for BodyPair { body, against: holder } in self.relative.pairs() {
@@ -75,6 +80,7 @@ impl Search<'_> {
         }
     }
 
+    /// Chooses the force along the line between two points, if it does no work and is needed.
     fn line(&mut self, body: usize, holder: Holder, point: usize, opposite: usize) {
         let DrawnModel { space, points, .. } = &self.relative.drawn;
         let way = space.sub(points[opposite].place, points[point].place);
@@ -94,8 +100,9 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses forces and torques where bodies rest that each do work, and together hold directions that no axis holds.
-    /// Each of them adds an unknown. They add as many equations as their powers along the speeds are independent.
+    /// Chooses forces and torques at supports that each do work, and together hold directions that no
+    /// axis holds. Each of them adds an unknown. They add as many equations as their powers for the
+    /// speeds have independent vectors.
     fn shared(&mut self) {
         let all: Vec<_> =
             self.supports.iter().flat_map(|support| self.relative.working(support.body, support.holder)).collect();
@@ -109,7 +116,7 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses forces where bodies touch at a point.
+    /// Chooses forces between two bodies that touch at a point.
     fn contacts(&mut self, slip: Slip) {
         for BodyPair { body, against: holder } in self.relative.pairs() {
             for point in 0..self.relative.model.points.len() {
@@ -122,7 +129,8 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses torques that keep bodies from turning against the ground, then against one another.
+    /// Chooses torques that prevent bodies from rotating relative to the ground, then relative to one
+    /// another.
     fn spins(&mut self) {
         for BodyPair { body, against: holder } in self.relative.pairs() {
             if self.missing > 0 && self.relative.is_rigid(Some(body)) && self.relative.is_rigid(holder) {
@@ -132,7 +140,7 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses forces between points of two bodies that loops hold together.
+    /// Chooses forces between points of two bodies that loops keep together.
     fn loops(&mut self, slip: Slip) {
         for BodyPair { body, against: holder } in self.relative.pairs() {
             let Some(other) = holder else { continue };
@@ -146,7 +154,8 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses forces where two bodies meet, at a point of each.
+    /// Chooses forces between a point of one body and a point of another, or of the ground, as far as
+    /// slip is allowed.
     fn meeting(&mut self, body: usize, holder: Holder, point: usize, opposite: usize, slip: Slip) {
         if self.missing == 0 {
             return;

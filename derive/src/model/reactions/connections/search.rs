@@ -1,5 +1,5 @@
-//! Search for reactions in one random pose: the reactions chosen, the balances in which bodies feel them, and the
-//! number of reactions still missing.
+//! Search for reactions in one random pose: the reactions chosen, the Newton–Euler equations in
+//! which they act, and the number of missing reactions.
 
 use crate::algebra::value::rank::Basis;
 use crate::algebra::{Arena, Expr};
@@ -8,27 +8,32 @@ use crate::model::reactions::relative_motion::{Relative, sides};
 use crate::model::reactions::supports::{Reason, Support};
 use crate::model::{Model, ReactionKind};
 
-/// Direction along which a reaction acts.
+/// Direction along which a found reaction acts.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum ReactionDirection {
-    /// Direction along an axis, 0, 1 or 2, of a frame: frame, axis.
+    /// Direction of an axis of a frame: (frame, axis 0, 1 or 2).
     Axis(usize, usize),
-    /// Direction from one point to another: indices of the points.
+    /// Direction from one point to another: (first point, second point).
     Line(usize, usize),
 }
 
-/// A reaction that was found, before it has a name.
+/// A reaction that was found automatically, before it has a name.
 #[derive(Clone, Copy)]
 pub struct FoundReaction {
+    /// Places or bodies on which the reaction and its opposite act.
     pub kind: ReactionKind,
+    /// Direction of the reaction.
     pub along: ReactionDirection,
+    /// True if the reaction does work that other reactions balance, as in
+    /// `crate::model::Reaction::is_shared`.
     pub is_shared: bool,
-    /// Body whose connection to its holder has a law of its own, as in [`crate::model::Reaction::law`].
+    /// Index of the body whose connection has its own law, as in [`crate::model::Reaction::law`];
+    /// otherwise `None`.
     pub law: Option<usize>,
 }
 
 impl FoundReaction {
-    /// A reaction along an axis of a frame that does no work by itself.
+    /// Creates a reaction along an axis of a frame that does no work by itself.
     pub fn along_axis(kind: ReactionKind, frame: usize, axis: usize) -> Self {
         Self { kind, along: ReactionDirection::Axis(frame, axis), is_shared: false, law: None }
     }
@@ -39,38 +44,43 @@ impl FoundReaction {
     }
 }
 
-/// A reaction that was chosen: one that the model file names, or one that was found.
+/// A chosen reaction: stated in the model file, or found automatically.
 struct Chosen {
-    /// Contribution of the reaction to all balances.
+    /// Contribution of the reaction, with size 1, to the Newton–Euler equations of all bodies, six
+    /// each.
     action: Vec<u64>,
-    /// Power of the reaction along each speed, then along each coordinate for each body: it is zero unless the body's
-    /// connection has a law that the reaction obeys. Empty if the reaction does no work by itself.
+    /// Power of the reaction for each speed, then for each body the power along each coordinate's rate.
+    /// The second part is zero unless the body's connection has a law that the reaction obeys. Empty if
+    /// the reaction does no work by itself.
     power: Vec<u64>,
-    /// Reaction that was found, after its place in the list of reactions; `None` for one that the model file names.
+    /// Found reaction with its position in the list of reactions; `None` for a stated reaction.
     found: Option<(usize, FoundReaction)>,
-    /// True if bodies feel the reaction: it acts in a balance that is not 0 = 0.
+    /// True if the reaction acts in an equation that is not 0 = 0.
     is_felt: bool,
 }
 
 /// State of the search for reactions in one random pose.
 pub struct Search<'m> {
+    /// Model in the random pose, with the relative motions of its bodies.
     pub relative: Relative<'m>,
-    /// Each body with its holder, outermost bodies first.
+    /// Each body with the body or ground on which it rests, outermost bodies first.
     pub supports: Vec<Support>,
     /// Number of reactions that are still missing.
     pub missing: usize,
-    /// True for each balance that is not 0 = 0 without reactions: six for each body. `felt` is true for each balance
-    /// that is not 0 = 0 with the chosen reactions.
+    /// True for each Newton–Euler equation that is not 0 = 0 without reactions: six for each body.
     moved: Vec<bool>,
+    /// True for each Newton–Euler equation that is not 0 = 0 with the chosen reactions.
     felt: Vec<bool>,
+    /// Reactions chosen so far.
     chosen: Vec<Chosen>,
-    /// Basis of the contributions of the chosen reactions to all balances and to the laws of connections.
+    /// Basis of the contributions of the chosen reactions to all equations and to the laws of
+    /// connections.
     basis: Basis,
 }
 
 impl<'m> Search<'m> {
-    /// Starts the search from the stated reactions; `None` if no reaction is missing, or the stated reactions are not
-    /// independent.
+    /// Starts the search from the stated reactions. `None` if no reaction is missing, if the stated
+    /// reactions are dependent, or if no random pose is found.
     pub fn new(model: &'m Model) -> Option<Self> {
         let arena = &mut model.arena.clone();
         let drawn = DrawnModel::new(model, arena)?;
@@ -88,7 +98,8 @@ impl<'m> Search<'m> {
         (search.missing > 0).then_some(search)
     }
 
-    /// Contributions of the stated reactions to the balances of all bodies.
+    /// Contributions of the stated reactions to the Newton–Euler equations of all bodies. `None` if a
+    /// term has no value.
     fn stated(&self, arena: &mut Arena) -> Option<Vec<Vec<u64>>> {
         let directions: Vec<Expr> = self.relative.model.reactions.iter().flat_map(|r| r.direction).collect();
         let mut values = self.relative.drawn.values(self.relative.model, arena, &directions)?;
@@ -100,28 +111,30 @@ impl<'m> Search<'m> {
         Some(actions.collect())
     }
 
-    /// Contribution of a reaction of size 1 in this direction to all balances.
+    /// Contribution of a reaction of size 1 in this direction to the Newton–Euler equations of all
+    /// bodies.
     fn action(&self, kind: ReactionKind, direction: Triple) -> Vec<u64> {
         self.relative.drawn.action(self.relative.model, kind, direction)
     }
 
-    /// Place of a body's reactions in the list of reactions: outermost bodies come first.
+    /// Position of a body's reactions in the list of reactions: outermost bodies come first.
     pub fn place_of(&self, body: usize) -> usize {
         1 + self.supports.iter().position(|support| support.body == body).unwrap_or(self.supports.len())
     }
 
-    /// Place in the list of reactions after those of all bodies.
+    /// Position in the list of reactions behind those of all bodies.
     pub fn last_place(&self) -> usize {
         2 + self.supports.len()
     }
 
-    /// True if reactions are missing, and a reaction in this direction acts in a balance that bodies feel.
+    /// True if reactions are missing, and a reaction in this direction acts in an equation that is not
+    /// 0 = 0.
     pub fn is_wanted(&self, kind: ReactionKind, direction: Triple) -> bool {
         self.missing > 0 && self.action(kind, direction).iter().zip(&self.felt).any(|(x, felt)| *x != 0 && *felt)
     }
 
-    /// Chooses a reaction in this direction, at this place of the list, unless the reactions already chosen carry the
-    /// same load. Returns true if it is chosen.
+    /// Chooses a reaction in this direction, at a position of the list, unless the chosen reactions
+    /// already span its contribution. Returns true if it is chosen.
     pub fn choose(&mut self, place: usize, found: FoundReaction, direction: Triple, mut power: Vec<u64>) -> bool {
         if !power.is_empty() {
             let model = self.relative.model;
@@ -136,7 +149,7 @@ impl<'m> Search<'m> {
         is_new
     }
 
-    /// Column of a reaction in the balances of all bodies and in the laws of connections.
+    /// Column of a reaction in the equations of all bodies and in the laws of connections.
     fn column(&self, action: &[u64], power: &[u64]) -> Vec<u64> {
         let model = self.relative.model;
         let mut column = action.to_vec();
@@ -145,7 +158,8 @@ impl<'m> Search<'m> {
         column
     }
 
-    /// Marks the chosen reactions that bodies feel, and counts the missing ones: each equation needs an unknown.
+    /// Updates which chosen reactions act in equations that are not 0 = 0, and counts the missing
+    /// reactions: each equation needs an unknown.
     fn feel(&mut self) {
         while let Some(at) = self.chosen.iter().position(|chosen| !chosen.is_felt && self.acts(chosen)) {
             self.chosen[at].is_felt = true;
@@ -167,7 +181,8 @@ impl<'m> Search<'m> {
         self.missing = equations.saturating_sub(unknowns);
     }
 
-    /// True if a reaction acts in a balance that bodies feel, or shares its power with a reaction that bodies feel.
+    /// True if a reaction acts in an equation that is not 0 = 0. Also true if it shares an equation or
+    /// its power with a reaction that acts.
     fn acts(&self, one: &Chosen) -> bool {
         let meets = |a: &[u64], b: &[u64]| a.iter().zip(b).any(|(x, y)| *x != 0 && *y != 0);
         let felt = self.chosen.iter().filter(|chosen| chosen.is_felt);
@@ -175,8 +190,8 @@ impl<'m> Search<'m> {
             || felt.into_iter().any(|other| meets(&one.action, &other.action) || meets(&one.power, &other.power))
     }
 
-    /// Reactions that were found and that bodies feel, in the order of their places. Also the bodies on which the
-    /// ground, or the body they touch, exerts only the forces that the model file names.
+    /// Found reactions that act, in the order of their positions. Also returns the bodies on which the
+    /// ground, or the body they touch, exerts only forces that the model file states.
     pub fn results(mut self) -> (Vec<FoundReaction>, Vec<usize>) {
         self.chosen.retain(|chosen| chosen.is_felt);
         self.leave_out_zeros();
@@ -190,13 +205,14 @@ impl<'m> Search<'m> {
         (found, idle)
     }
 
-    /// Leaves out reactions that are 0, since each is alone in a balance in which nothing moves and no load acts.
+    /// Removes reactions that are 0, since each is the only term in an equation without inertia and
+    /// loads.
     fn leave_out_zeros(&mut self) {
         while let Some(zero) = (0..self.moved.len()).filter(|row| !self.moved[*row]).find_map(|row| {
             let mut acting = (0..self.chosen.len()).filter(|at| self.chosen[*at].action[row] != 0);
             let only = acting.next()?;
             let chosen = &self.chosen[only];
-            // A shared reaction holds a direction elsewhere.
+            // A shared reaction holds a direction in other equations as well.
             (acting.next().is_none() && chosen.found.is_some_and(|(_, found)| !found.is_shared)).then_some(only)
         }) {
             self.chosen.remove(zero);

@@ -1,12 +1,16 @@
-//! Reactions that the connections of the model file carry, in this order.
+//! Stated connections: the reactions that connections of the model file transmit, in a fixed order.
 //!
-//! 1. Reactions that the file names, and joints that close loops.
-//! 2. Contacts without slip, along the directions that are stated, and edges: a constraint that states one component of
-//!    the velocity of a body's point, or of a body's angular velocity, holds the body there against the ground.
+//! 1. Stated reactions, and joints that close loops.
+//! 2. Contacts without slip, along the directions that are stated, and edges. An edge is a
+//!    constraint that states a single velocity component of a body's point, or of its angular
+//!    velocity; it holds the body against the ground.
 //! 3. Joints, and bodies from whose points or in whose frames other bodies are placed.
-//! 4. Contacts without slip that follow from the placement of bodies: a wheel presses on the ground, not the car.
-//! 5. The ground, under bodies that rest on nothing else; last under bodies that touch another body.
-//! 6. Bodies that the file states to touch: all reactions between them, in addition to those of the contact.
+//! 4. Contacts without slip that follow from the placement of bodies: a wheel, not the car, presses
+//!    on the ground.
+//! 5. The ground, under bodies that rest on nothing else; last under bodies that touch another
+//!    body.
+//! 6. Bodies that the file states to touch: all reactions between them, in addition to those of the
+//!    contact.
 
 use super::search::{FoundReaction, ReactionDirection, Search};
 use crate::algebra::text::parse::VelocityOf;
@@ -17,37 +21,41 @@ use crate::model::reactions::relative_motion::{Holder, Relative, sides};
 use crate::model::reactions::supports::{Reason, Support};
 use crate::model::{MotionConstraint, MotionConstraintKind, Place, ReactionKind, Rolled, StatedVelocity};
 
-/// Bases of the motions that a mechanism would have if loops were open and nothing rolled; `None` for its own motions.
+/// Bases of the motions that a mechanism would have if loops were open and nothing rolled. `None`
+/// means its own motions.
 struct Ways {
-    /// Motions in which the model file's other equations between velocities hold.
+    /// Motions in which equations between velocities of the model file hold, those in `placed`
+    /// excepted.
     open: Option<Vec<Vec<u64>>>,
-    /// Motions in which the model file's other equations between velocities do not hold.
+    /// Motions in which no equation between velocities of the model file needs to hold.
     free: Option<Vec<Vec<u64>>>,
-    /// Constraints between velocities that are enforced elsewhere than in joints, by name.
+    /// Names of constraints between velocities that are enforced elsewhere than in joints.
     placed: Vec<String>,
 }
 
-/// Treatment of the model file's other equations between velocities.
+/// Treatment of the equations between velocities that the model file states, edges excepted.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum OtherEquations {
+    /// The equations hold in the motions.
     Hold,
+    /// The equations need not hold in the motions.
     Ignored,
 }
 
-/// Constraint that states one velocity of one body alone.
+/// Edge: a constraint that states a single velocity component of a single body, as a blade does.
 struct Edge {
-    /// Name of the constraint.
+    /// Name of the constraint in the model file.
     name: String,
     /// Force or torque that holds the body against the ground.
     kind: ReactionKind,
-    /// Frame that has the axis of the force or torque.
+    /// Index of the frame along whose axis the force or torque acts.
     frame: usize,
-    /// Index of the axis: 0, 1 or 2.
+    /// Axis of the force or torque: 0, 1 or 2.
     axis: usize,
 }
 
 impl Search<'_> {
-    /// Chooses the reactions that the connections of the model file carry.
+    /// Chooses the reactions that the connections of the model file transmit.
     pub fn held(&mut self) {
         let model = self.relative.model;
         let touches = self.relative.touches(&self.relative.freedoms());
@@ -88,8 +96,8 @@ impl Search<'_> {
         self.connections(&touching, &ways);
     }
 
-    /// Chooses the forces where bodies roll, along the directions without slip. Other axes, such as those of a gear,
-    /// may lie across these directions.
+    /// Chooses forces at rolling contacts along the directions without slip. Other axes, such as those
+    /// of a gear, may be oblique to these directions.
     fn rolled(&mut self, components: &[Rolled], place: usize) {
         for &Rolled { body, against, point, frame, axis, .. } in components {
             let on = Place { body, point };
@@ -102,8 +110,8 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses the forces and torques of edges, unless the model file names a reaction that holds the edge's body
-    /// against the ground.
+    /// Chooses the forces and torques of edges, unless a stated reaction holds the edge's body against
+    /// the ground.
     fn edges(&mut self, edges: &[Edge]) {
         for Edge { name, kind, frame, axis } in edges {
             let model = self.relative.model;
@@ -121,7 +129,8 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses the reactions between bodies and their holders where they are joined, regardless of other connections.
+    /// Chooses the reactions between bodies and the bodies on which they rest, at each connection
+    /// without regard to the others.
     fn connections(&mut self, supports: &[Support], ways: &Ways) {
         self.relative.ways_if_open.clone_from(&ways.open);
         for support in supports {
@@ -135,7 +144,8 @@ impl Search<'_> {
         self.relative.ways_if_open = None;
     }
 
-    /// Chooses independent reactions along axes of frames that each do no work.
+    /// Chooses independent reactions along axes of frames that each do no work, for a body and its
+    /// support.
     fn along_axes(&mut self, kind: ReactionKind, velocities: &[Triple], support: &Support) {
         let field = self.relative.drawn.space.0;
         let mut open = 3 - rank(field, velocities.iter().map(|velocity| velocity.to_vec()));
@@ -155,7 +165,8 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses the forces and torques of a connection that do no work only together, as those of a screw.
+    /// Chooses the forces and torques of a connection that do no work only together, as those of a
+    /// screw.
     fn together(&mut self, body: usize, holder: Holder, ways: &Ways) {
         let field = self.relative.drawn.space.0;
         self.relative.ways_if_open.clone_from(&ways.free);
@@ -189,9 +200,9 @@ impl Search<'_> {
         }
     }
 
-    /// Reactions of a connection that do work if loops are open and nothing rolls, each with its power along the rate
-    /// of each coordinate. `None` if an equation of the model file between velocities ties these rates: the connection
-    /// may hold what the equation prevents.
+    /// Law of a connection: its reactions that do work if loops are open and nothing rolls, each with
+    /// its power along each coordinate's rate. `None` if a stated equation between velocities restricts
+    /// these rates, since the connection may then hold what the equation prevents.
     fn law(&mut self, body: usize, holder: Holder, placed: &[String]) -> Option<Vec<(FoundReaction, Vec<u64>)>> {
         let model = self.relative.model;
         let (n, open) = (model.coordinates.len(), model.undriven());
@@ -211,7 +222,7 @@ impl Search<'_> {
 }
 
 impl Relative<'_> {
-    /// Constraints that each state one velocity of one body alone.
+    /// Edges: constraints that each state a single velocity component of a single body.
     fn edges(&self) -> Vec<Edge> {
         let model = self.model;
         let holds = |of: &VelocityOf<usize>| {
@@ -238,9 +249,9 @@ impl Relative<'_> {
         stated.filter_map(edge).collect()
     }
 
-    /// Motions that the mechanism would have if loops were open and nothing rolled, without the constraints whose names
-    /// are `placed`. `others` are the other equations of the model file between velocities. `None` if these are the
-    /// mechanism's own motions.
+    /// Basis of the motions that the mechanism would have if loops were open and nothing rolled,
+    /// without the constraints named in `placed`. `others` tells whether the other equations between
+    /// velocities of the model file hold. `None` if these are the mechanism's own motions.
     fn open(&self, others: OtherEquations, placed: &[&str]) -> Option<Vec<Vec<u64>>> {
         let model = self.model;
         let holds = |constraint: &MotionConstraint| match constraint.kind {
@@ -255,8 +266,8 @@ impl Relative<'_> {
         is_open.then(|| self.open_ways(&mut model.arena.clone(), &holds)).flatten()
     }
 
-    /// Same component of rolling, along the first axis of the bodies' own frames that has its direction, if such an
-    /// axis exists.
+    /// Same component of rolling, taken along the first axis of the bodies' own frames that has its
+    /// direction. Unchanged if there is no such axis.
     fn along_own_axis(&self, rolled: Rolled) -> Rolled {
         let direction = |frame: usize, axis: usize| self.drawn.frames[frame].axes[axis];
         let wanted = direction(rolled.frame, rolled.axis);
@@ -265,8 +276,8 @@ impl Relative<'_> {
         same.map_or(rolled, |(frame, axis)| Rolled { frame, axis, ..rolled })
     }
 
-    /// Force and torque between a body and its holder, at the point where they move least relative to one another. Each
-    /// has the velocities at which it does work.
+    /// Force and torque between a body and its support, at the point where they move least relative to
+    /// one another. Each has the relative velocities at which it does work.
     pub fn between(&self, body: usize, holder: Holder) -> Vec<(ReactionKind, Vec<Triple>)> {
         let point = self.least_moving_point(body, holder);
         let against = holder.map(|body| Place { body, point });
@@ -278,8 +289,8 @@ impl Relative<'_> {
         kinds
     }
 
-    /// Forces and torques between a body and its holder that do work, along axes of one frame. Each has its power along
-    /// every way to move.
+    /// Forces and torques between a body and its support that do work, along axes of one frame. Each
+    /// has its power for every permitted motion.
     pub fn working(&self, body: usize, holder: Holder) -> Vec<(FoundReaction, Vec<u64>)> {
         let frame = self.frames(body, holder)[0];
         let mut list = Vec::new();
@@ -298,7 +309,8 @@ impl Relative<'_> {
         list
     }
 
-    /// Direction of a reaction along an axis of a frame, as a vector of residues; `None` for a reaction along a line.
+    /// Direction of a reaction along an axis of a frame, as residues; `None` for a reaction along a
+    /// line.
     pub fn direction(&self, found: &FoundReaction) -> Option<Triple> {
         match found.along {
             ReactionDirection::Axis(frame, axis) => Some(self.drawn.frames[frame].axes[axis]),
@@ -306,15 +318,15 @@ impl Relative<'_> {
         }
     }
 
-    /// Axes (frame, axis 0, 1 or 2) along which a body and its holder may act on one another, those of their own frames
-    /// first.
+    /// Axes along which a body and its support may act on one another, as (frame, axis 0, 1 or 2). Axes
+    /// of their own frames come first.
     pub fn axes_between(&self, body: usize, holder: Holder) -> Vec<(usize, usize)> {
         let frames = self.frames(body, holder).into_iter();
         frames.flat_map(|frame| (0..3).map(move |axis| (frame, axis))).collect()
     }
 }
 
-/// Number of independent rows, modulo a prime.
+/// Rank of a matrix of residues modulo a prime, given by its rows.
 fn rank(field: Field, rows: impl Iterator<Item = Vec<u64>>) -> usize {
     let mut basis = Basis::new(field);
     rows.for_each(|row| {
@@ -323,8 +335,8 @@ fn rank(field: Field, rows: impl Iterator<Item = Vec<u64>>) -> usize {
     basis.len()
 }
 
-/// True if the power of one reaction is independent of the powers of all other reactions. It must then be zero, since
-/// no other reaction balances it.
+/// True if the power of one reaction is independent of the powers of all other reactions. This
+/// reaction is zero, since no other balances its power.
 pub fn works_alone(field: Field, powers: &[Vec<u64>], at: usize) -> bool {
     let mut others = Basis::new(field);
     for (_, power) in powers.iter().enumerate().filter(|(other, _)| *other != at) {

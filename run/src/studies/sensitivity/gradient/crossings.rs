@@ -1,4 +1,4 @@
-//! Impacts and changes of contacts in the backward sweep that computes a gradient.
+//! Impacts and other changes of contacts in the backward sweep that computes a gradient.
 
 use super::recorded_steps::Part;
 use crate::preparation::impacts::{Contacts, Crossing, HeldContacts};
@@ -11,23 +11,25 @@ use crate::studies::sensitivity::history::Ending;
 use crate::studies::sensitivity::jumps::Crossed;
 use tripos_sim::{Corner, Pulled};
 
-/// Contacts of a problem, and the data for derivatives across their changes.
+/// Contacts of a scene, with the data for derivatives across their changes in a backward sweep.
 pub struct Crossings<'a> {
+    /// Scene with its equations of motion.
     pub problem: &'a Problem<'a>,
+    /// Contacts in double precision.
     pub contacts: &'a Contacts<'a>,
-    /// Contacts of the problem in 32 digits.
+    /// Contacts in 32 digits, for differences.
     pub wide: Wide<'a>,
-    /// Equations of the problem that compute with slopes.
+    /// Equations of motion that also compute derivatives of the rates.
     pub equations: &'a Equations,
-    /// Instants at which the equations jump or bend, such as jumps of the drive.
+    /// Instants at which the equations have a jump or a kink, as in a prescribed motion.
     pub corners: &'a [Corner],
 }
 
 impl Crossings<'_> {
-    /// Prepares a crossing for differentiation and applies `of` to it.
+    /// Prepares a change of contacts for derivatives and applies the function `of` to it.
     ///
     /// # Errors
-    /// [`Ending`] with the reason if there is no derivative.
+    /// [`Ending`] with the instant and the reason if there is no derivative.
     pub fn at<T>(
         &self,
         crossing: &Crossing<'_>,
@@ -42,12 +44,12 @@ impl Crossings<'_> {
         known.map_err(|why| Ending { t: crossing.t, why })
     }
 
-    /// Goes back across the crossing with which a part begins: replaces the weights of the state after the crossing by
-    /// those of the state before. Adds the shares of the parameters. Returns true if numbers must be checked one by one
-    /// for a derivative.
+    /// Goes back across the change of contacts with which a part of a run begins. Replaces the weights
+    /// of the state after the change by those of the state before, and adds the shares of parameters
+    /// and coefficients. Returns true if each varied number must be checked for a derivative.
     ///
     /// # Errors
-    /// [`Ending`] with the reason if there is no derivative by any number.
+    /// [`Ending`] with the instant and the reason if there is no derivative by any number.
     pub fn back(&self, part: &Part, (state, parameters): Pulled<'_>) -> Result<bool, Ending> {
         let Some(crossing) = part.crossing() else { return Ok(false) };
         self.at(&crossing, |crossed| {

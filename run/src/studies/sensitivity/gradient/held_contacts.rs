@@ -1,12 +1,19 @@
-//! Equations with the forces of held contacts, and products with their transposed slopes.
+//! Equations of motion with the forces of held contacts, and products with their transposed
+//! derivatives.
 //!
-//! Forces Λ add the rates B a to the motion variables, where B holds the slopes of these variables with respect to the
-//! speeds. M a = Wᵀ Λ, and W a + c = 0 along the held rows. Here c = S ẏ without forces, where S holds the slopes of
-//! the velocities along the rows. Let w be weights of the added rates, and b = Bᵀ w. Let A = W M⁻¹ Wᵀ E, where E holds
-//! the friction of slipping contacts. The derivative of w·B a is that of the residuals with a and Λ held fixed: z₁·∂(M
-//! a − Wᵀ Λ) + z₂·∂(W a + c) + w·∂(B a), where Aᵀ z₂ = −Eᵀ W M⁻¹ b and z₁ = −M⁻¹ (b + Wᵀ z₂). Each term is computed by
-//! running a tape backwards: M x·z by the tape of the kinetic energy, a quadratic form, B x by that of the motion
-//! variables, W and S by that of the velocities along the rows.
+//! Forces Λ add the rates B a to those of the motion variables. B holds the slopes of these
+//! variables by the speeds. The equations are M a = Wᵀ Λ, and W a + c = 0 along the held rows (gap
+//! and slip directions). Here c = S ẏ without forces, and S holds the slopes of the row velocities
+//! by the state.
+//!
+//! Let w be weights of the added rates, and b = Bᵀ w. Let `A = W M⁻¹ Wᵀ E`, where E adds the
+//! friction of slipping contacts. The derivative of w·B a is that of the residuals, with a and Λ
+//! constant: `z₁·∂(M a − Wᵀ Λ) + z₂·∂(W a + c) + w·∂(B a)`. Here `Aᵀ z₂ = −Eᵀ W M⁻¹ b` and
+//! `z₁ = −M⁻¹ (b + Wᵀ z₂)`.
+//!
+//! Each term is computed by running a tape backwards. M x·z uses the tape of the kinetic energy, a
+//! quadratic form. B x uses the tape of the motion variables. W and S use the tape of the row
+//! velocities.
 
 use super::products::{Products, Tapes};
 use crate::error::{Error, refused};
@@ -17,44 +24,56 @@ use nalgebra::DVector;
 use tripos_derive::algebra::value::evaluate::{Backwards, Tape};
 use tripos_sim::{Failure, Pulled, RightHandSide, Transposed};
 
-/// Equations of motion for a backward sweep, with the forces of contacts that are held, if any.
+/// Equations of motion for a backward sweep, with the forces of held contacts if there are any.
 pub struct Motion<'a> {
-    /// Equations without forces of contacts.
+    /// Equations of motion without contact forces.
     free: Products<'a>,
-    /// Held contacts; `None` if no contact is held.
+    /// Held contacts and their data; `None` if no contact is held closed.
     held: Option<Holding<'a>>,
-    /// Number of parameters and of coefficients of contacts.
+    /// Number of parameters, plus two coefficients (restitution and friction) for each contact.
     parameters: usize,
 }
 
-/// All contacts of a scene, and those of them that are held.
+/// All contacts of a scene, and those that are held closed.
 #[derive(Clone, Copy)]
 pub struct HeldOf<'a> {
+    /// All contacts of the scene.
     pub contacts: &'a Contacts<'a>,
+    /// Contacts that are held closed, each with its mode.
     pub kept: &'a HeldContacts,
 }
 
-/// Contacts that are held, with the data for products with their transposed slopes.
+/// Contacts that are held closed, with the data for products with the transposed derivatives of
+/// their forces.
 struct Holding<'a> {
+    /// Equations of motion with the forces of the held contacts.
     held: Held<'a>,
+    /// Held gap and slip directions, and friction of slipping contacts.
     grip: Grip,
+    /// Evaluator that runs tapes backwards.
     weights: Weights<'a>,
 }
 
-/// Adds up slopes of weighted sums of tape outputs, by running tapes backwards.
+/// Evaluator that adds the derivatives of weighted sums of tape outputs, by running the tapes
+/// backwards.
 struct Weights<'a> {
+    /// Tapes of the equations of motion.
     tapes: &'a Tapes,
+    /// Values of the parameters.
     parameters: &'a [f64],
+    /// Working memory of the backward evaluation.
     room: Backwards,
+    /// Working memory for the derivatives by all inputs of a tape.
     slopes: Vec<f64>,
 }
 
 impl<'a> Motion<'a> {
-    /// Prepares the equations of a problem while contacts are held. In the slopes with respect to parameters, the
-    /// restitutions of the contacts and their coefficients of friction follow the parameters.
+    /// Prepares the equations of a problem, with the forces of held contacts if `contacts` is given. In
+    /// derivatives by parameters, the coefficients of restitution follow the parameters, and those of
+    /// friction come last.
     ///
     /// # Errors
-    /// [`Error::Request`] for equations that were not solved for their accelerations.
+    /// [`Error::Request`] if the accelerations are not eliminated.
     pub fn new(problem: &'a Problem<'_>, tapes: &'a Tapes, contacts: Option<HeldOf<'a>>) -> Result<Self, Error> {
         let free = Products::new(problem, tapes)?;
         let count = contacts.map_or(0, |held| held.contacts.impacts.len());
@@ -126,8 +145,11 @@ impl Transposed for Motion<'_> {
 }
 
 impl Holding<'_> {
-    /// Adds the slopes of the rates' part that forces of contacts cause, for given weights of the rates. Returns the
-    /// weights of the rates without forces.
+    /// Adds the derivatives of the rates that contact forces cause, weighted by `weights`, to `state`
+    /// and `parameters`. Returns the weights of the rates without contact forces.
+    ///
+    /// # Errors
+    /// `Failure` if the forces or their derivatives are not finite.
     fn pull(
         &mut self,
         t: f64,
@@ -163,7 +185,7 @@ impl Holding<'_> {
         for row in 0..contacts.count {
             let own = &mut of_contacts[contacts.count + row * y.len()..][..y.len()];
             for (j, own) in own.iter_mut().enumerate() {
-                // First S of c = S ẏ, then W of −z₁·Wᵀ Λ and of z₂·W a.
+                // First the share of S in c = S ẏ, then those of W in −z₁·Wᵀ Λ and in z₂·W a.
                 *own = z2[row] * free.rates[j];
                 left[j] += z2[row] * slopes[(row, j)];
                 if let Some(j) = j.checked_sub(n) {
@@ -174,7 +196,8 @@ impl Holding<'_> {
         let of_v = slopes.columns(n, basis.nrows());
         let of_motions = [(&a, of_rates + of_v.transpose() * &z2), (&z1, -(of_v.transpose() * &forces))];
         for slip in &self.grip.slips {
-            // Slope of M a − Wᵀ Λ by a coefficient of friction: s Λₙ times the row of the slip.
+            // Derivative of M a − Wᵀ Λ by a coefficient of friction: s Λₙ times the row of the slip velocity in
+            // W.
             let first = parameters.len() - contacts.impacts.len();
             parameters[first + slip.contact] +=
                 z1.dot(&of_u.row(slip.along).transpose()) * slip.way * forces[slip.normal];
@@ -191,14 +214,14 @@ impl Holding<'_> {
 }
 
 impl Weights<'_> {
-    /// Adds the slopes, by parameters and state, of a weighted sum of a tape's outputs. The tape reads parameters and
-    /// state.
+    /// Adds the derivatives of a weighted sum of a tape's outputs to `state` and `parameters`. The
+    /// tape's inputs are parameters and state.
     fn pull(&mut self, tape: &Tape, y: &[f64], weights: &[f64], (state, parameters): Pulled<'_>) {
         self.add(tape, y, &[], weights, (state, parameters));
     }
 
-    /// Adds the slopes, by parameters and state, of a weighted sum of a tape's outputs. Returns its slopes by the
-    /// inputs `more`, which the tape reads last.
+    /// Adds the derivatives of a weighted sum of a tape's outputs to `state` and `parameters`. Returns
+    /// the derivatives by `more`, the last inputs of the tape.
     fn add(
         &mut self,
         tape: &Tape,
@@ -218,8 +241,8 @@ impl Weights<'_> {
         rest.to_vec()
     }
 
-    /// Adds the slopes of w·B x with respect to parameters and state: motion variables of the speeds x minus those of
-    /// zero speeds.
+    /// Adds the derivatives of w·B x to `state` and `parameters`. B x are the motion variables of the
+    /// speeds x, minus those of zero speeds.
     fn pull_motion(&mut self, q: &[f64], x: &DVector<f64>, w: &DVector<f64>, (state, parameters): Pulled<'_>) {
         let tapes = self.tapes;
         let still = vec![0.0; x.len()];
@@ -227,8 +250,8 @@ impl Weights<'_> {
         self.add(&tapes.motions, q, &still, (-w).as_slice(), (state, parameters));
     }
 
-    /// Adds the slopes of z·M x = T(x + z) − T(x) − T(z) + T(0) with respect to parameters and state. z is scaled to
-    /// the size of x.
+    /// Adds the derivatives of z·M x = T(x + z) − T(x) − T(z) + T(0) to `state` and `parameters`, with
+    /// the kinetic energy T. z is first scaled to the size of x.
     fn pull_inertia(&mut self, q: &[f64], x: &DVector<f64>, z: &DVector<f64>, (state, parameters): Pulled<'_>) {
         let (size, own) = (x.norm(), z.norm());
         if !(size > 0.0 && own > 0.0) {

@@ -1,16 +1,18 @@
-//! Gradient of a quantity that a run shows at its end: its derivatives with respect to all parameters and all numbers
-//! of the start at once, by one backward sweep.
+//! Gradient of a quantity at the end of a run: its derivatives by all parameters and all numbers of
+//! the start at once.
 //!
-//! The run equals the run without a gradient. Then its steps are repeated backwards, each transposed
-//! ([`tripos_sim::adjoint`]). The code that runs computes the rates; tapes run backwards give products with their
-//! transposed slopes. The start and the quantity at the end are differentiated as for forward derivatives. So the
-//! result equals forward derivatives along the same steps, but its cost does not grow with the count of numbers. A
-//! second run with other steps, also swept backwards, gives the errors that steps leave.
+//! The run equals the run without a gradient. Then its steps are repeated backwards, each
+//! transposed ([`tripos_sim::adjoint`]). The code of the run computes the rates. Tapes that are run
+//! backwards give products with the transposed derivatives of the rates. The start, and the
+//! quantity at the end, are differentiated as for forward derivatives. So the result equals forward
+//! derivatives along the same steps, but the number of varied numbers adds no cost. A second run
+//! with other steps, also swept backwards, gives the errors.
 //!
-//! Impacts and changes of contacts are crossed by the transpose of the map that takes slopes across them (`crossing`).
-//! While contacts are held, the transpose of the map to their forces is used (`held`).
+//! Across impacts and other changes of contacts, the sweep uses the transpose of the map for
+//! forward derivatives (`crossings`). While contacts are held closed, it uses the transpose of the
+//! map to their forces (`held_contacts`).
 //!
-//! Implicit methods and Taylor's are left out on purpose. DOP853 replaces them.
+//! Implicit methods and Taylor's method have no backward sweep here. DOP853 replaces them.
 
 mod crossings;
 mod held_contacts;
@@ -51,42 +53,45 @@ use tripos_traits::larger;
 pub struct Gradient {
     /// The run itself, equal bit by bit to the run without a gradient.
     pub run: Run,
-    /// The scene as it was run. Its method is DOP853 if its own method cannot be swept backwards.
+    /// Scene as it was run. Its integrator is DOP853 if the scene's own cannot be swept backwards.
     pub scene: Scene,
-    /// Name of the differentiated quantity: an output, a coordinate, a generalized speed, an energy, or `t`, the
-    /// instant at which an event ends the run.
+    /// Name of the differentiated quantity: an output, a coordinate, a generalized speed or an energy.
+    /// It is `t` for the instant at which an event ends the run.
     pub of: String,
-    /// True if an event ends the run: the derivatives are then total ones, which include the shift of the end.
-    /// Otherwise they are derivatives at a fixed instant.
+    /// True if an event ends the run, so that the derivatives include the shift of the end. False if
+    /// they hold at a fixed instant.
     pub is_total: bool,
-    /// Derivatives of the quantity by each parameter and each number that the start states.
+    /// Derivatives of the quantity by each parameter and each number that the start states, in the
+    /// order of the model.
     pub slopes: Vec<Slope>,
-    /// Description of the second run, which gave the errors; `None` if no second run came to the same end.
+    /// Description of the second run that gave the errors; `None` if no second run came to the same
+    /// end.
     pub assessed_by: Option<String>,
-    /// Largest number of states that the backward sweep kept at once.
+    /// Largest number of states that the backward sweep stored at a time.
     pub states: usize,
 }
 
-/// Derivative of a quantity at the end of a run by one number.
+/// Derivative of a quantity at the end of a run by one varied number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slope {
-    /// Name of the number.
+    /// Name of the varied number.
     pub by: String,
-    /// Unit of the derivative; `None` if the unit of the quantity is not known.
+    /// Unit of the derivative; `None` if the unit of the quantity is unknown, or there is no
+    /// derivative.
     pub unit: Option<String>,
     /// Value of the derivative; NaN if it does not exist.
     pub value: f64,
-    /// Estimated error of the derivative; `None` if no second run came to the same end.
+    /// Estimated error of the derivative, in its unit; `None` if no second run came to the same end.
     pub error: Option<f64>,
     /// Reason why the derivative does not exist; `None` if it exists.
     pub missing: Option<String>,
 }
 
 impl Gradient {
-    /// Finds the derivative with respect to the number with the given name.
+    /// Finds the derivative by the number with the given name.
     ///
     /// # Errors
-    /// [`Error::Request`] if there is no number of this name.
+    /// [`Error::Request`] if there is no varied number of this name.
     pub fn by(&self, name: &str) -> Result<&Slope, Error> {
         let found = self.slopes.iter().find(|slope| slope.by == name);
         found.ok_or_else(|| {
@@ -95,8 +100,8 @@ impl Gradient {
         })
     }
 
-    /// Describes the first derivative that has no value though it should exist, or says that none exists; `None` if all
-    /// have a value.
+    /// Message about the first derivative without a finite value that should exist, or about all if
+    /// none exists. `None` if all that should exist have a value.
     #[must_use]
     pub fn missing(&self) -> Option<String> {
         let first = self.slopes.first().filter(|_| self.slopes.iter().all(|slope| slope.missing.is_some()));
@@ -108,12 +113,12 @@ impl Gradient {
     }
 }
 
-/// Runs a scene by full equations, with the gradient of the quantity that it shows at its end under the name `of`.
-/// `set` holds the numbers that were set and differ from the scene file.
+/// Runs a scene by full (not reduced) equations, with the gradient of the quantity named `of` at
+/// the end of the run. `set` holds the names and values that differ from the scene file.
 ///
 /// # Errors
-/// [`Error::Request`] for a name that the scene does not show, and for equations or a method that cannot be
-/// differentiated. Otherwise the errors of [`crate::simulate`].
+/// [`Error::Request`] if the scene shows no quantity of this name, or if the equations or the
+/// integrator cannot be differentiated. Otherwise the errors of [`crate::simulate`].
 pub fn gradient(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -178,7 +183,11 @@ pub fn gradient(
     Ok(Gradient { run, of: of.to_owned(), is_total, slopes, assessed_by, states, scene })
 }
 
-/// Computes the gradient of a run that changes its speeds on the way, by differences of runs for each number.
+/// Computes the gradient of a run that changes its generalized speeds on the way, by differences of
+/// whole runs.
+///
+/// # Errors
+/// `Error::Request` if the scene shows no quantity named `of`.
 fn by_differences(
     mechanism: &Mechanism,
     scene: Scene,
@@ -214,7 +223,8 @@ fn by_differences(
     Ok(Gradient { run, of: of.to_owned(), is_total, slopes, assessed_by: Some(WORDS.to_owned()), states: 0, scene })
 }
 
-/// Changes the method of a scene to one that can be swept backwards, at the same tolerances.
+/// Returns the scene with DOP853 if its integrator `own` cannot be swept backwards; the tolerances
+/// stay the same.
 fn steppable(scene: &Scene, own: Method) -> Scene {
     let mut scene = scene.clone();
     if !has_adjoint(own) {
@@ -223,12 +233,15 @@ fn steppable(scene: &Scene, own: Method) -> Scene {
     scene
 }
 
-/// Advice that names the known name nearest to an unknown one.
+/// Advice that names the known name which is most similar to an unknown name.
 fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> String {
     tripos_derive::diagnostic::nearest(name, known)
 }
 
-/// Finds the quantity that a name means at the end of a run.
+/// Finds the quantity at the end of a run that has the name `of`.
+///
+/// # Errors
+/// `Error::Request` if the scene shows no quantity of this name.
 fn target(quantities: &Quantities, scene: &Scene, of: &str) -> Result<Target, Error> {
     if of == TIME {
         return Ok(Target::End);
@@ -240,7 +253,7 @@ fn target(quantities: &Quantities, scene: &Scene, of: &str) -> Result<Target, Er
     })
 }
 
-/// Unit of the target; `None` if it is not known.
+/// Unit of the quantity whose gradient is computed; `None` if it is not known.
 fn unit(parts: &Parts<'_>) -> Option<Unit> {
     match parts.target {
         Target::End => Some(Unit::new(0, 0, 1)),
@@ -248,7 +261,8 @@ fn unit(parts: &Parts<'_>) -> Option<Unit> {
     }
 }
 
-/// Notes to the user on the derivatives of a run.
+/// Notes to the user about the gradient of a run, such as an integrator that was replaced. `own` is
+/// the scene's own.
 fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[Number]) -> Vec<String> {
     let mut list = Vec::new();
     if mechanism.loops.is_empty() {
@@ -266,7 +280,7 @@ fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[Number]) 
     list
 }
 
-/// Warnings that there are no derivatives by some numbers, one for each reason.
+/// Warnings that the derivatives by some numbers do not exist, a warning for each reason.
 fn without(numbers: &[Number], missing: &[Option<String>]) -> Vec<String> {
     let mut list: Vec<(&String, Vec<String>)> = Vec::new();
     for (number, why) in numbers.iter().zip(missing).filter_map(|(number, why)| Some((number, why.as_ref()?))) {
@@ -280,32 +294,43 @@ fn without(numbers: &[Number], missing: &[Option<String>]) -> Vec<String> {
     list.into_iter().map(said).collect()
 }
 
-/// Data from which the gradient of a target is computed.
+/// Quantity whose gradient is computed, and the tapes and numbers for it.
 struct Parts<'a> {
+    /// Tapes, quantities and varied numbers of the backward sweep.
     through: Through<'a>,
+    /// Quantity at the end of the run that is differentiated.
     target: Target,
 }
 
-/// A gradient, its errors, and a description of the run that gave the errors.
+/// Gradient with its errors, and a description of the second run that gave the errors.
 struct Assessed {
+    /// Gradient of the run itself.
     own: Swept,
+    /// Estimated error for each varied number; `None` if no second run came to the same end.
     errors: Option<Vec<f64>>,
+    /// Description of the second run; `None` if no second run came to the same end.
     by: Option<String>,
-    /// Reason why there is no derivative by each number; `None` if there is one.
+    /// Reason why there is no derivative by each number; `None` if it exists.
     missing: Vec<Option<String>>,
 }
 
-/// Least error of a derivative, relative to the size of the terms of its sum. It allows for eight roundings.
+/// Least error of a derivative, relative to the size of the terms in its sum: eight roundings.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl Parts<'_> {
-    /// Sweeps the target backwards through the steps of a run.
+    /// Sweeps backwards through the recorded steps of a run, for the derivatives of the target.
+    ///
+    /// # Errors
+    /// `Error::Interrupted` if the observer ends the sweep; `Error::Stopped` if a value does not exist.
     fn sweep(&self, problem: &Problem<'_>, options: &Options, run: &Stepped) -> Result<Swept, Error> {
         sweep(problem, &self.through, self.target, options, run)
     }
 
-    /// Reason why there is no derivative by each number; `None` if there is one. If contacts that meet together leave
-    /// derivatives by some numbers only, slopes carried forwards tell which.
+    /// Finds the reason why there is no derivative by each number; `None` if it exists. If only some
+    /// numbers may have derivatives, a run with forward derivatives decides.
+    ///
+    /// # Errors
+    /// `Error` if this run cannot be made.
     fn missing(&self, problem: &Problem<'_>, y0: &[f64], own: &Swept) -> Result<Vec<Option<String>>, Error> {
         let numbers = self.through.numbers;
         let mut list: Vec<Option<String>> = (0..numbers.len()).map(|at| own.missing(at)).collect();
@@ -327,8 +352,11 @@ impl Parts<'_> {
         Ok(list)
     }
 
-    /// Computes the gradient of a run. Its errors come from a second run with other steps, whose start and parameters
-    /// differ from those of the first by one rounding.
+    /// Computes the gradient of a run, and its errors by a second run with other steps. The second
+    /// run's start and parameters differ by one rounding.
+    ///
+    /// # Errors
+    /// `Error` if a run cannot be made or a sweep stops.
     fn assess(&self, problem: &Problem<'_>, first: &Stepped) -> Result<Assessed, Error> {
         let how = options_of_ends(problem.scene);
         let y0 = problem.start()?;
@@ -357,8 +385,9 @@ impl Parts<'_> {
         Ok(Assessed { own, errors: None, by: None, missing })
     }
 
-    /// Estimates the errors of a gradient from its differences to a second gradient. Each entry has at least the median
-    /// relative difference as its error: two motions that oscillate about each other may agree in one entry.
+    /// Estimates the errors of a gradient from its differences to a second gradient. `part` is the
+    /// fraction of a difference that counts. Each entry has at least the median relative difference:
+    /// two motions that oscillate about each other may agree in an entry by chance.
     fn errors(&self, own: &Swept, other: &Swept, part: f64) -> Vec<f64> {
         let numbers = self.through.numbers.iter().enumerate();
         let pairs: Vec<_> = numbers.map(|(at, number)| (own.by(at, number), other.by(at, number).0)).collect();

@@ -1,4 +1,5 @@
-//! Numbers of a scene by which a gradient is taken: its parameters, and the numbers that its start states.
+//! Numbers of a scene by which a gradient is taken: all parameters, and the numbers that the start
+//! states.
 
 use crate::error::Error;
 use crate::preparation::problem::Problem;
@@ -11,14 +12,16 @@ use tripos_sim::Options;
 use tripos_sim::adjoint::Moved;
 use tripos_traits::Tangent;
 
-/// A number of a scene, with the derivatives of a run's start by it, or the reason why there are none.
+/// Number of a scene by which a gradient is taken.
 pub struct Number {
+    /// Name of the number.
     pub name: String,
-    /// Derivatives of the parameters and the start with respect to the number, or the reason why there are none.
+    /// Derivatives of the parameters and the start by the number, or the reason why there are none.
     pub seed: Result<Seed, String>,
 }
 
-/// Lists all numbers of the scene of a problem. `set` holds the numbers that were set and differ from the scene file.
+/// Lists all numbers of a problem's scene by which a gradient is taken. `set` holds the names and
+/// values that differ from the scene file.
 pub fn numbers(problem: &Problem<'_>, set: &[(String, f64)], options: &Options) -> Vec<Number> {
     let number = |name: String| {
         let seed = Seed::new(problem, set, &name);
@@ -30,8 +33,9 @@ pub fn numbers(problem: &Problem<'_>, set: &[(String, f64)], options: &Options) 
     names(problem.model, problem.scene).into_iter().map(number).collect()
 }
 
-/// Names of the parameters in the order of the model, of the coordinates, and of the rates or speeds that the start
-/// states. Names of numbers that follow from others are left out.
+/// Names of the parameters in the order of the model, followed by the coordinates and the rates or
+/// speeds that the start states. Numbers that follow from other numbers, as in closed loops, are
+/// left out.
 pub fn names(model: &Model, scene: &Scene) -> Vec<String> {
     let coordinates = || model.coordinates.iter().map(|c| c.name.clone()).filter(|name| name != TIME);
     let motion: Vec<String> = match &scene.exact.motion {
@@ -45,7 +49,8 @@ pub fn names(model: &Model, scene: &Scene) -> Vec<String> {
     model.parameters.iter().map(|p| p.name.clone()).chain(start).collect()
 }
 
-/// Instants at which the equations of a problem jump, each with its derivatives with respect to all parameters.
+/// Instants at which the equations of a problem jump, each with its derivatives by all parameters,
+/// s per unit.
 pub fn moved(problem: &Problem<'_>) -> Vec<Moved> {
     let parameters = &problem.scene.parameters;
     let mut list: Vec<Moved> = Vec::new();

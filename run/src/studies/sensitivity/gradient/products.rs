@@ -1,5 +1,5 @@
-//! Equations with products of their transposed slopes. The code that runs computes the rates, and its tapes, run
-//! backwards, the products.
+//! Equations of motion with products of their transposed derivatives. Code computes the rates, and
+//! tapes that are run backwards compute the products.
 
 use crate::code::{Code, derivation, stepwise};
 use crate::error::Error;
@@ -11,27 +11,28 @@ use tripos_derive::algebra::value::evaluate::{Backwards, Tape};
 use tripos_derive::mechanics::{Derivation, Distance, EquationsOrigin, Solved, in_distance};
 use tripos_sim::{Eliminated, Failure, Pulled, RightHandSide, Transposed};
 
-/// Tapes that a gradient runs backwards: rates, constraints, kinetic energy and motion variables.
+/// Tapes that a backward sweep runs backwards: rates, constraints, kinetic energy and motion
+/// variables.
 ///
-/// Rates, constraints and energy read parameters, coordinates and motion variables. The motion variables read
-/// parameters, coordinates and speeds.
+/// The inputs of rates, constraints and energy are parameters, coordinates and motion variables.
+/// The inputs of the motion variables are parameters, coordinates and generalized speeds.
 pub struct Tapes {
-    /// Tape of q̇ and v̇.
+    /// Tape of the rates q̇, followed by v̇.
     rates: Tape,
-    /// Tape of the constraints onto which a run is kept; `None` if there are none.
+    /// Tape of the constraint functions that a run keeps at zero; `None` if there are none.
     constraints: Option<Tape>,
-    /// Tape of the kinetic energy.
+    /// Tape of the kinetic energy, J.
     pub energy: Tape,
-    /// Tape of the motion variables, from generalized speeds.
+    /// Tape of the motion variables v, from the generalized speeds.
     pub motions: Tape,
 }
 
 impl Tapes {
-    /// Makes the tapes of a set of equations. Those of interpreted equations are copied; for compiled equations they
-    /// are made.
+    /// Makes the tapes of a set of equations. Tapes of interpreted equations are copied. For compiled
+    /// equations, they are derived anew. `distance` is that of the scene from a singular surface.
     ///
     /// # Errors
-    /// [`Error`] if the equations cannot be solved for their accelerations.
+    /// [`Error`] if the equations cannot be derived, or not be solved for their accelerations.
     pub fn new(
         mechanism: &Mechanism,
         by: &EquationsOrigin,
@@ -69,21 +70,27 @@ impl Tapes {
     }
 }
 
-/// Equations at the parameters of a problem, with products of their transposed slopes.
+/// Equations of motion at a problem's parameters, with products of their transposed derivatives.
 pub struct Products<'a> {
+    /// Right-hand side with eliminated accelerations.
     rhs: Eliminated<'a>,
+    /// Tapes that are run backwards.
     tapes: &'a Tapes,
+    /// Values of the parameters.
     parameters: &'a [f64],
+    /// Working memory for the joined inputs of a tape.
     inputs: Vec<f64>,
+    /// Working memory for the derivatives of a tape's outputs by its inputs.
     slopes: Vec<f64>,
+    /// Working memory of the backward evaluation of a tape.
     room: Backwards,
 }
 
 impl<'a> Products<'a> {
-    /// Prepares the equations of a problem for products with their transposed slopes.
+    /// Prepares the equations of a problem for products with their transposed derivatives.
     ///
     /// # Errors
-    /// [`Error::Request`] for equations that were not solved for their accelerations.
+    /// [`Error::Request`] if the accelerations are not eliminated.
     pub fn new(problem: &'a Problem<'_>, tapes: &'a Tapes) -> Result<Self, Error> {
         let parameters = problem.scene.parameters.as_slice();
         let rhs = Eliminated::new(problem.system(), parameters);
@@ -92,7 +99,8 @@ impl<'a> Products<'a> {
         Ok(Self { rhs, tapes, parameters, inputs, slopes, room: Backwards::default() })
     }
 
-    /// Adds the slopes, by parameters and state, of a weighted sum of a tape's outputs.
+    /// Adds the derivatives of a weighted sum of a tape's outputs to `state` and `parameters`. The
+    /// tape's inputs are parameters and state.
     fn pull_by(&mut self, tape: &Tape, y: &[f64], weights: &[f64], (state, parameters): Pulled<'_>) {
         self.inputs.clear();
         self.inputs.extend_from_slice(self.parameters);

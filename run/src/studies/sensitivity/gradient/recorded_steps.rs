@@ -1,4 +1,4 @@
-//! A run with a record of its steps, from impact to impact.
+//! Run that records its steps and its changes of contacts, for a backward sweep.
 
 use crate::error::{Error, refused};
 use crate::preparation::impacts::{After, Approach, Carrier, ContactChange, Crossing, Doubles, HeldContacts, NONE};
@@ -9,51 +9,55 @@ use crate::trust::power::accounted;
 use std::cell::{Cell, RefCell};
 use tripos_sim::{Accompanied, Event, Lent, Options, RightHandSide, SimError, Solution, Stop, integrate};
 
-/// A run, with the parts that it consists of and their steps.
+/// Run with a record of its parts and their steps, for a backward sweep.
 pub struct Stepped {
+    /// Solution of the run.
     pub solution: Solution,
-    /// Parts of the run in their order: a run without contacts has one part.
+    /// Parts of the run in the order of time. A run without contacts has one part.
     pub parts: Vec<Part>,
     /// True if a gap comes close to zero during the run without closing.
     pub is_near: bool,
 }
 
-/// Part of a run in which contacts keep their modes.
+/// Part of a run in which the set of held contacts and their modes do not change.
 pub struct Part {
     /// Instant at which the part begins, s.
     pub t: f64,
-    /// State at the beginning of the part.
+    /// State (q, v) at the beginning of the part.
     pub y: Vec<f64>,
-    /// Crossing with which the part begins; `None` in a scene without contacts.
+    /// Change of contacts, or start, with which the part begins; `None` in a scene without contacts.
     pub begun: Option<Begun>,
     /// Instants at which the steps of the part end, s.
     pub ends: Vec<f64>,
 }
 
-/// Copy of the crossing, or of the start, with which a part of a run begins.
+/// Copy of the change of contacts, or of the start, with which a part of a run begins.
 pub struct Begun {
+    /// Change of a contact that caused the new part; `None` at the start of the run.
     contact_change: Option<ContactChange>,
-    /// State before the crossing.
+    /// State (q, v) before the change.
     pub before: Vec<f64>,
+    /// Contacts that were held closed before the change.
     kept: HeldContacts,
+    /// State, impact and held contacts after the change.
     after: After,
 }
 
 impl Part {
-    /// Contacts that are held in this part.
+    /// Contacts that are held closed in this part.
     pub fn kept(&self) -> &HeldContacts {
         self.begun.as_ref().map_or(&NONE, |begun| &begun.after.kept)
     }
 
-    /// Crossing with which the part begins; `None` if no contact is closed there.
+    /// Change of contacts with which the part begins; `None` if no contact is closed there.
     pub fn crossing(&self) -> Option<Crossing<'_>> {
         let Begun { contact_change, before, kept, after } = self.begun.as_ref()?;
         let crossing = Crossing { t: self.t, contact_change: *contact_change, before, kept, after };
         (!after.closed.is_empty()).then_some(crossing)
     }
 
-    /// Adds the end `t` of the last step, s, which the integrator does not report. It ends the part, at the end of the
-    /// span or at an event.
+    /// Adds the end `t` of the last step, s, unless it is recorded already. The integrator does not
+    /// report this step, which ends the part at an event or at the end of the span.
     fn ends_at(&mut self, t: f64) {
         let last = self.ends.last().unwrap_or(&self.t);
         if last.total_cmp(&t).is_ne() {
@@ -62,11 +66,15 @@ impl Part {
     }
 }
 
-/// Carrier of plain doubles that records steps and crossings.
+/// Carrier of plain doubles that records the steps and the changes of contacts of a run.
 struct Noting<'a> {
+    /// Carrier that computes the run.
     doubles: Doubles<'a>,
+    /// Parts that are recorded so far.
     parts: RefCell<Vec<Part>>,
+    /// Gap below which a minimum counts as near zero, relative to the size of the gap's terms.
     near: f64,
+    /// True once a minimum of an open gap was near zero.
     is_near: Cell<bool>,
 }
 
@@ -107,8 +115,8 @@ impl Carrier<f64> for Noting<'_> {
 }
 
 impl Stepped {
-    /// Makes the run of a problem from the integrated state `y0` as [`Problem::solve`] makes it, and records the ends
-    /// of its steps. The integrator calls a function after each step, which records its end.
+    /// Makes the run of a problem from the integrated state `y0`, with the same steps as
+    /// [`Problem::solve`], and records the ends of its steps.
     ///
     /// # Errors
     /// [`Error::Request`] if the run cannot begin.
@@ -126,6 +134,9 @@ impl Stepped {
     }
 
     /// Makes the run of a scene without contacts, which has one part.
+    ///
+    /// # Errors
+    /// `Error::Request` if the run cannot begin.
     fn smooth(problem: &Problem<'_>, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Self, Error> {
         let refuse = |error| refused(problem.scene, &error);
         let mut rhs = problem.right_hand_side().map_err(refuse)?;
@@ -147,7 +158,10 @@ impl Stepped {
         Ok(Self { solution, parts: vec![part], is_near: false })
     }
 
-    /// Makes the run of a scene with contacts, which has a part for each change of contacts.
+    /// Makes the run of a scene with contacts, with a part for each change of contacts.
+    ///
+    /// # Errors
+    /// `Error::Request` if the run cannot begin.
     fn bouncing(problem: &Problem<'_>, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Self, Error> {
         let contacts = problem.contacts();
         let equations = || problem.right_hand_side();

@@ -1,4 +1,5 @@
-//! Backward sweep through the steps of a run, and across the changes of contacts between its parts.
+//! Backward sweep through the recorded steps of a run, and across the changes of contacts between
+//! its parts.
 
 use super::crossings::Crossings;
 use super::held_contacts::{HeldOf, Motion};
@@ -15,43 +16,48 @@ use crate::studies::sensitivity::shown_quantities::Quantities;
 use tripos_sim::adjoint::{Adjoint, Course, Unswept, segments};
 use tripos_sim::{Options, RightHandSide};
 
-/// Quantity at the end of a run whose gradient is taken.
+/// Quantity at the end of a run whose gradient is computed.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Target {
-    /// Instant at which an event ends the run.
+    /// Instant at which an event ends the run, s.
     End,
-    /// Shown quantity at the end, by its index in [`Quantities::names`].
+    /// Shown quantity at the end; the value is its index in [`Quantities::names`].
     Shown(usize),
 }
 
-/// Tapes, quantities and numbers that a backward sweep uses.
+/// Tapes, quantities and varied numbers that a backward sweep uses.
 pub struct Through<'a> {
+    /// Tapes of the equations, which are run backwards.
     pub tapes: &'a Tapes,
+    /// Quantities at the end of the run.
     pub quantities: &'a Quantities,
+    /// Numbers by which derivatives are taken.
     pub numbers: &'a [Number],
-    /// Equations that compute with slopes; `None` for scenes without contacts.
+    /// Equations of motion that also compute derivatives; `None` for scenes without contacts.
     pub equations: Option<&'a Equations>,
 }
 
-/// Derivatives of a target with respect to the integrated state at the start of a run and by each parameter.
+/// Derivatives of the target of a sweep by the integrated state at the start of a run and by each
+/// parameter.
 pub struct Swept {
-    /// Derivatives of the target with respect to the state at the start, after contacts have changed there.
+    /// Derivatives of the target by the state at the start, just after contacts have changed there.
     state: Vec<f64>,
-    /// Derivatives of the target by each parameter, then by each restitution and each coefficient of friction of the
-    /// contacts.
+    /// Derivatives of the target by each parameter. With contacts, those by each coefficient of
+    /// restitution and then by each coefficient of friction follow.
     parameters: Vec<f64>,
-    /// Largest number of states that the sweep kept at once.
+    /// Largest number of states that the sweep stored at a time.
     pub states: usize,
     /// Derivatives of the state at the start by each number, or the reason why there are none.
     starts: Vec<Result<Vec<f64>, String>>,
-    /// Instant and reason of the end of the derivatives with respect to all numbers; `None` if they reach the start.
+    /// Instant and reason at which the derivatives by all numbers end; `None` if the sweep reached the
+    /// start.
     pub ended: Option<Ending>,
-    /// True if possibly only some numbers have derivatives, so that each must be checked.
+    /// True if only some numbers may have derivatives, so that each number must be checked.
     pub asks: bool,
 }
 
 impl Swept {
-    /// Derivative of the target with respect to the number with the index `at`, and the size of the terms of its sum.
+    /// Derivative of the target by the number with index `at`, and the size of the terms of its sum.
     /// Both are NaN if there is no derivative.
     pub fn by(&self, at: usize, number: &Number) -> (f64, f64) {
         let (Ok(seed), Ok(start), None) = (&number.seed, &self.starts[at], &self.ended) else {
@@ -64,18 +70,21 @@ impl Swept {
         terms.fold((0.0, 0.0), |(sum, size), term| (sum + term, size + term.abs()))
     }
 
-    /// Reason why there is no derivative with respect to the number with the index `at`; `None` if no reason is known.
+    /// Reason why there is no derivative by the number with index `at`; `None` if no reason is known.
     pub fn missing(&self, at: usize) -> Option<String> {
         self.starts[at].as_ref().err().cloned().or_else(|| self.ended.as_ref().map(Ending::to_string))
     }
 }
 
-/// Sweeps a target backwards through the parts of a run.
+/// Sweeps backwards through the parts of a run, for the derivatives of the target by the start and
+/// the parameters.
 ///
-/// If an event ended a part, the last step of the part is repeated with its actual length, by the method itself.
+/// If an event ended a part, its last step is repeated with its actual length by the integrator
+/// itself.
 ///
 /// # Errors
-/// [`Error::Interrupted`] if the observer ends the work; [`Error::Stopped`] if a value does not exist.
+/// [`Error::Interrupted`] if the observer ends the sweep; [`Error::Stopped`] if a value does not
+/// exist.
 pub fn sweep(
     problem: &Problem<'_>,
     through: &Through<'_>,
@@ -121,7 +130,8 @@ pub fn sweep(
 }
 
 impl Swept {
-    /// Begins a sweep of a run with the derivatives of its start by each number.
+    /// Begins a sweep: computes the derivatives of the run's start by each number, across a change of
+    /// contacts at the start.
     fn new(numbers: &[Number], crossings: Option<&Crossings<'_>>, run: &Stepped) -> Self {
         let mut asks = false;
         let begins = crossings.zip(run.parts.first().and_then(Part::crossing));
@@ -138,7 +148,7 @@ impl Swept {
         Self { state: Vec::new(), parameters: Vec::new(), states: 0, starts, ended: None, asks }
     }
 
-    /// Adds the gradient of a part of the run; `before` is the number of parts before it.
+    /// Adds the derivatives of a part of the run; `before` is the number of parts before it.
     fn add(&mut self, part: tripos_sim::adjoint::Gradient, before: usize) {
         self.state = part.state;
         self.states = self.states.max(part.states + before);
@@ -148,7 +158,7 @@ impl Swept {
     }
 }
 
-/// Error for a sweep that did not come to its end.
+/// Error for a sweep that could not reach the start of the run.
 fn stopped(why: Unswept) -> Error {
     match why {
         Unswept::Interrupted => Error::Interrupted,
@@ -156,18 +166,22 @@ fn stopped(why: Unswept) -> Error {
     }
 }
 
-/// End of a run.
+/// End of a run, from which a backward sweep begins.
 struct RunEnd<'a> {
-    /// Instant of the end, s.
+    /// Instant at which the run ends, s.
     t: f64,
-    /// Integrated state at the end.
+    /// Integrated state (q, v) at the end.
     y: &'a [f64],
-    /// Index of the event that ended the run; `None` if no event did.
+    /// Index of the event that ended the run; `None` if no event ended it.
     event: Option<usize>,
 }
 
-/// Derivatives of a target with respect to the state at the end of a run, and directly by parameters. They are total
-/// ones if an event g = 0 ends the run, as its instant moves by dt = −(g_y dy + g_p dp)/(g_y f).
+/// Derivatives of the target by the state at the end of a run, and its direct derivatives by the
+/// parameters. If an event g = 0 ends the run, they include the shift of the end, dt = −(g_y dy +
+/// g_p dp)/(g_y f).
+///
+/// # Errors
+/// `Error` if the rates or the reactions at the end cannot be computed.
 fn weights(
     problem: &Problem<'_>,
     quantities: &Quantities,

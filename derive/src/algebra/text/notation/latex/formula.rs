@@ -1,4 +1,4 @@
-//! Sums and products of LaTeX: adjacent operands make a product.
+//! Translation of sums and products in LaTeX formulas: adjacent operands make a product.
 
 use super::marks::Mark;
 use super::symbol::Cursor;
@@ -10,37 +10,41 @@ use crate::algebra::text::notation::symbol::Symbol;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
-/// Number of letters on either side of a letter within which the word around it is looked for.
+/// Largest number of tokens on either side of a letter within which the word around it is searched.
 const LONGEST_WORD: usize = 60;
 
-/// State of reading a formula of LaTeX, from left to right.
+/// State of translating a LaTeX formula, from left to right.
 pub(super) struct Formula<'a, 's> {
+    /// Position of the translation in the tokens of the LaTeX formula.
     pub(super) cursor: Cursor<'a>,
+    /// Source of the model's names for LaTeX symbols.
     pub(super) spell: &'s mut dyn Spell,
+    /// Formula in the language of model files, as translated so far.
     pub(super) out: Plain,
 }
 
-/// Kind of mark in front of the next operand.
+/// Kind of token before the next operand.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Before {
-    /// Nothing, or an operator.
+    /// Nothing yet, or an operator: the next operand needs no product sign.
     Nothing,
-    /// An operand.
+    /// An operand: the next operand multiplies it, and a product sign is added.
     Operand,
-    /// An operand that a slash divides by.
+    /// An operand after a slash: it is unclear if the slash also divides by the next operand.
     Divisor,
 }
 
-/// Kind of the bars of an absolute value.
+/// Kind of bars around an absolute value.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Bars {
-    /// Bars after `\left` and `\right`, which may be nested.
+    /// Bars written with `\left` and `\right`, which may be nested.
     Sized,
-    /// Plain bars, of which the next one closes.
+    /// Plain bars `|`: the next bar closes the absolute value.
     Plain,
 }
 
 impl Formula<'_, '_> {
+    /// Translates the whole formula. Error if tokens are left over.
     pub(super) fn whole(mut self) -> Result<Plain, ParseError> {
         self.sum()?;
         if self.cursor.peek().is_none() {
@@ -57,7 +61,7 @@ impl Formula<'_, '_> {
         Err(wrong(span, format!("unexpected `{what}`"), help))
     }
 
-    /// Text of the next mark, as it is written; empty at the end.
+    /// Text of the next token as the formula writes it; empty at the end.
     fn name_of_mark(&self) -> String {
         match self.cursor.peek() {
             Some(Mark::Number(text)) => text.clone(),
@@ -67,7 +71,7 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// Reads a sum, up to the first mark that does not belong to it.
+    /// Translates a sum, up to the first token that does not belong to it.
     pub(super) fn sum(&mut self) -> Result<(), ParseError> {
         self.cursor.enter()?;
         let (mut before, mut slash) = (Before::Nothing, false);
@@ -91,7 +95,7 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Operator that the next mark stands for; `None` if it is no operator.
+    /// Operator that the next token stands for; `None` if the token is not an operator.
     fn operator(&self) -> Option<&'static str> {
         match self.cursor.peek()? {
             Mark::Char('+') => Some("+"),
@@ -107,8 +111,8 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// Reads an operand with its power, and writes the product sign in front of it if needed; false if no operand
-    /// begins here.
+    /// Translates an operand with its power, with a product sign before it if needed. False if no
+    /// operand begins at the next token. Error if the product is ambiguous.
     fn operand(&mut self, before: Before) -> Result<bool, ParseError> {
         let place = self.cursor.here();
         match self.cursor.peek() {
@@ -133,7 +137,8 @@ impl Formula<'_, '_> {
         Ok(true)
     }
 
-    /// Character that closes the parenthesis opened by the next mark: `(`, `[` or `\\{`; `None` if the mark opens none.
+    /// Character that closes the parenthesis that the next token opens: `(`, `[` or `\\{`. `None`
+    /// if the token opens no parenthesis.
     pub(super) fn closer(&self) -> Option<char> {
         match self.cursor.peek()? {
             Mark::Char('(') => Some(')'),
@@ -143,7 +148,7 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// Reads one factor without its power.
+    /// Translates one factor without its power.
     pub(super) fn factor(&mut self) -> Result<(), ParseError> {
         self.cursor.enter()?;
         self.one_factor()?;
@@ -151,6 +156,7 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
+    /// Translates a number, a parenthesis, a fraction, a root, a function, a symbol or a group.
     fn one_factor(&mut self) -> Result<(), ParseError> {
         let first = self.cursor.at;
         let place = self.cursor.here();
@@ -195,7 +201,7 @@ impl Formula<'_, '_> {
         Err(self.odd())
     }
 
-    /// Error for a mark that stands where an operand should.
+    /// Creates the error for a token where an operand is expected, with advice.
     fn odd(&self) -> ParseError {
         let (place, what) = (self.cursor.here(), self.name_of_mark());
         match self.cursor.peek() {
@@ -222,7 +228,8 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// Writes the name of a symbol whose first mark has the number `first`.
+    /// Writes the name of a symbol to the translation. `first` is the index of the symbol's first
+    /// token. Error if the symbol has no name in the model.
     pub(super) fn name(&mut self, symbol: &Symbol, place: Range<usize>, first: usize) -> Result<(), ParseError> {
         if symbol.base == "\\pi" && symbol.still() == "\\pi" && symbol.dots == 0 && !self.spell.knows(symbol) {
             self.out.push("pi", place);
@@ -234,7 +241,7 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Reads the argument of time behind a symbol, as in \theta(t), if there is one.
+    /// Skips the argument (t) of a function of time, as in \theta(t), if it comes next.
     pub(super) fn end_of_time(&mut self) {
         let before = self.cursor.at;
         let is_time = self.cursor.takes('(') && self.cursor.peek() == Some(&Mark::Letter('t'));
@@ -244,8 +251,8 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// Letters and digits that touch the mark with the number `first`, such as `den` for d e n; empty if there is only
-    /// one.
+    /// Word of adjacent letters and digits around the token with the index `first`, such as `den`
+    /// for d e n. Empty if there is only one letter.
     fn run(&self, first: usize) -> String {
         let part = |at: usize| match &self.cursor.list[at].mark {
             Mark::Letter(c) => Some(c.to_string()),
@@ -265,7 +272,7 @@ impl Formula<'_, '_> {
         if run.len() > 1 { run } else { String::new() }
     }
 
-    /// Reads the power of the last factor, if one follows.
+    /// Translates the exponent of the last factor, if there is one. Error for a second exponent.
     fn power(&mut self) -> Result<(), ParseError> {
         let place = self.cursor.here();
         if !self.cursor.takes('^') {
@@ -281,7 +288,8 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Reads the argument of a command: a group, or one factor without braces.
+    /// Translates the argument of a command: a group in braces, or one factor without braces.
+    /// `what` describes it in errors.
     pub(super) fn argument(&mut self, what: &str) -> Result<(), ParseError> {
         let place = self.cursor.here();
         if self.cursor.takes('{') {
@@ -297,7 +305,8 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// Reads the rest of a group whose brace was at `open`, up to its closing brace.
+    /// Translates the rest of a group in braces, up to its closing brace. The opening brace was at
+    /// `open`.
     fn braced(&mut self, open: &Range<usize>) -> Result<(), ParseError> {
         self.sum()?;
         if self.cursor.takes('}') {
@@ -310,7 +319,7 @@ impl Formula<'_, '_> {
         Err(wrong(open.clone(), "this `{` is never closed", "add `}`"))
     }
 
-    /// Reads the rest of a group in braces that is a factor, and writes it in parentheses.
+    /// Translates the rest of a group in braces that is a factor, and writes it in parentheses.
     fn group(&mut self, open: &Range<usize>) -> Result<(), ParseError> {
         self.out.push("(", open.clone());
         self.braced(open)?;
@@ -318,7 +327,8 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Reads sums between an opening parenthesis, which is next, and its closing mark `end`.
+    /// Translates a parenthesis with its content. Its opening token comes next, and `end` closes
+    /// it. Commas may separate several sums.
     pub(super) fn parenthesized(&mut self, end: char) -> Result<(), ParseError> {
         let open = self.cursor.here();
         self.cursor.at += 1;
@@ -349,7 +359,7 @@ impl Formula<'_, '_> {
         Err(wrong(open, message, &format!("add `{end}`")))
     }
 
-    /// Reads an absolute value |…|, whose first bar is next.
+    /// Translates an absolute value |…|, whose first bar comes next.
     fn absolute(&mut self, bars: Bars) -> Result<(), ParseError> {
         let open = self.cursor.here();
         self.cursor.at += 1;
@@ -358,7 +368,7 @@ impl Formula<'_, '_> {
         let end = self
             .closing_bar(first, bars)
             .ok_or_else(|| wrong(open.clone(), "this bar is never closed", "write \\left| … \\right|"))?;
-        // The text between the bars is a formula of its own.
+        // The tokens between the bars are a formula of their own.
         let list = &self.cursor.list[first..end];
         let limit = self.cursor.list[end].span.start;
         let inner = Cursor { list, at: 0, depth: self.cursor.depth, end: limit };
@@ -374,8 +384,8 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Number of the closing bar: for \left and \right that of the same depth, for plain bars the next; `None` if there
-    /// is none.
+    /// Index of the closing bar: for \left and \right the bar of the same depth, for plain bars the
+    /// next bar. `None` if there is no closing bar.
     fn closing_bar(&self, first: usize, bars: Bars) -> Option<usize> {
         let is_left = bars == Bars::Sized;
         let mut open = 0_usize;

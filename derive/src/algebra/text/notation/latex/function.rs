@@ -1,4 +1,5 @@
-//! Fractions, roots and functions of LaTeX, and the end of a function's argument that has no parentheses.
+//! Translation of fractions, roots and functions in LaTeX formulas, and the end of an argument
+//! without parentheses.
 
 use super::formula::Formula;
 use super::marks::Mark;
@@ -8,17 +9,18 @@ use crate::algebra::text::notation::symbol::Symbol;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
-/// Kind of an argument without parentheses.
+/// Kind of a function's argument that has no parentheses.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Argument {
-    /// Numbers only, such as 2π.
+    /// Numbers only, such as 2π: a symbol may still follow.
     Number,
-    /// Term with a symbol, a root or a fraction.
+    /// Term with a symbol, a root or a fraction: it ends the argument.
     Term,
 }
 
 impl Formula<'_, '_> {
-    /// Reads a fraction whose command \frac is next, or a derivative with respect to time that is written as one.
+    /// Translates a fraction, or a time derivative written as a fraction, whose command \frac comes
+    /// next.
     pub(super) fn fraction(&mut self) -> Result<(), ParseError> {
         let place = self.cursor.here();
         let first = self.cursor.at;
@@ -27,7 +29,7 @@ impl Formula<'_, '_> {
         }
         self.cursor.at = first + 1;
         self.out.push_all(&["(", "("], &place);
-        // \frac12: one digit above, the other below.
+        // \frac12: the first digit is the numerator, the second the denominator.
         if let Some(Mark::Number(digits)) = self.cursor.peek()
             && digits.len() == 2
             && digits.bytes().all(|b| b.is_ascii_digit())
@@ -46,8 +48,8 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Reads a derivative with respect to time, such as \frac{d\theta}{dt} or \frac{d}{dt}(…), whose command \frac is
-    /// next; false if the fraction is none.
+    /// Translates a time derivative such as \frac{d\theta}{dt} or \frac{d}{dt}(…), whose command
+    /// \frac comes next. False if the fraction is not a time derivative.
     fn derivative(&mut self) -> Result<bool, ParseError> {
         let (first, place) = (self.cursor.at, self.cursor.here());
         self.cursor.at += 1;
@@ -88,7 +90,7 @@ impl Formula<'_, '_> {
         Ok(true)
     }
 
-    /// Reads a square root whose command \sqrt is next.
+    /// Translates a square root, whose command \sqrt comes next. Error for other roots.
     pub(super) fn root(&mut self) -> Result<(), ParseError> {
         let place = self.cursor.here();
         self.cursor.at += 1;
@@ -101,7 +103,8 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Reads a function in roman type, such as \operatorname{sgn}, which is next.
+    /// Translates a function in roman type, such as \operatorname{sgn}, which comes next. `name` is
+    /// its name in model files.
     pub(super) fn roman_function(&mut self, name: &str) -> Result<(), ParseError> {
         let first = self.cursor.at;
         self.cursor.symbol(&|_| false)?;
@@ -109,14 +112,16 @@ impl Formula<'_, '_> {
         self.applied(name, &place)
     }
 
-    /// Reads a function that is a command, such as \sin, which is next.
+    /// Translates a function that is a command, such as \sin, which comes next. `name` is its name
+    /// in model files.
     pub(super) fn function(&mut self, name: &str) -> Result<(), ParseError> {
         let place = self.cursor.here();
         self.cursor.at += 1;
         self.applied(name, &place)
     }
 
-    /// Reads the power and the argument of a function, which are next, and writes its call.
+    /// Translates the power and the argument of a function, which come next. `name` is its name in
+    /// model files, and `place` its byte range.
     fn applied(&mut self, name: &str, place: &Range<usize>) -> Result<(), ParseError> {
         let power = self.power_of_function()?;
         self.out.push(name, place.clone());
@@ -138,7 +143,8 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Reads the power between a function and its argument, a whole number; `None` if there is no power.
+    /// Reads the power between a function and its argument, as in \sin^2 x: its digits and place.
+    /// `None` if there is no power. Error if the power is not a positive integer.
     fn power_of_function(&mut self) -> Result<Option<(String, Range<usize>)>, ParseError> {
         let first = self.cursor.at;
         if !self.cursor.takes('^') {
@@ -163,7 +169,8 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// Reads an argument without parentheses: numbers, then one symbol, root or fraction, and the time behind it.
+    /// Translates an argument without parentheses: numbers, then one symbol, root or fraction, and
+    /// a time t after it. Error if its end is not clear.
     fn bare_argument(&mut self, name: &str, place: &Range<usize>) -> Result<(), ParseError> {
         let first = self.cursor.at;
         let is_number = |mark: Option<&Mark>| matches!(mark, Some(Mark::Number(_)));
@@ -182,7 +189,8 @@ impl Formula<'_, '_> {
             is_coordinate = self.begins_coordinate();
             self.factor()?;
             only_numbers &= number;
-            // \sin\omega t is sin(ω t), as everybody prints it: no one multiplies the sine of a constant by the time.
+            // \sin\omega t is sin(ω t), as it is commonly printed: nobody multiplies the sine of a
+            // constant by the time.
             if !number && !is_coordinate && self.begins_time() {
                 self.out.push("*", self.cursor.here());
                 self.factor()?;
@@ -201,13 +209,14 @@ impl Formula<'_, '_> {
             let help = format!("write \\{name}(…)");
             return Err(wrong(place.clone(), format!("`{name}` needs an argument"), &help));
         }
-        // Nobody multiplies a coordinate inside of a function: \sin\theta(…) is (sin θ)·(…).
+        // Nobody multiplies a coordinate by a parenthesis inside a function: \sin\theta(…) is (sin
+        // θ)·(…).
         let ends = is_coordinate && matches!(self.cursor.peek(), Some(Mark::Char('(' | '[')));
         let argument = if only_numbers { Argument::Number } else { Argument::Term };
         if ends { Ok(()) } else { self.end_of_argument(name, argument) }
     }
 
-    /// True if the symbol of a coordinate comes next.
+    /// True if the symbol of a generalized coordinate comes next.
     fn begins_coordinate(&mut self) -> bool {
         let before = self.cursor.clone();
         let spell = &mut *self.spell;
@@ -216,7 +225,7 @@ impl Formula<'_, '_> {
         matches!(found, Ok(Some((symbol, _))) if self.spell.is_coordinate(&symbol))
     }
 
-    /// True if the time t comes next, without a space that would set it apart.
+    /// True if the time t comes next, without printed space before it.
     fn begins_time(&mut self) -> bool {
         if self.cursor.list.get(self.cursor.at).is_some_and(|next| next.apart) {
             return false;
@@ -227,7 +236,7 @@ impl Formula<'_, '_> {
         matches!(found, Ok(Some((symbol, _))) if symbol == Symbol::plain("t"))
     }
 
-    /// True if a symbol comes next; the name of a function is no symbol.
+    /// True if a symbol comes next. False for the name of a function.
     fn begins_symbol(&mut self) -> bool {
         let before = self.cursor.clone();
         let found = self.cursor.symbol(&|_| false);
@@ -235,7 +244,8 @@ impl Formula<'_, '_> {
         matches!(found, Ok(Some((symbol, _))) if symbol.base.len() == 1 || function(&symbol.base).is_none())
     }
 
-    /// True if a symbol with a dot or prime comes next: a rate, which nobody writes into the argument of a function.
+    /// True if a symbol with a dot or prime comes next: a rate, which nobody writes into a
+    /// function's argument without parentheses.
     fn begins_rate(&mut self) -> bool {
         let before = self.cursor.clone();
         let spell = &mut *self.spell;
@@ -244,7 +254,8 @@ impl Formula<'_, '_> {
         matches!(found, Ok(Some((symbol, _))) if symbol.dots > 0)
     }
 
-    /// Refuses a next mark of which it is unclear if it belongs to the argument of a function.
+    /// Checks that the argument of a function clearly ends before the next token. Error if the
+    /// token may belong to the argument.
     fn end_of_argument(&mut self, name: &str, argument: Argument) -> Result<(), ParseError> {
         let only_numbers = argument == Argument::Number;
         let apart = self.cursor.list.get(self.cursor.at).is_some_and(|next| next.apart);

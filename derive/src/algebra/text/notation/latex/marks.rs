@@ -1,5 +1,5 @@
-//! A text of LaTeX as marks: numbers, letters, commands and single characters. Marks that only space or align are
-//! dropped.
+//! Splitting of LaTeX text into tokens: numbers, letters, commands and single characters. Tokens
+//! that only add space or align are dropped.
 
 use crate::algebra::text::notation::refusal::{found, wrong};
 use crate::algebra::text::notation::unicode::operator;
@@ -7,31 +7,34 @@ use crate::algebra::text::parse::ParseError;
 use crate::algebra::text::print::greek_name;
 use std::ops::Range;
 
-/// Smallest unit of a formula in LaTeX: a number, a letter, a command such as `\frac`, or another character.
+/// Smallest unit of a LaTeX formula: a number, a letter, a command such as `\frac`, or another
+/// character.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Mark {
-    /// Digits of a number, perhaps with a point.
+    /// Digits of a number, with or without a decimal point.
     Number(String),
-    /// A Latin letter.
+    /// A single Latin letter.
     Letter(char),
-    /// A command without its backslash.
+    /// A LaTeX command, without its backslash.
     Command(String),
-    /// Any other character.
+    /// Any other single character, such as `+` or a brace.
     Char(char),
 }
 
-/// A mark and its place in the text, in bytes.
+/// Token of a LaTeX formula with its place in the text.
 #[derive(Clone, Debug)]
 pub(super) struct Placed {
+    /// The token: a number, letter, command or other character.
     pub(super) mark: Mark,
+    /// Place of the token in the text, as a byte range.
     pub(super) span: Range<usize>,
-    /// True if printed space stands in front of it.
+    /// True if the formula prints space before the token.
     pub(super) apart: bool,
 }
 
-/// Commands that only print space.
+/// LaTeX commands that only print space.
 const SPACES: [&str; 8] = [",", ";", ":", " ", "quad", "qquad", "thinspace", "medspace"];
-/// Commands that only change the look, and commands around whole formulas.
+/// LaTeX commands that only change the appearance, and commands around whole formulas.
 const LOOKS: [&str; 24] = [
     "!",
     "\\",
@@ -59,7 +62,8 @@ const LOOKS: [&str; 24] = [
     ")",
 ];
 
-/// Splits a text of LaTeX into marks.
+/// Splits a LaTeX text into tokens. Error for a character or command that cannot occur in a
+/// formula.
 pub(super) fn marks(text: &str) -> Result<Vec<Placed>, ParseError> {
     let (mut list, mut at, mut apart, mut side) = (Vec::new(), 0, false, None);
     while let Some(c) = text[at..].chars().next() {
@@ -124,7 +128,7 @@ pub(super) fn marks(text: &str) -> Result<Vec<Placed>, ParseError> {
     Ok(without_supports(list))
 }
 
-/// Name of the command behind a backslash: letters, or one character.
+/// Name of the command after a backslash at byte `at`: letters, or a single character.
 fn command(text: &str, at: usize) -> &str {
     let rest = &text[at..];
     let letters = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
@@ -132,7 +136,7 @@ fn command(text: &str, at: usize) -> &str {
     &rest[..length]
 }
 
-/// Length, in bytes, of the number at the start of a text.
+/// Length, in bytes, of the decimal number at the start of a text.
 fn number(text: &str) -> usize {
     let mut points = 0;
     let inside = |c: char| {
@@ -142,7 +146,7 @@ fn number(text: &str) -> usize {
     text.find(inside).unwrap_or(text.len())
 }
 
-/// Removes `{}` in front of signs and products, which only makes room.
+/// Removes each empty group `{}` before a sign or product, which only adds space.
 fn without_supports(list: Vec<Placed>) -> Vec<Placed> {
     let is = |at: usize, c: char| list.get(at).is_some_and(|placed| placed.mark == Mark::Char(c));
     let is_product = |at: usize| match list.get(at).map(|placed| &placed.mark) {
@@ -155,7 +159,8 @@ fn without_supports(list: Vec<Placed>) -> Vec<Placed> {
     list.into_iter().zip(dropped).filter(|(_, dropped)| !dropped).map(|(placed, _)| placed).collect()
 }
 
-/// Removes the punctuation of the surrounding text at the end of a formula.
+/// Removes a comma, semicolon or full stop at the end of a formula: it belongs to the surrounding
+/// sentence.
 fn without_stop(list: &mut Vec<Placed>) {
     let Some(last) = list.last_mut() else { return };
     match &mut last.mark {

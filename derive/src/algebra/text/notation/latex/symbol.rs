@@ -7,7 +7,8 @@ use crate::algebra::text::notation::symbol::Symbol;
 use crate::algebra::text::parse::{MAX_DEPTH, ParseError};
 use std::ops::Range;
 
-/// Reads a text that is one symbol; a superscript belongs to it. `None` if the text is anything else.
+/// Reads a text that is a single LaTeX symbol; a superscript belongs to the symbol. `None` if the
+/// text is anything else.
 #[must_use]
 pub fn read_symbol(text: &str) -> Option<Symbol> {
     let list = marks(text).ok()?;
@@ -16,10 +17,10 @@ pub fn read_symbol(text: &str) -> Option<Symbol> {
     (cursor.at == list.len()).then_some(symbol)
 }
 
-/// Type faces that do not change what a letter means.
+/// Type faces that do not change the meaning of a letter.
 const UPRIGHT: [&str; 9] =
     ["mathrm", "text", "textrm", "mathit", "textit", "mathnormal", "operatorname", "mathsf", "mbox"];
-/// Accents and type faces that make another symbol of a letter.
+/// Accents and type faces that make a letter into another symbol.
 const ACCENTS: [&str; 15] = [
     "mathbf",
     "boldsymbol",
@@ -37,46 +38,51 @@ const ACCENTS: [&str; 15] = [
     "check",
     "breve",
 ];
-/// Commands for time derivatives, each with the order of the derivative.
+/// LaTeX commands for time derivatives, each with the order of the derivative.
 const DOTS: [(&str, usize); 3] = [("dot", 1), ("ddot", 2), ("dddot", 3)];
 
-/// Highest order of a time derivative that is written as a fraction.
+/// Highest order of a time derivative that may be written as a fraction.
 const MOST_DOTS: usize = 3;
 
-/// Position in a list of marks.
+/// Position in the tokens of a LaTeX formula.
 #[derive(Clone)]
 pub(super) struct Cursor<'a> {
+    /// All tokens of the LaTeX formula.
     pub(super) list: &'a [Placed],
+    /// Index of the next token.
     pub(super) at: usize,
+    /// Number of groups and parentheses that are open.
     pub(super) depth: usize,
-    /// Length of the text, in bytes.
+    /// Length of the formula's text, in bytes.
     pub(super) end: usize,
 }
 
 impl<'a> Cursor<'a> {
+    /// Next token; `None` at the end.
     pub(super) fn peek(&self) -> Option<&'a Mark> {
         self.list.get(self.at).map(|placed| &placed.mark)
     }
 
-    /// Place of the next mark, or the end of the text, in bytes.
+    /// Byte range of the next token; at the end, the empty range after the text.
     pub(super) fn here(&self) -> Range<usize> {
         self.list.get(self.at).map_or(self.end..self.end, |placed| placed.span.clone())
     }
 
-    /// Place from the mark with the number `first` to the last mark that was read, in bytes.
+    /// Byte range from the token with the index `first` to the last token that was read.
     pub(super) fn since(&self, first: usize) -> Range<usize> {
         let start = self.list.get(first).map_or(self.end, |placed| placed.span.start);
         let last = self.list[..self.at.min(self.list.len())].last().map_or(start, |placed| placed.span.end);
         start..last.max(start)
     }
 
+    /// Skips the character `c` if it comes next; true if it did.
     pub(super) fn takes(&mut self, c: char) -> bool {
         let found = self.peek() == Some(&Mark::Char(c));
         self.at += usize::from(found);
         found
     }
 
-    /// Reads the d of a derivative, upright or not; false if none comes next.
+    /// Reads the letter d of a derivative, in roman type or not. False if it does not come next.
     pub(super) fn takes_d(&mut self) -> bool {
         let before = self.at;
         let is_face = matches!(self.peek(), Some(Mark::Command(name)) if UPRIGHT.contains(&name.as_str()));
@@ -91,8 +97,8 @@ impl<'a> Cursor<'a> {
         false
     }
 
-    /// Reads the order of a derivative, as in d^2; 1 if no power comes next, 0 for one that is no order of a derivative
-    /// by time.
+    /// Reads the order of a derivative, as in d^2. It is 1 if no exponent comes next, and 0 if the
+    /// exponent is not a valid order.
     pub(super) fn takes_order(&mut self) -> usize {
         if !self.takes('^') {
             return 1;
@@ -106,6 +112,7 @@ impl<'a> Cursor<'a> {
         if !braced || self.takes('}') { order } else { 0 }
     }
 
+    /// Counts one more level of nesting. Error if the nesting is too deep.
     pub(super) fn enter(&mut self) -> Result<(), ParseError> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {
@@ -114,8 +121,8 @@ impl<'a> Cursor<'a> {
         Ok(())
     }
 
-    /// Reads a symbol, with its place; `None` if none begins here. A superscript belongs to the symbol if `knows`
-    /// accepts it.
+    /// Reads a symbol, and returns it with its byte range. `None` if no symbol begins at the next
+    /// token. A superscript belongs to the symbol if `knows` accepts the symbol with it.
     pub(super) fn symbol(
         &mut self,
         knows: &dyn Fn(&Symbol) -> bool,
@@ -145,7 +152,7 @@ impl<'a> Cursor<'a> {
                     let primes = text.matches("\\prime").count();
                     let primes_only = primes > 0 && text.len() == primes * "\\prime".len();
                     let mut marked = Symbol { mark: text, ..symbol.clone() };
-                    // I^B_{11}: the subscript belongs to the symbol that `knows` is asked about.
+                    // I^B_{11}: the subscript belongs to the symbol that is passed to `knows`.
                     if !primes_only && marked.subscript.is_empty() && self.takes('_') {
                         marked.subscript = self.script()?;
                     }
@@ -164,7 +171,8 @@ impl<'a> Cursor<'a> {
         Ok(Some((symbol, self.since(first))))
     }
 
-    /// Reads the letter of a symbol, in any braces, accents and dots; `None` if none begins here.
+    /// Reads the letter of a symbol, within any braces, accents and dots. `None` if no letter
+    /// begins at the next token.
     fn base(&mut self, knows: &dyn Fn(&Symbol) -> bool) -> Result<Option<Symbol>, ParseError> {
         let Some(mark) = self.peek() else { return Ok(None) };
         self.at += 1;
@@ -202,7 +210,8 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Reads the symbol under an accent: a braced symbol, or one letter. `None` if neither comes next.
+    /// Reads the symbol under dots: a braced symbol, or a single letter. `None` if neither comes
+    /// next.
     fn symbol_without_scripts(
         &mut self,
         knows: &dyn Fn(&Symbol) -> bool,
@@ -214,6 +223,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Reads a subscript or superscript as text, without braces, spaces and upright type faces.
+    /// Error if it is missing or ambiguous.
     fn script(&mut self) -> Result<String, ParseError> {
         let (mut text, mut open) = (String::new(), 0_usize);
         let first = self.at;
